@@ -1,0 +1,110 @@
+"""A move to a target from any velocity, written once for every shape of ramp.
+
+A shape answers three questions about speeds >= 0: how it speeds up, how it slows down (each as duration and
+ramp kind), and the peak speed of a move too short for its slew speed.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.profile.curve import Profile
+from motionlang.profile.limits import check_finite, too_large
+from motionlang.profile.ramps import ramp_distance
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.profile.ramps import Recipe
+
+    Ramp = Callable[[float, float], tuple[float, float]]
+    Peak = Callable[[float, float], float]
+
+
+class Ramps:
+    """One shape with its limits: `up` and `down` from speed to speed, `peak` from (speed, distance)."""
+
+    __slots__ = ("down", "peak", "shape", "up")
+
+    def __init__(self, shape: str, up: Ramp, down: Ramp, peak: Peak) -> None:
+        self.shape = shape
+        self.up = up
+        self.down = down
+        self.peak = peak
+
+
+def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float) -> Profile:
+    """The move from `start` at velocity `v0` to rest at `target`.
+
+    Running the wrong way: stop first. Too fast for `speed`: brake to it first. Too fast to stop at the
+    target: stop beyond it and come back.
+    """
+    distance = target - start
+    sign = 1.0 if distance > 0.0 or (distance == 0.0 and v0 > 0.0) else -1.0
+    size, u = abs(distance), sign * v0
+    if u == 0.0:
+        return finish(ramps.shape, start, target, (0.0, *_travel(ramps, size, speed, 0.0, sign)))
+    time, kind = ramps.down(abs(u), 0.0)
+    stopping = ramp_distance(abs(u), time, kind, 0.0)
+    if u < 0.0:
+        rest = _travel(ramps, size + stopping, speed, 0.0, sign)
+        return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *rest))
+    beyond = stopping - size
+    if abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)):
+        return finish(ramps.shape, start, target, (v0, time, kind, 0.0))
+    if beyond > 0.0:
+        back = _travel(ramps, beyond, speed, 0.0, -sign)
+        return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *back))
+    return finish(ramps.shape, start, target, (v0, *_travel(ramps, size, speed, u, sign)))
+
+
+def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:
+    """The profile of a recipe that ends at rest at `target`; ValueError if its duration is not finite."""
+    duration = sum(recipe[1::3])
+    if not duration < inf:
+        check_finite(position=start, target=target, start_velocity=recipe[0])
+        raise too_large()
+    return Profile(shape, start, target, duration, recipe)
+
+
+def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> Recipe:
+    """Ramps that cover `size` from speed u >= 0 in the direction of `sign` and end at rest."""
+    if u > speed:
+        v, slewing = _braked(ramps, size, speed, u)
+        first, kind = ramps.down(u, v)
+    else:
+        v = ramps.peak(u, size)
+        slewing = v >= speed
+        v = min(v, speed)
+        first, kind = ramps.up(u, v)
+    last, last_kind = ramps.down(v, 0.0)
+    left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
+    slew = left / v if slewing and left > 0.0 else 0.0
+    v *= sign
+    return (first, kind, v, slew, 0.0, v, last, last_kind, 0.0)
+
+
+def _braked(ramps: Ramps, size: float, speed: float, u: float) -> tuple[float, bool]:
+    """The speed to brake to, and whether it is held.
+
+    With limited jerk two brakings need more room than one. When that room is not there the slew speed is
+    raised above `speed` until it just is (own arithmetic).
+    """
+    if _braking(ramps, u, speed) <= size:
+        return speed, True
+    low, high = speed, u
+    while True:
+        v = 0.5 * (low + high)
+        if v in (low, high):
+            return high, True
+        if _braking(ramps, u, v) <= size:
+            high = v
+        else:
+            low = v
+
+
+def _braking(ramps: Ramps, u: float, v: float) -> float:
+    first, kind = ramps.down(u, v)
+    last, last_kind = ramps.down(v, 0.0)
+    return ramp_distance(u, first, kind, v) + ramp_distance(v, last, last_kind, 0.0)

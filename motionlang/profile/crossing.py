@@ -1,0 +1,105 @@
+"""When a profile reaches a position or a velocity: each piece is cut where it turns, then solved."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.profile.pieces import (
+    acceleration_in,
+    even_points,
+    position_in,
+    still_points,
+    velocity_in,
+)
+from motionlang.profile.root import bracketed_root
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.profile.curve import Profile
+    from motionlang.profile.ramps import Piece
+
+    Value = Callable[[Piece, float], float]
+    Turns = Callable[[Piece, float], tuple[float, ...]]
+
+
+def position_crossing(profile: Profile, position: float, after: float) -> float | None:
+    """The first time >= after at `position`; beyond the end the profile rests or runs on."""
+    after = max(after, 0.0)
+    found = _first(profile, position, after, (position_in, velocity_in, still_points), profile.end)
+    if found is not None:
+        return found
+    return _after_the_end(profile, position, after)
+
+
+def velocity_crossing(profile: Profile, velocity: float, after: float) -> float | None:
+    """The first time >= after at `velocity`; a jump of velocity (PVT, linear) crosses nothing."""
+    after = max(after, 0.0)
+    last = profile.end_velocity
+    found = _first(profile, velocity, after, (velocity_in, acceleration_in, even_points), last)
+    if found is None and velocity == last and profile.duration != inf:
+        return max(after, profile.duration)
+    return found
+
+
+def _after_the_end(profile: Profile, position: float, after: float) -> float | None:
+    duration, velocity = profile.duration, profile.end_velocity
+    if duration == inf:
+        return None
+    if position == profile.end and (velocity == 0.0 or after <= duration):
+        return max(after, duration)
+    if velocity == 0.0:
+        return None
+    time = duration + (position - profile.end) / velocity
+    return time if time >= max(after, duration) else None
+
+
+def _first(
+    profile: Profile, wanted: float, after: float, how: tuple[Value, Value, Turns], last: float
+) -> float | None:
+    knots, pieces, _ = profile.curve
+    for i, piece in enumerate(pieces):
+        begin, finish = knots[i], knots[i + 1]
+        if finish < after:
+            continue
+        ending = last
+        if i + 1 < len(pieces):
+            ending = _joined(how[0](piece, finish - begin), how[0](pieces[i + 1], 0.0))
+        low = max(after - begin, 0.0)
+        x = _first_in(piece, wanted, (low, finish - begin), how, ending)
+        if x is not None:
+            return min(begin + x, finish)
+    return None
+
+
+def _joined(own: float, following: float) -> float:
+    """A piece ends at the value the next one begins with, so that no rounding gap hides a crossing."""
+    return following if abs(following - own) <= 1e-9 * (abs(own) + abs(following)) else own
+
+
+def _first_in(
+    piece: Piece, wanted: float, span: tuple[float, float], how: tuple[Value, Value, Turns], ending: float
+) -> float | None:
+    value, slope, turns = how
+    low, finish = span
+    if finish == inf:
+        return _on_a_line(piece, wanted, low, value, slope)
+    a, y_a = low, value(piece, low) if low < finish else ending
+    for b in (*(x for x in turns(piece, finish) if x > low), finish):
+        y_b = value(piece, b) if b < finish else ending
+        if y_a == wanted:
+            return a
+        if y_b == wanted:
+            return b
+        if (y_a < wanted) is not (y_b < wanted):
+            return bracketed_root(lambda x: (value(piece, x) - wanted, slope(piece, x)), a, b, y_b > y_a)
+        a, y_a = b, y_b
+    return None
+
+
+def _on_a_line(piece: Piece, wanted: float, low: float, value: Value, slope: Value) -> float | None:
+    gap, speed = wanted - value(piece, low), slope(piece, low)
+    if gap == 0.0:
+        return low
+    return low + gap / speed if gap * speed > 0.0 else None

@@ -1,0 +1,43 @@
+"""Any position move by the name of its shape."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.profile.curve import Profile
+from motionlang.profile.jerk import plan_jerk
+from motionlang.profile.parabolic import plan_parabolic
+from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
+from motionlang.profile.trapezoid import plan_trapezoid
+
+
+def plan(
+    shape: str,
+    start: float,
+    target: float,
+    speed: float,
+    accel: float,
+    decel: float,
+    v0: float = 0.0,
+    ramp: float = 0.0,
+    accel_jerk: float = inf,
+    decel_jerk: float = inf,
+    a0: float = 0.0,
+) -> Profile:
+    """Plan a move in "trapezoid", "sinusoidal", "scurve" or "parabolic" shape; ValueError for another name.
+
+    For "scurve" a finite `accel_jerk` means Mint's S-ramp (`decel_jerk` defaults to it), otherwise `ramp` is
+    PMC's ramp ratio. Only the S-ramp has a use for `a0`; elsewhere the acceleration may jump.
+    """
+    if shape == "trapezoid":
+        return plan_trapezoid(start, target, speed, accel, decel, v0)
+    if shape == "sinusoidal":
+        return plan_sinusoidal(start, target, speed, accel, decel, v0)
+    if shape == "parabolic":
+        return plan_parabolic(start, target, speed, accel, decel, v0)
+    if shape != "scurve":
+        raise ValueError(f"there is no profile shape {shape!r}")
+    if accel_jerk == inf:
+        return plan_ratio(start, target, speed, accel, decel, ramp, v0)
+    braking = accel_jerk if decel_jerk == inf else decel_jerk
+    return plan_jerk(start, target, speed, accel, decel, accel_jerk, braking, v0, a0)

@@ -1,0 +1,115 @@
+"""Velocity ramps, and what they expand to: cubic pieces with at most one sine term.
+
+A *recipe* is a flat tuple v0, T1, kind1, v1, T2, kind2, v2 ...: velocities joined by ramps, each with its
+duration and its kind. It is all a planner makes, because planning happens in the running program and drawing
+does not. A kind between 0 and 0.5 is the ramp ratio of a trapezoidal acceleration (0 a constant acceleration,
+0.5 a triangular one); the others are the three constants below.
+
+A *piece* is (c0, c1, c2, c3, amplitude, omega, phase) in time x since its knot:
+p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + amplitude sin(omega x + phase). A sine piece has c2 = c3 = 0 and stays
+inside one half wave, 0 <= omega x + phase <= pi.
+"""
+
+from __future__ import annotations
+
+from math import inf, pi
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    Recipe = tuple[float, ...]
+    Piece = tuple[float, float, float, float, float, float, float]
+    Curve = tuple[tuple[float, ...], tuple[Piece, ...], tuple[tuple[str, int], ...]]
+
+SINE = -1.0
+"""Acceleration A sin(pi t/T): TN1069's sinusoidal S-curve."""
+FALLING = -2.0
+"""Acceleration falling linearly from its peak to zero: TN1069's parabolic profile, speeding up."""
+RISING = -3.0
+"""Acceleration growing linearly from zero to its peak: the same in reverse, slowing down."""
+
+
+def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> float:
+    """Distance of a ramp: the mean velocity for symmetrical kinds, two thirds of the way for parabolic ones.
+
+    TN1069: S_A = T_A VEL/2, for the parabolic profile 2/3 T_A VEL.
+    """
+    if kind == FALLING:
+        return (v_from + 2.0 * v_to) * duration / 3.0
+    if kind == RISING:
+        return (2.0 * v_from + v_to) * duration / 3.0
+    return 0.5 * (v_from + v_to) * duration
+
+
+def expand(start: float, recipe: Recipe, names: tuple[str, ...] | None = None) -> Curve:
+    """Knots, pieces and phase marks (name, index of its first piece) of a recipe that begins at `start`.
+
+    `names` overrules the names the ramps would get from their velocities.
+    """
+    time = 0.0
+    knots = [0.0]
+    pieces: list[Piece] = []
+    marks: list[tuple[str, int]] = []
+    for i in range(0, len(recipe) - 1, 3):
+        v_from, duration, kind, v_to = recipe[i : i + 4]
+        if duration <= 0.0:
+            continue
+        last = i + 4 == len(recipe)
+        marks.append((names[i // 3] if names else _name(v_from, v_to, last), len(pieces)))
+        _add_ramp(knots, pieces, time, start, (v_from, duration, kind, v_to))
+        time += duration
+        knots[-1] = time
+        if duration != inf:
+            start += ramp_distance(v_from, duration, kind, v_to)
+    return tuple(knots), tuple(pieces), tuple(marks)
+
+
+def _name(v_from: float, v_to: float, last: bool) -> str:
+    if v_from == v_to:
+        return "slew"
+    if abs(v_to) > abs(v_from):
+        return "accel"
+    return "stop" if v_to == 0.0 and not last else "decel"
+
+
+def _add_ramp(
+    knots: list[float], pieces: list[Piece], time: float, p: float, ramp: tuple[float, float, float, float]
+) -> None:
+    v_from, duration, kind, v_to = ramp
+    change = v_to - v_from
+    if change == 0.0:
+        pieces.append((p, v_from, 0.0, 0.0, 0.0, 0.0, 0.0))
+    elif kind == 0.0:
+        pieces.append((p, v_from, 0.5 * change / duration, 0.0, 0.0, 0.0, 0.0))
+    elif kind == SINE:
+        amplitude = -0.5 * change * duration / pi
+        pieces.append((p, 0.5 * (v_from + v_to), 0.0, 0.0, amplitude, pi / duration, 0.0))
+    elif kind == FALLING:
+        pieces.append((p, v_from, change / duration, -change / (3.0 * duration**2), 0.0, 0.0, 0.0))
+    elif kind == RISING:
+        pieces.append((p, v_from, 0.0, change / (3.0 * duration**2), 0.0, 0.0, 0.0))
+    else:
+        _add_trapezoidal(knots, pieces, time, p, ramp)
+        return
+    knots.append(time + duration)
+
+
+def _add_trapezoidal(
+    knots: list[float], pieces: list[Piece], time: float, p: float, ramp: tuple[float, float, float, float]
+) -> None:
+    """Acceleration up to its peak over ratio T, held, and down again over ratio T (TN1069, Mint's S-ramp)."""
+    v_from, duration, ratio, v_to = ramp
+    rise = ratio * duration
+    held = duration - 2.0 * rise
+    peak = (v_to - v_from) / (duration - rise)
+    sixth = peak / (6.0 * rise)
+    bend = 0.5 * peak * rise
+    pieces.append((p, v_from, 0.0, sixth, 0.0, 0.0, 0.0))
+    knots.append(time + rise)
+    p += v_from * rise + sixth * rise**3
+    if held > 0.0:
+        v = v_from + bend
+        pieces.append((p, v, 0.5 * peak, 0.0, 0.0, 0.0, 0.0))
+        knots.append(time + rise + held)
+        p += (v + 0.5 * peak * held) * held
+    pieces.append((p, v_to - bend, 0.5 * peak, -sixth, 0.0, 0.0, 0.0))
+    knots.append(time + duration)

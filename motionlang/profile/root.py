@@ -1,0 +1,34 @@
+"""The root of a monotone function inside a bracket, to the last bit of a float."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+def bracketed_root(f: Callable[[float], tuple[float, float]], low: float, high: float, rising: bool) -> float:
+    """Where f is zero in [low, high]; f returns (value, slope) and rises or falls all the way.
+
+    Newton's step, replaced by bisection whenever it leaves the bracket or fails to halve it, so the
+    worst case is that of bisection.
+    """
+    x = 0.5 * (low + high)
+    before = high - low
+    for _ in range(200):
+        value, slope = f(x)
+        if value == 0.0:
+            return x
+        if (value < 0.0) is rising:
+            low = x
+        else:
+            high = x
+        step = value / slope if slope != 0.0 else before
+        following = x - step
+        if abs(step) > 0.5 * before or not low < following < high:
+            following = 0.5 * (low + high)
+        if following == x or following in (low, high):
+            return following
+        before = abs(following - x)
+        x = following
+    return x

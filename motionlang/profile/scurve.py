@@ -1,0 +1,37 @@
+"""PMC's two S-curves: the sinusoidal one (aPS) and the one with a trapezoidal acceleration (aPSn)."""
+
+from __future__ import annotations
+
+from math import pi
+
+from motionlang.profile.approach import approach
+from motionlang.profile.curve import Profile
+from motionlang.profile.limits import check_finite, check_positive, check_ramp
+from motionlang.profile.ramps import SINE
+from motionlang.profile.trapezoid import stretched
+
+
+def plan_sinusoidal(
+    start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0
+) -> Profile:
+    """Plan a move whose acceleration is half a sine wave of peak `accel`: T_A = (pi/2) V/A (TN1069).
+
+    A short move peaks below `speed`; A and D keep. Raises ValueError as `plan_trapezoid`.
+    """
+    check_positive(speed=speed, acceleration=accel, deceleration=decel)
+    check_finite(position=start, target=target, start_velocity=v0)
+    return approach(stretched("sinusoidal", accel, decel, SINE, 0.5 * pi), start, target, speed, v0)
+
+
+def plan_ratio(
+    start: float, target: float, speed: float, accel: float, decel: float, ramp: float, v0: float = 0.0
+) -> Profile:
+    """Plan a move whose acceleration rises over `ramp` T_A, holds, and falls: T_A = V/(A (1 - ramp)).
+
+    TN1069's trapezoidal S-curve, 0 < ramp <= 0.5; at 0.5 it is chapter 12's S-curve of two ramps, T_A = 2V/A.
+    (The note prints (1/RAMP) VEL/ACC, which contradicts its own table.)
+    """
+    check_positive(speed=speed, acceleration=accel, deceleration=decel)
+    check_ramp(ramp)
+    check_finite(position=start, target=target, start_velocity=v0)
+    return approach(stretched("scurve", accel, decel, ramp, 1.0 / (1.0 - ramp)), start, target, speed, v0)

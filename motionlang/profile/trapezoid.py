@@ -1,0 +1,55 @@
+"""The trapezoidal profile: constant acceleration, slew, constant deceleration."""
+
+from __future__ import annotations
+
+from math import inf, sqrt
+
+from motionlang.profile.approach import Ramps, approach
+from motionlang.profile.curve import Profile
+from motionlang.profile.limits import check_finite, check_positive, too_large
+
+
+def plan_trapezoid(
+    start: float, target: float, speed: float, accel: float, decel: float, v0: float = 0.0
+) -> Profile:
+    """Plan a trapezoidal move from `start` (moving at `v0`) to rest at `target`.
+
+    Any length unit; speeds a second, accelerations a second squared. A short move peaks below `speed`.
+    T_A = V/A, S_A = V T_A/2 (TN1069, AN00115). Raises ValueError for numbers no machine can follow.
+    """
+    # Inlined for the move from rest, which is nearly every move: planning runs inside the program.
+    if v0 == 0.0 and speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf:
+        distance = target - start
+        size = distance if distance >= 0.0 else -distance
+        per_square = 0.5 / accel + 0.5 / decel
+        ramps = speed * speed * per_square
+        if size >= ramps:
+            v = speed
+            slew = (size - ramps) / speed
+        else:
+            v = sqrt(size / per_square)
+            slew = 0.0
+        rise = v / accel
+        fall = v / decel
+        duration = rise + slew + fall
+        if duration < inf:
+            if distance < 0.0:
+                v = -v
+            recipe = (0.0, rise, 0.0, v, slew, 0.0, v, fall, 0.0, 0.0)
+            return Profile("trapezoid", start, target, duration, recipe)
+    check_positive(speed=speed, acceleration=accel, deceleration=decel)
+    check_finite(position=start, target=target, start_velocity=v0)
+    if v0 == 0.0:
+        raise too_large()
+    return approach(stretched("trapezoid", accel, decel, 0.0, 1.0), start, target, speed, v0)
+
+
+def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:
+    """Symmetrical ramps that take `stretch` times the trapezoid's: T = stretch |dv|/A, S = T (v1 + v2)/2."""
+    up = stretch / accel
+    down = stretch / decel
+
+    def peak(u: float, size: float) -> float:
+        return sqrt((2.0 * size + u * u * up) / (up + down))
+
+    return Ramps(shape, lambda a, b: ((b - a) * up, kind), lambda a, b: ((a - b) * down, kind), peak)
