@@ -1,0 +1,24 @@
+"""motionlang: the motion-control languages MCCL and Mint, run offline on one virtual multi-axis controller.
+
+`run` is the whole of it in one call; what it returns knows the report, the trace and the output.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.run import Run, run
+
+__version__ = "0.1.0"
+__all__ = ["Run", "__version__", "run"]
+
+
+def __getattr__(name: str) -> object:
+    """`run` and `Run` on first use, so that importing a part of the package does not import the whole."""
+    if name in ("run", "Run"):
+        from importlib import import_module
+
+        module = import_module("motionlang.run")
+        globals().update(run=module.run, Run=module.Run)
+        return globals()[name]
+    raise AttributeError(name)

@@ -1,0 +1,111 @@
+"""An axis: its settings, its move buffer, and its motion as a list of profiles.
+
+The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began; the
+last profile goes on for ever (it holds its end position, or keeps its end velocity), so position and velocity are
+known at any time, exactly.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from motionlang.controller.scale import Scale
+from motionlang.profile import hold
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.clock import Event
+    from motionlang.controller.move import Move
+    from motionlang.profile import Profile, State
+
+# What an axis starts with; a dialect's table may say otherwise (Mint's SPEED is 40000).
+DEFAULTS: dict[str, float] = {
+    "speed": 40_000.0,
+    "accel": 100_000.0,
+    "decel": 100_000.0,
+    "accel_jerk": 1_000_000.0,
+    "decel_jerk": 1_000_000.0,
+    "ramp": 0.1,
+    "buffer_size": 2.0,
+}
+
+
+class Axis:
+    """Everything one axis is and was; only `Controller` changes it."""
+
+    __slots__ = (
+        "accel",
+        "accel_jerk",
+        "accel_time",
+        "arrival",
+        "buffer",
+        "buffer_size",
+        "datum",
+        "decel",
+        "decel_jerk",
+        "decel_time",
+        "enabled",
+        "faults",
+        "index",
+        "live_speed",
+        "move",
+        "profiles",
+        "ramp",
+        "scale",
+        "shape",
+        "speed",
+        "starts",
+        "target",
+    )
+
+    def __init__(self, index: int) -> None:
+        self.index = index
+        self.scale = Scale()
+        self.enabled = True
+        self.faults = 0
+        self.shape = "trapezoid"
+        self.speed = DEFAULTS["speed"]
+        self.accel = DEFAULTS["accel"]
+        self.decel = DEFAULTS["decel"]
+        # Seconds from rest to `speed`; None while a rate is in force (the last one written counts).
+        self.accel_time: float | None = None
+        self.decel_time: float | None = None
+        self.accel_jerk = DEFAULTS["accel_jerk"]
+        self.decel_jerk = DEFAULTS["decel_jerk"]
+        self.ramp = DEFAULTS["ramp"]
+        # Whether a new speed acts at once on a move in progress (Mint's FEEDRATEMODE 0).
+        self.live_speed = False
+        self.buffer_size = int(DEFAULTS["buffer_size"])
+        self.buffer: list[Move] = []
+        self.move: Move | None = None
+        self.arrival: Event | None = None
+        self.target = 0.0
+        self.datum = 0.0
+        self.starts = [0.0]
+        self.profiles: list[Profile] = [hold(0.0)]
+
+    def at(self, time: float) -> State:
+        """Position, velocity, acceleration and jerk at `time`, counts and seconds."""
+        i = bisect_right(self.starts, time) - 1 if time < self.starts[-1] else -1
+        return self.profiles[i].at(time - self.starts[i])
+
+    def position(self, time: float) -> float:
+        """The demanded position at `time`; without a simulated motor, the actual one too."""
+        i = bisect_right(self.starts, time) - 1 if time < self.starts[-1] else -1
+        return self.profiles[i].position(time - self.starts[i])
+
+    def velocity(self, time: float) -> float:
+        """The demanded velocity at `time`, counts/s."""
+        i = bisect_right(self.starts, time) - 1 if time < self.starts[-1] else -1
+        return self.profiles[i].velocity(time - self.starts[i])
+
+    def end_of_motion(self) -> float:
+        """The time at which the present profile is done: infinite while jogging."""
+        last = self.profiles[-1]
+        return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
+
+    def rates(self) -> tuple[float, float]:
+        """Acceleration and deceleration in force, counts/s²; a time stands for speed over time."""
+        accel = self.accel if self.accel_time is None else self.speed / self.accel_time
+        decel = self.decel if self.decel_time is None else self.speed / self.decel_time
+        return accel, decel

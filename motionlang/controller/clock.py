@@ -1,0 +1,70 @@
+"""Virtual time: a heap of events, and `now`.
+
+Time passes in two ways: the program spends it (a statement costs something), or everybody waits and the clock
+jumps to the next event. Both end in `advance`, so an event always runs at its own exact time.
+"""
+
+from __future__ import annotations
+
+from heapq import heappop, heappush
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+INFINITY = float("inf")
+
+
+class Event:
+    """Something that happens at `time`; `cancel()` makes it not happen."""
+
+    __slots__ = ("call", "time")
+
+    def __init__(self, time: float, call: Callable[[], None]) -> None:
+        self.time = time
+        self.call: Callable[[], None] | None = call
+
+    def cancel(self) -> None:
+        self.call = None
+
+
+class Clock:
+    """`now` in seconds since power-up, and `horizon`, the time of the next event (infinite when there is none)."""
+
+    __slots__ = ("_count", "_heap", "horizon", "now")
+
+    def __init__(self) -> None:
+        self.now = 0.0
+        self.horizon = INFINITY
+        self._count = 0
+        self._heap: list[tuple[float, int, Event]] = []
+
+    def at(self, time: float, call: Callable[[], None]) -> Event:
+        """Call `call` at `time`; events of one time run in the order in which they were made."""
+        event = Event(time, call)
+        self._count += 1
+        heappush(self._heap, (time, self._count, event))
+        if time < self.horizon:
+            self.horizon = time
+        return event
+
+    def next_time(self) -> float:
+        """The time of the next event that will happen, infinite when there is none."""
+        heap = self._heap
+        while heap and heap[0][2].call is None:
+            heappop(heap)
+        self.horizon = heap[0][0] if heap else INFINITY
+        return self.horizon
+
+    def advance(self, time: float) -> None:
+        """Let time pass until `time`, running what falls due on the way at its own moment."""
+        heap = self._heap
+        while heap and heap[0][0] <= time:
+            due, _, event = heappop(heap)
+            if event.call is not None:
+                if due > self.now:
+                    self.now = due
+                event.call()
+        if time > self.now:
+            self.now = time
+        self.next_time()

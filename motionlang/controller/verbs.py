@@ -1,0 +1,63 @@
+"""The narrow waist: all that a language can do to the controller, and a controller that only writes it down.
+
+Lengths are counts, times are seconds, axes are numbered as the dialect numbers them (Mint from 0, MCCL from 1).
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# verb -> what it does. Every verb is a method of `Controller`; the dialects call no other.
+VERBS: dict[str, str] = {
+    "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
+    "setting": "Read a setting back.",
+    "set_scale": "Set the counts per user unit (and the time base) of an axis.",
+    "enable": "Switch an axis on, at the position where it stands.",
+    "disable": "Switch an axis off: motion ends at once, the buffer is emptied.",
+    "define_position": "Give the present position a new value.",
+    "load_to": "Put a move to a position into the move buffer.",
+    "load_by": "Put a move by a distance into the move buffer, counted from the end of the last one.",
+    "room": "How many moves the buffer of an axis can still take.",
+    "go": "Start what the buffers of some axes hold.",
+    "move_to": "Move to a position now, replacing what the axis is doing.",
+    "move_by": "Move by a distance from the present target now.",
+    "jog": "Run at a velocity until told otherwise.",
+    "stop": "Decelerate to rest and empty the buffer.",
+    "abort": "Come to rest at once and empty the buffer.",
+    "clear_faults": "Forget an axis's faults.",
+    "position": "The position of an axis.",
+    "velocity": "The velocity of an axis.",
+    "following_error": "Demanded position minus actual position.",
+    "target": "The end point of the last move.",
+    "remaining": "The distance still to go in the present move.",
+    "is_enabled": "Whether an axis is on.",
+    "is_idle": "Whether an axis is at rest with nothing left to do.",
+    "faults": "The fault bits of an axis.",
+    "idle_time": "The time at which an axis will be idle if nothing else happens.",
+    "crossing_time": "The time at which an axis will pass a position if nothing else happens.",
+}
+
+
+class Recorder:
+    """A controller without physics: writes down every verb and answers readings from `answers`.
+
+    `calls` is a list of `(verb, argument, …)` tuples. `now` and the clock's attributes are there so that a program
+    can run on it.
+    """
+
+    def __init__(self, axes: int = 8, answers: dict[str, Any] | None = None) -> None:
+        self.axes = axes
+        self.calls: list[tuple[Any, ...]] = []
+        self.answers: dict[str, Any] = {"is_idle": True, "is_enabled": True, "room": 2, **(answers or {})}
+
+    def __getattr__(self, verb: str) -> Any:
+        if verb not in VERBS:
+            raise AttributeError(verb)
+
+        def record(*arguments: Any) -> Any:
+            self.calls.append((verb, *arguments))
+            return self.answers.get(verb, 0.0)
+
+        return record

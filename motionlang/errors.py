@@ -1,0 +1,99 @@
+"""Mistakes in a user's program: what went wrong, where, and what to do about it.
+
+A `Diagnostic` is one mistake; a `ProgramError` carries all of a file's mistakes at once. How they look is
+the business of `motionlang.views.diagnostics`; what the *machine* suffers is state on the axis, not this.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+# One vocabulary of diagnostics: the code, and what it means. `docs/diagnostics.md` is written from it.
+CODES: dict[str, str] = {
+    "syntax": "The text does not follow the grammar of the language.",
+    "missing-end": "A block was opened and never closed.",
+    "stray-end": "A block is closed that was never opened.",
+    "unknown-word": "The word is neither a keyword nor a name that the program declares.",
+    "not-simulated": "The word belongs to the language; this program recognises it but does not simulate it.",
+    "values": "The number of axes, arguments or values does not fit the keyword.",
+    "read-only": "The keyword can be read but not written.",
+    "write-only": "The keyword can be written but has no value to read.",
+    "not-a-command": "The word has a value; it cannot stand alone as a statement.",
+    "type": "The kinds of value do not fit together.",
+    "duplicate": "The name is already taken.",
+    "range": "The value lies outside what the keyword accepts.",
+    "axis": "There is no such axis on this controller.",
+    "index": "The subscript lies outside the array.",
+    "division-by-zero": "A number was divided by zero.",
+    "overflow": "The number is too large for its type.",
+    "argument": "The function has no value for this argument.",
+    "disabled-axis": "The axis is off, and the command needs it on.",
+    "zero-speed": "A move with no speed would never end.",
+    "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
+    "moving": "The command needs the axis at rest.",
+    "buffer-full": "The move buffer has no room, and nothing will ever make room.",
+    "never": "The program waits for something that can no longer happen.",
+    "recursion": "Calls are nested deeper than the controller's stack.",
+    "limit": "The run was ended because it produced more than it may keep.",
+    "interrupted": "The run was ended from the keyboard.",
+    "file": "The file could not be read or written.",
+    "machine-file": "The machine file is wrong.",
+    "command-error": "The controller answered the command with an error code.",
+}
+
+
+class Diagnostic:
+    """One mistake: `line` and `column` count from 1, `length` is the width of the caret line.
+
+    `column` 0 means that only the line is known, `line` 0 that the whole file is meant.
+    """
+
+    __slots__ = ("code", "column", "hint", "length", "line", "message", "severity")
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        line: int = 0,
+        column: int = 0,
+        *,
+        length: int = 1,
+        hint: str = "",
+        severity: str = "error",
+    ) -> None:
+        assert code in CODES, code
+        self.code, self.message, self.line, self.column = code, message, line, column
+        self.length, self.hint, self.severity = length, hint, severity
+
+    def __repr__(self) -> str:
+        return f"Diagnostic({self.code!r}, {self.message!r}, {self.line}, {self.column})"
+
+    def as_dict(self) -> dict[str, object]:
+        """The diagnostic as the JSON report shows it."""
+        return {
+            "severity": self.severity,
+            "code": self.code,
+            "message": self.message,
+            "line": self.line,
+            "column": self.column,
+            "hint": self.hint,
+        }
+
+
+class ProgramError(Exception):
+    """A program that cannot be run, or that went wrong; carries every diagnostic, in the order of the text."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
+        super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
+def nearest(word: str, words: Iterable[str]) -> str | None:
+    """The word of `words` most like `word`, for "did you mean …?"; None where nothing is near."""
+    from difflib import get_close_matches  # only a mistake pays for this import
+
+    spelt = {each.lower(): each for each in words}
+    found = get_close_matches(word.lower(), spelt, n=1, cutoff=0.6)
+    return spelt[found[0]] if found else None

@@ -1,0 +1,1 @@
+"""What the languages share: vocabulary, grammar tables, programs, tasks and the scheduler."""

@@ -1,0 +1,109 @@
+"""Compiled programs, kept between runs as Python keeps its .pyc files.
+
+An entry is a file named after the digest of everything that went into it (text, dialect, settings, versions). It is
+used only if it belongs to this user, nobody else may write it, and its own digest fits: a damaged or foreign entry is
+ignored, never executed. No trouble with the cache is ever an error of the run.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from motionlang import __version__
+
+try:  # hashlib's front costs more to import than a whole cached run
+    from _sha2 import sha256  # type: ignore[import-not-found,unused-ignore]
+except ImportError:
+    try:
+        from _sha256 import sha256  # type: ignore[import-not-found,unused-ignore]
+    except ImportError:
+        from hashlib import sha256
+
+ENTRIES = 512
+OFF = "MOTIONLANG_NO_CACHE"
+
+
+def folder() -> str:
+    """The user's cache folder for motionlang; `MOTIONLANG_CACHE` names another one."""
+    named = os.environ.get("MOTIONLANG_CACHE")
+    if named:
+        return named
+    home = os.path.expanduser("~")
+    if sys.platform == "win32":
+        root = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
+    elif sys.platform == "darwin":
+        root = os.path.join(home, "Library", "Caches")
+    else:
+        root = os.environ.get("XDG_CACHE_HOME") or os.path.join(home, ".cache")
+    return os.path.join(root, "motionlang")
+
+
+def key(*parts: str) -> str:
+    """The name of an entry: the digest of everything that its content depends on."""
+    digest = sha256(f"{__version__} {sys.version}".encode())
+    for part in parts:
+        digest.update(b"\0")
+        digest.update(part.encode("utf-8", "surrogatepass"))
+    return str(digest.hexdigest())
+
+
+def get(name: str) -> bytes | None:
+    """The payload of an entry, None where there is none that can be trusted."""
+    if os.environ.get(OFF):
+        return None
+    try:
+        place = folder()
+        if not _private(os.stat(place)):
+            return None
+        with open(os.path.join(place, name), "rb") as file:
+            if not _private(os.fstat(file.fileno())):
+                return None
+            data: bytes = file.read()
+    except OSError:
+        return None
+    digest, payload = data[:32], data[32:]
+    return payload if sha256(name.encode() + payload).digest() == digest else None
+
+
+def put(name: str, payload: bytes) -> None:
+    """Keep a payload; written aside and renamed, so that no reader sees half of it."""
+    if os.environ.get(OFF):
+        return
+    place = folder()
+    aside = os.path.join(place, f".{name}.{os.getpid()}")
+    try:
+        os.makedirs(place, 0o700, exist_ok=True)
+        if not _private(os.stat(place)):
+            return
+        handle = os.open(aside, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with open(handle, "wb") as file:
+            file.write(sha256(name.encode() + payload).digest() + payload)
+        os.replace(aside, os.path.join(place, name))
+        _prune(place)
+    except OSError:
+        _remove(aside)
+
+
+def _private(status: os.stat_result) -> bool:
+    """Whether a file or folder is this user's own and closed to writers; Windows folders are per user already."""
+    if not hasattr(os, "getuid"):
+        return True
+    return status.st_uid == os.getuid() and not status.st_mode & 0o022
+
+
+def _prune(place: str) -> None:
+    """Drop the oldest half once there are too many."""
+    entries = [entry for entry in os.scandir(place) if entry.is_file()]
+    if len(entries) <= ENTRIES:
+        return
+    entries.sort(key=lambda entry: entry.stat().st_mtime)
+    for entry in entries[: len(entries) - ENTRIES // 2]:
+        _remove(entry.path)
+
+
+def _remove(path: str) -> None:
+    try:
+        os.remove(path)
+    except OSError:
+        pass

@@ -1,0 +1,66 @@
+"""A dialect: the one face that a language shows to everything above it.
+
+`motionlang.mint.DIALECT` and `motionlang.mccl.DIALECT` are the two. Each method imports what it needs when it is
+called, so that a cached program starts without a parser.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.keyword import Table
+    from motionlang.lang.machine import Machine
+    from motionlang.lang.program import Program
+    from motionlang.lang.task import Task
+    from motionlang.source import Source
+
+
+class Dialect:
+    """`name` as users write it, the file `suffixes` it owns, and the number of its first axis."""
+
+    name: str
+    suffixes: tuple[str, ...]
+    first_axis: int
+
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Parse and compile; ProgramError with every mistake of the text."""
+        raise NotImplementedError
+
+    def check(self, source: Source) -> list[Diagnostic]:
+        """Every mistake and every warning, nothing run."""
+        raise NotImplementedError
+
+    def load(self, payload: bytes) -> Program:
+        """The program that `Program.payload` was made of."""
+        raise NotImplementedError
+
+    def table(self) -> Table:
+        """The vocabulary."""
+        raise NotImplementedError
+
+    def locate(self, source: Source, at: int) -> tuple[int, int, int]:
+        """Line, column and length of the place `at` that a task or a node names."""
+        raise NotImplementedError
+
+    def interactive(self, machine: Machine) -> Interactive:
+        """An interpreter for a person who types one line after the other."""
+        raise NotImplementedError
+
+    def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
+        """Kind, text and offset of each piece of `text`, for highlighting; never fails."""
+        raise NotImplementedError
+
+
+class Interactive:
+    """Keeps a program's names alive between lines."""
+
+    def is_complete(self, text: str) -> bool:
+        """False while `text` leaves a block open, so that more lines must follow."""
+        return True
+
+    def task(self, source: Source) -> Task:
+        """The task that executes `source`; ProgramError when it is wrong."""
+        raise NotImplementedError

@@ -1,0 +1,22 @@
+"""A compiled program: what a dialect makes of a source, ready to be started on a machine."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.machine import Machine
+    from motionlang.lang.task import Task
+
+
+class Program:
+    """Something that can be started; each dialect has its own."""
+
+    __slots__ = ()
+
+    def start(self, machine: Machine) -> Task:
+        """The parent task of the program, bound to `machine`, not yet run."""
+        raise NotImplementedError
+
+    def payload(self) -> bytes | None:
+        """The program as bytes for the cache, for `Dialect.load`; None where compiling is as quick."""
+        return None

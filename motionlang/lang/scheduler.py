@@ -1,0 +1,124 @@
+"""The scheduler: from event to event until the program has ended and every axis is at rest.
+
+Nothing here ticks. While a task is runnable it is resumed with a horizon, the time of the next event; while all wait,
+the clock jumps to the earliest time at which something can change. When nothing can ever change again, the run says
+so and ends.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.controller import Controller
+    from motionlang.lang.task import Task, Wait
+
+INFINITY = float("inf")
+# Virtual seconds that one task may run while another is runnable.
+QUANTUM = 1e-3
+
+
+class Stuck(Exception):
+    """Every task waits, and nothing can end any of the waits."""
+
+    def __init__(self, task: Task, wait: Wait) -> None:
+        self.task, self.wait = task, wait
+        super().__init__(f"waits {wait.why}, which can no longer happen")
+
+
+class Scheduler:
+    """Runs tasks on a controller. The first task is the parent: when it ends the program has ended.
+
+    `pace(now)` is called before time jumps, so that a run can be held to the wall clock.
+    """
+
+    def __init__(
+        self, controller: Controller, parent: Task, pace: Callable[[float], None] | None = None
+    ) -> None:
+        self.controller = controller
+        self.parent = parent
+        self.tasks: list[Task] = [parent]
+        self.current: Task = parent
+        self.pace = pace
+        self._turn = 0
+
+    def start(self, task: Task) -> None:
+        """Let a further task run from now on."""
+        self.tasks.append(task)
+
+    def run(self, until: float = INFINITY) -> str:
+        """Run until the program has ended ("ended") or virtual time is up ("until"), then let motion finish.
+
+        Raises `Stuck` when the parent waits for what can never happen, and whatever a task raises.
+        """
+        if not self.run_program(until) or not self.settle(until):
+            return "until"
+        return "ended"
+
+    def run_program(self, until: float = INFINITY) -> bool:
+        """Run tasks until the parent ends; False when `until` came first."""
+        clock = self.controller.clock
+        while not self.parent.done:
+            if clock.now >= until:
+                return False
+            task = self._runnable()
+            if task is None:
+                self._jump(until)
+                continue
+            horizon = min(clock.next_time(), until)
+            if len(self.tasks) > 1:
+                horizon = min(horizon, clock.now + QUANTUM)
+            time, task.wait = task.resume(clock.now, horizon)
+            if self.pace is not None:
+                self.pace(time)
+            clock.advance(time)
+            if task.done and task is not self.parent:
+                self.tasks.remove(task)
+        return True
+
+    def settle(self, until: float = INFINITY) -> bool:
+        """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
+        controller = self.controller
+        clock = controller.clock
+        while True:
+            busy = [axis for axis in controller.axes if not controller.is_idle(axis)]
+            if not busy:
+                return True
+            times = [controller.idle_time(axis) for axis in busy]
+            finite = [time for time in times if time < INFINITY]
+            if not finite or min(finite) > until:
+                if until < INFINITY:
+                    self._advance(until)
+                return False
+            self._advance(min(finite))
+
+    def _advance(self, time: float) -> None:
+        if self.pace is not None:
+            self.pace(time)
+        self.controller.clock.advance(time)
+
+    def _runnable(self) -> Task | None:
+        """The next task, in turn, that does not wait or whose wait is over."""
+        count = len(self.tasks)
+        for k in range(count):
+            task = self.tasks[(self._turn + k) % count]
+            if task.wait is not None:
+                self.current = task
+                if not task.wait.ready():
+                    continue
+                task.wait = None
+            self._turn = (self._turn + k + 1) % count
+            self.current = task
+            return task
+        return None
+
+    def _jump(self, until: float) -> None:
+        """All wait: go to the next moment at which something can change."""
+        clock = self.controller.clock
+        due = min((task.wait.due() for task in self.tasks if task.wait is not None), default=INFINITY)
+        time = min(due, clock.next_time(), until)
+        if time == INFINITY or (time == until and min(due, clock.next_time()) == INFINITY):
+            assert self.parent.wait is not None
+            raise Stuck(self.parent, self.parent.wait)
+        self._advance(max(time, clock.now))

@@ -1,0 +1,131 @@
+"""A task: something that runs until the horizon, or until it must wait.
+
+Both languages answer to the scheduler in this one way. A Mint task is a generator that the compiler made; an MCCL
+task is a program counter over a tuple of operations.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator, Iterable, Sequence
+
+    from motionlang.controller.controller import Controller
+
+INFINITY = float("inf")
+
+
+class Wait:
+    """What a task waits for.
+
+    `since`   the time at which the task began to wait
+    `ready()` whether it may go on, asked whenever something has happened
+    `due()`   the earliest time at which `ready` may become true if nothing else happens (infinite if never)
+    `why`     how a person would say it, for the report of a wait that never ends
+    """
+
+    __slots__ = ("due", "ready", "since", "why")
+
+    def __init__(
+        self, since: float, ready: Callable[[], bool], due: Callable[[], float], why: str
+    ) -> None:
+        self.since, self.ready, self.due, self.why = since, ready, due, why
+
+
+def wait_until(controller: Controller, since: float, time: float) -> Wait:
+    """Wait for a moment."""
+    clock = controller.clock
+    return Wait(since, lambda: clock.now >= time, lambda: time, f"for {time - since:g} s")
+
+
+def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
+    """Wait until all of `axes` are at rest with nothing released in their buffers."""
+    waited = tuple(axes)
+    names = ", ".join(str(axis) for axis in waited)
+    return Wait(
+        since,
+        lambda: all(controller.is_idle(axis) for axis in waited),
+        lambda: max((controller.idle_time(axis) for axis in waited), default=since),
+        f"for axis {names} to be idle",
+    )
+
+
+class Task:
+    """`resume(now, horizon)` runs on from `now` and answers with the time reached and what it waits for.
+
+    `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
+    Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
+    """
+
+    __slots__ = ("done", "name", "wait")
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.done = False
+        self.wait: Wait | None = None
+
+    @property
+    def at(self) -> int:
+        """Where the task stands."""
+        return 0
+
+    def at_error(self, error: BaseException) -> int:
+        """Where `error`, which came out of `resume`, was raised."""
+        return self.at
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        raise NotImplementedError
+
+
+if TYPE_CHECKING:
+    Steps = Generator[float | Wait, tuple[float, float], float]
+
+
+class GeneratorTask(Task):
+    """A task made of a generator: it yields the time at the horizon, or a `Wait`, and returns its last time.
+
+    `file` is the file name of the generated code and `places[n]` the place in the program of its line `n`.
+    """
+
+    __slots__ = ("_file", "_generator", "_make", "_places")
+
+    def __init__(
+        self, name: str, make: Callable[[float, float], Steps], file: str, places: Sequence[int]
+    ) -> None:
+        super().__init__(name)
+        self._make = make
+        self._file = file
+        self._places = places
+        self._generator: Steps | None = None
+
+    @property
+    def at(self) -> int:
+        """The place of the innermost sub that the task is in."""
+        line = 0
+        inner: object = self._generator
+        while (frame := getattr(inner, "gi_frame", None)) is not None:
+            line = frame.f_lineno
+            inner = getattr(inner, "gi_yieldfrom", None)
+        return self._places[line]
+
+    def at_error(self, error: BaseException) -> int:
+        line, traceback = 0, error.__traceback__
+        while traceback is not None:
+            if traceback.tb_frame.f_code.co_filename == self._file:
+                line = traceback.tb_lineno
+            traceback = traceback.tb_next
+        return self._places[line] if line else self.at
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        try:
+            if self._generator is None:
+                self._generator = self._make(now, horizon)
+                out = next(self._generator)
+            else:
+                out = self._generator.send((now, horizon))
+        except StopIteration as stop:
+            self.done = True
+            return stop.value, None
+        if out.__class__ is float:
+            return out, None  # type: ignore[return-value]
+        return out.since, out  # type: ignore[union-attr,return-value]

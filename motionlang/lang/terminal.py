@@ -1,0 +1,38 @@
+"""What a program prints: whole lines, kept, and shown as they come."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+MAX_CHARACTERS = 50_000_000
+
+
+class Terminal:
+    """Collects `lines`; `show(text)`, if given, is called with every piece of text as it is written."""
+
+    __slots__ = ("_open", "_size", "lines", "show")
+
+    def __init__(self, show: Callable[[str], None] | None = None) -> None:
+        self.lines: list[str] = []
+        self.show = show
+        self._open = ""
+        self._size = 0
+
+    def write(self, text: str) -> None:
+        """Write text; `\\n` ends a line."""
+        self._size += len(text)
+        if self._size > MAX_CHARACTERS:
+            raise Refusal("limit", "the program printed more than 50 million characters", "shorten the run with --until")
+        if self.show is not None:
+            self.show(text)
+        *whole, self._open = (self._open + text).split("\n")
+        self.lines.extend(whole)
+
+    def close(self) -> None:
+        """End a line that was left open."""
+        if self._open:
+            self.write("\n")

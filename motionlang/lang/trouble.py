@@ -1,0 +1,44 @@
+"""What went wrong while a program ran, as a diagnostic at its place."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic, ProgramError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.task import Task
+    from motionlang.source import Source
+
+# Python's arithmetic troubles, said in the words of the program's author.
+_ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
+    ZeroDivisionError: ("division-by-zero", "division by zero", "test the divisor before dividing"),
+    OverflowError: ("overflow", "the result is too large for a number", "check the values that go into this line"),
+    RecursionError: ("recursion", "calls are nested too deeply", "a sub calls itself without an end"),
+    MemoryError: ("limit", "the program needs more memory than there is", "make its arrays smaller"),
+}
+
+
+def explain(dialect: Dialect, source: Source, task: Task | None, error: Exception) -> Diagnostic | None:
+    """The diagnostic for an error that came out of a run; None when the error is our own mistake."""
+    if isinstance(error, ProgramError):
+        return error.diagnostics[0]
+    if isinstance(error, Refusal):
+        code, message, hint = error.code, error.message, error.hint
+    elif type(error) in _ARITHMETIC:
+        code, message, hint = _ARITHMETIC[type(error)]
+    else:
+        return None
+    line, column, length = _where(dialect, source, task, error)
+    return Diagnostic(code, message, line, column, length=length, hint=hint)
+
+
+def _where(dialect: Dialect, source: Source, task: Task | None, error: Exception) -> tuple[int, int, int]:
+    if isinstance(error, Refusal) and error.line:
+        text = source.line(error.line)
+        indent = len(text) - len(text.lstrip())
+        return error.line, indent + 1, max(1, len(text.strip()))
+    if task is None:
+        return 0, 0, 1
+    return dialect.locate(source, task.at_error(error))

@@ -1,0 +1,211 @@
+"""One program, one machine, one run: the way of the data from a source to a `Run`."""
+
+from __future__ import annotations
+
+import os
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.machine import Machine
+from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.trace import Trace
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.program import Program
+
+# A machine program has no end of its own: this is where a run ends when nothing else says so.
+ONE_SHIFT = 8 * 3600.0
+
+_PACKAGES = {"mint": "motionlang.mint", "mccl": "motionlang.mccl"}
+
+
+def dialects() -> tuple[str, ...]:
+    """The names of the dialects."""
+    return tuple(_PACKAGES)
+
+
+def dialect(name: str) -> Dialect:
+    """A dialect by its name; KeyError where there is none."""
+    from importlib import import_module
+
+    found: Dialect = import_module(_PACKAGES[name]).DIALECT
+    return found
+
+
+def dialect_of(file: str) -> Dialect | None:
+    """The dialect that owns a file's suffix, None where no dialect does."""
+    suffix = os.path.splitext(file)[1].lower()
+    for name in _PACKAGES:
+        if suffix in dialect(name).suffixes:
+            return dialect(name)
+    return None
+
+
+class Run:
+    """What a run left behind.
+
+    `status` is "ended", "until" (virtual time was up), "fault" (the program is wrong or went wrong) or
+    "interrupted"; `time` is the machine time at its end, in seconds.
+    """
+
+    __slots__ = ("diagnostics", "dialect", "machine", "not_counted", "source", "status", "time")
+
+    def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
+        self.source, self.dialect, self.machine = source, dialect, machine
+        self.status = "ended"
+        self.time = 0.0
+        self.diagnostics: list[Diagnostic] = []
+        self.not_counted: list[str] = []
+
+    @property
+    def controller(self) -> Controller:
+        return self.machine.controller
+
+    @property
+    def output(self) -> list[str]:
+        """Every line the program printed."""
+        return self.machine.terminal.lines
+
+    @property
+    def trace(self) -> Trace:
+        """The motion, to be sampled at any rate."""
+        return self.controller.trace
+
+    @property
+    def report(self) -> dict[str, object]:
+        """The run as `motionlang.report/1`."""
+        from motionlang.report import build
+
+        return build(self)
+
+
+def run(
+    program: str | os.PathLike[str] | Source,
+    *,
+    dialect: str | Dialect | None = None,
+    machine: Mapping[str, object] | None = None,
+    until: float = ONE_SHIFT,
+    overrides: Mapping[str, float | str] | None = None,
+    show: Callable[[str], None] | None = None,
+    pace: Callable[[float], None] | None = None,
+    cache: bool = True,
+) -> Run:
+    """Run a program: a path, or a `Source` with its text.
+
+    `machine` holds settings by the dotted keys of the machine file, `overrides` values for the program's own names;
+    `show` is called with everything the program prints, `pace` with the machine time that is about to be reached.
+    Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
+    where no dialect can be told from its name.
+    """
+    source = program if isinstance(program, Source) else Source.read(program)
+    language = _dialect_for(source, dialect)
+    settings = dict(machine or {})
+    result = Run(
+        source,
+        language,
+        Machine(settings, first_axis=language.first_axis, show=show, overrides=overrides),
+    )
+    compiled = _compile(source, language, settings, result, cache)
+    if compiled is not None:
+        _execute(result, compiled, until, pace)
+    result.machine.terminal.close()
+    result.time = result.controller.clock.now
+    return result
+
+
+def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
+    if wanted is not None:
+        return dialect(wanted) if isinstance(wanted, str) else wanted
+    found = dialect_of(source.name)
+    if found is None:
+        raise ValueError(f"{source.name}: the suffix names no dialect; say which with --dialect mint or mccl")
+    return found
+
+
+def _compile(
+    source: Source, language: Dialect, settings: dict[str, object], result: Run, use_cache: bool
+) -> Program | None:
+    """The compiled program, from the cache where it may come from there."""
+    name = ""
+    if use_cache:
+        from motionlang.lang import cache
+
+        name = cache.key(language.name, repr(sorted(settings.items())), source.name, source.text)
+        payload = cache.get(name)
+        if payload is not None:
+            return language.load(payload)
+    from motionlang.errors import ProgramError
+
+    try:
+        compiled = language.compile(source, settings)
+    except ProgramError as error:
+        result.diagnostics = error.diagnostics
+        result.status = "fault"
+        return None
+    if use_cache:
+        payload = compiled.payload()
+        if payload is not None:
+            cache.put(name, payload)
+    return compiled
+
+
+def _execute(
+    result: Run, compiled: Program, until: float, pace: Callable[[float], None] | None
+) -> None:
+    """Run to the end, or to what ends it; whatever happened before stays in the result."""
+    scheduler: Scheduler | None = None
+    try:
+        parent = compiled.start(result.machine)
+        scheduler = Scheduler(result.controller, parent, pace)
+        result.status = scheduler.run(until)
+        jogging = [axis for axis in result.controller.axes if not result.controller.is_idle(axis)]
+        if jogging and result.status == "ended":
+            names = ", ".join(map(str, jogging))
+            result.not_counted.append(f"axis {names} was still jogging when the program had ended")
+    except KeyboardInterrupt:
+        result.status = "interrupted"
+        result.diagnostics.append(_place(result, scheduler, "interrupted", "the run was ended from the keyboard", ""))
+    except Stuck as stuck:
+        scheduler = scheduler or None
+        result.status = "fault"
+        result.diagnostics.append(_stuck(result, stuck))
+    except Exception as error:
+        from motionlang.lang.trouble import explain
+
+        diagnostic = explain(result.dialect, result.source, scheduler.current if scheduler else None, error)
+        if diagnostic is None:
+            raise
+        result.status = "fault"
+        result.diagnostics.append(diagnostic)
+
+
+def _stuck(result: Run, stuck: Stuck) -> Diagnostic:
+    from motionlang.errors import Diagnostic
+
+    line, column, length = result.dialect.locate(result.source, stuck.task.at)
+    message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
+    result.not_counted.append(f"line {line}: {message}")
+    return Diagnostic(
+        "never", message, line, column, length=length, hint="start a move first, or bound the run with --until"
+    )
+
+
+def _place(
+    result: Run, scheduler: Scheduler | None, code: str, message: str, hint: str
+) -> Diagnostic:
+    """A diagnostic at the place where the current task stands."""
+    from motionlang.errors import Diagnostic
+
+    if scheduler is None:
+        return Diagnostic(code, message, hint=hint)
+    line, column, length = result.dialect.locate(result.source, scheduler.current.at)
+    return Diagnostic(code, message, line, column, length=length, hint=hint)
+
+
+__all__ = ["ONE_SHIFT", "Refusal", "Run", "dialect", "dialect_of", "dialects", "run"]

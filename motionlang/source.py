@@ -1,0 +1,42 @@
+"""A program's text: read from anything, addressed by line and column."""
+
+from __future__ import annotations
+
+import os
+
+
+class Source:
+    """`name` for messages and `text` with `\\n` line ends; nothing else of the file is kept."""
+
+    __slots__ = ("_lines", "name", "text")
+
+    def __init__(self, name: str, text: str) -> None:
+        self.name = name
+        self.text = text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+        self._lines: list[str] | None = None
+
+    @classmethod
+    def from_bytes(cls, name: str, data: bytes) -> Source:
+        """Decode as UTF-8, with or without a mark, else as Latin-1, which any bytes are."""
+        try:
+            text = data.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            text = data.decode("latin-1")
+        return cls(name, text)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Source:
+        """Read a file; OSError as `open` raises it."""
+        with open(path, "rb") as file:
+            return cls.from_bytes(os.path.basename(os.fspath(path)), file.read())
+
+    def line(self, number: int) -> str:
+        """The text of line `number` (from 1), empty where there is none."""
+        if self._lines is None:
+            self._lines = self.text.split("\n")
+        return self._lines[number - 1] if 1 <= number <= len(self._lines) else ""
+
+    def place(self, offset: int) -> tuple[int, int]:
+        """Line and column, both from 1, of a character offset."""
+        before = self.text.count("\n", 0, offset)
+        return before + 1, offset - self.text.rfind("\n", 0, offset)
