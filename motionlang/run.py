@@ -155,9 +155,7 @@ def _compile(
     return compiled
 
 
-def _execute(
-    result: Run, compiled: Program, until: float, pace: Callable[[float], None] | None
-) -> None:
+def _execute(result: Run, compiled: Program, until: float, pace: Callable[[float], None] | None) -> None:
     """Run to the end, or to what ends it; whatever happened before stays in the result."""
     scheduler: Scheduler | None = None
     try:
@@ -170,7 +168,9 @@ def _execute(
             result.not_counted.append(f"axis {names} was still jogging when the program had ended")
     except KeyboardInterrupt:
         result.status = "interrupted"
-        result.diagnostics.append(_place(result, scheduler, "interrupted", "the run was ended from the keyboard", ""))
+        result.diagnostics.append(
+            _place(result, scheduler, "interrupted", "the run was ended from the keyboard", "")
+        )
     except Stuck as stuck:
         scheduler = scheduler or None
         result.status = "fault"
@@ -192,13 +192,16 @@ def _stuck(result: Run, stuck: Stuck) -> Diagnostic:
     message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
     result.not_counted.append(f"line {line}: {message}")
     return Diagnostic(
-        "never", message, line, column, length=length, hint="start a move first, or bound the run with --until"
+        "never",
+        message,
+        line,
+        column,
+        length=length,
+        hint="start a move first, or bound the run with --until",
     )
 
 
-def _place(
-    result: Run, scheduler: Scheduler | None, code: str, message: str, hint: str
-) -> Diagnostic:
+def _place(result: Run, scheduler: Scheduler | None, code: str, message: str, hint: str) -> Diagnostic:
     """A diagnostic at the place where the current task stands."""
     from motionlang.errors import Diagnostic
 

@@ -153,8 +153,17 @@ class Controller:
         self._end_move(a, "retarget")
         state = a.at(self.clock.now)
         try:
-            profile = plan_velocity(a.shape, state.position, state.velocity, velocity, accel, decel, a.ramp,
-                                    a.accel_jerk, a.decel_jerk)
+            profile = plan_velocity(
+                a.shape,
+                state.position,
+                state.velocity,
+                velocity,
+                accel,
+                decel,
+                a.ramp,
+                a.accel_jerk,
+                a.decel_jerk,
+            )
         except ValueError as problem:
             raise Refusal("range", f"axis {axis} cannot jog: {problem}") from None
         self._run(a, move, profile)
@@ -243,7 +252,9 @@ class Controller:
                 raise Refusal(
                     "zero-acceleration",
                     f"axis {a.index} cannot move: its {what} is {rate:g}",
-                    f"a move needs an {what} above zero" if what[0] == "a" else f"a move needs a {what} above zero",
+                    f"a move needs an {what} above zero"
+                    if what[0] == "a"
+                    else f"a move needs a {what} above zero",
                 )
         return accel, decel
 
@@ -258,11 +269,23 @@ class Controller:
         last, now = a.profiles[-1], self.clock.now
         try:
             if last.shape == "hold":
-                return plan(a.shape, last.end, target, a.speed, accel, decel, 0.0, a.ramp,
-                            a.accel_jerk, a.decel_jerk)
+                return plan(
+                    a.shape, last.end, target, a.speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk
+                )
             s = last.at(now - a.starts[-1])
-            return plan(a.shape, s.position, target, a.speed, accel, decel, s.velocity, a.ramp,
-                        a.accel_jerk, a.decel_jerk, s.acceleration)
+            return plan(
+                a.shape,
+                s.position,
+                target,
+                a.speed,
+                accel,
+                decel,
+                s.velocity,
+                a.ramp,
+                a.accel_jerk,
+                a.decel_jerk,
+                s.acceleration,
+            )
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
 
@@ -276,7 +299,9 @@ class Controller:
 
     def _run(self, a: Axis, move: Move, profile: Profile) -> None:
         if len(self.moves) >= MAX_MOVES:
-            raise Refusal("limit", f"more than {MAX_MOVES} moves were started", "shorten the run with --until")
+            raise Refusal(
+                "limit", f"more than {MAX_MOVES} moves were started", "shorten the run with --until"
+            )
         move.profile, move.start_time, move.scale = profile, self.clock.now, a.scale.counts
         self.moves.append(move)
         a.move = move

@@ -13,6 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from motionlang.errors import Diagnostic
     from motionlang.source import Source
 
 # key -> (kind, default, help). `axis.N.…` stands for every axis.
@@ -77,7 +78,10 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
     row = KEYS.get(key)
     if row is None:
         near = nearest(key, KEYS)
-        return f"there is no key {key}", f"did you mean {near}?" if near else f"the keys are {', '.join(KEYS)}"
+        return (
+            f"there is no key {key}",
+            f"did you mean {near}?" if near else f"the keys are {', '.join(KEYS)}",
+        )
     kind = row[0]
     fits = isinstance(value, kind) or (kind is float and isinstance(value, int))
     if not fits or isinstance(value, bool) is not (kind is bool):
@@ -115,7 +119,7 @@ def _line_of(source: Source, key: str) -> int:
     return 0
 
 
-def _toml_mistake(error: Exception) -> object:
+def _toml_mistake(error: Exception) -> Diagnostic:
     import re
 
     from motionlang.errors import Diagnostic

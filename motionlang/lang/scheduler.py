@@ -80,7 +80,6 @@ class Scheduler:
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
         controller = self.controller
-        clock = controller.clock
         while True:
             busy = [axis for axis in controller.axes if not controller.is_idle(axis)]
             if not busy:

@@ -26,9 +26,7 @@ class Wait:
 
     __slots__ = ("due", "ready", "since", "why")
 
-    def __init__(
-        self, since: float, ready: Callable[[], bool], due: Callable[[], float], why: str
-    ) -> None:
+    def __init__(self, since: float, ready: Callable[[], bool], due: Callable[[], float], why: str) -> None:
         self.since, self.ready, self.due, self.why = since, ready, due, why
 
 
@@ -127,5 +125,5 @@ class GeneratorTask(Task):
             self.done = True
             return stop.value, None
         if out.__class__ is float:
-            return out, None  # type: ignore[return-value]
-        return out.since, out  # type: ignore[union-attr,return-value]
+            return out, None  # type: ignore[return-value,unused-ignore]
+        return out.since, out  # type: ignore[union-attr,return-value,unused-ignore]

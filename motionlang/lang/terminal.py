@@ -26,7 +26,9 @@ class Terminal:
         """Write text; `\\n` ends a line."""
         self._size += len(text)
         if self._size > MAX_CHARACTERS:
-            raise Refusal("limit", "the program printed more than 50 million characters", "shorten the run with --until")
+            raise Refusal(
+                "limit", "the program printed more than 50 million characters", "shorten the run with --until"
+            )
         if self.show is not None:
             self.show(text)
         *whole, self._open = (self._open + text).split("\n")

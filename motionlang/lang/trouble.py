@@ -14,7 +14,11 @@ if TYPE_CHECKING:
 # Python's arithmetic troubles, said in the words of the program's author.
 _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
     ZeroDivisionError: ("division-by-zero", "division by zero", "test the divisor before dividing"),
-    OverflowError: ("overflow", "the result is too large for a number", "check the values that go into this line"),
+    OverflowError: (
+        "overflow",
+        "the result is too large for a number",
+        "check the values that go into this line",
+    ),
     RecursionError: ("recursion", "calls are nested too deeply", "a sub calls itself without an end"),
     MemoryError: ("limit", "the program needs more memory than there is", "make its arrays smaller"),
 }

@@ -1,0 +1,58 @@
+"""Virtual time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from motionlang.controller.clock import INFINITY, Clock
+
+
+def test_events_run_at_their_own_time_and_in_their_order() -> None:
+    clock = Clock()
+    seen: list[tuple[str, float]] = []
+
+    def note(name: str) -> Callable[[], None]:
+        return lambda: seen.append((name, clock.now))
+
+    for name, time in (("b", 2.0), ("a", 1.0), ("c", 2.0)):
+        clock.at(time, note(name))
+    clock.advance(5.0)
+    assert seen == [("a", 1.0), ("b", 2.0), ("c", 2.0)]
+    assert clock.now == 5.0
+
+
+def test_a_cancelled_event_does_not_happen_and_is_no_horizon() -> None:
+    clock = Clock()
+    clock.at(1.0, lambda: None).cancel()
+    assert clock.next_time() == INFINITY
+
+
+def test_an_event_may_make_the_next_one() -> None:
+    clock = Clock()
+    seen: list[float] = []
+
+    def again() -> None:
+        seen.append(clock.now)
+        if len(seen) < 3:
+            clock.at(clock.now + 1.0, again)
+
+    clock.at(1.0, again)
+    clock.advance(10.0)
+    assert seen == [1.0, 2.0, 3.0]
+
+
+def test_horizon_comes_nearer_as_events_are_made() -> None:
+    clock = Clock()
+    assert clock.horizon == INFINITY
+    clock.at(3.0, lambda: None)
+    clock.at(2.0, lambda: None)
+    assert clock.horizon == 2.0
+    clock.advance(2.5)
+    assert clock.horizon == 3.0
+
+
+def test_time_never_runs_back() -> None:
+    clock = Clock()
+    clock.advance(2.0)
+    clock.advance(1.0)
+    assert clock.now == 2.0

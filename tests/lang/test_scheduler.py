@@ -1,0 +1,140 @@
+"""Tasks, waits and the end of a run, on generators written by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.lang.task import GeneratorTask, Wait, wait_idle, wait_until
+
+Steps = Generator[float | Wait, tuple[float, float], float]
+
+
+def controller() -> Controller:
+    c = Controller(2)
+    for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
+        c.configure(0, name, value)
+    return c
+
+
+def task(make: Callable[[float, float], Steps]) -> GeneratorTask:
+    return GeneratorTask("parent", make, "<test>", (0,) * 500)
+
+
+def test_a_run_ends_when_the_program_has_ended_and_every_axis_is_at_rest() -> None:
+    c = controller()
+
+    def program(t: float, h: float) -> Steps:
+        c.load_by(0, 12.0)
+        c.go([0])
+        return t + 1e-5
+        yield t
+
+    assert Scheduler(c, task(program)).run() == "ended"
+    assert c.clock.now == 2.0
+
+
+def test_waits_jump_straight_to_their_end() -> None:
+    c = controller()
+    times = []
+
+    def program(t: float, h: float) -> Steps:
+        c.load_by(0, 12.0)
+        c.go([0])
+        t, h = yield wait_idle(c, t, [0])
+        times.append(t)
+        t, h = yield wait_until(c, t, t + 3600.0)
+        times.append(t)
+        return t
+
+    Scheduler(c, task(program)).run()
+    assert times == [2.0, 3602.0]
+
+
+def test_a_busy_program_meets_the_horizon_and_ends_at_until() -> None:
+    c = controller()
+
+    def program(t: float, h: float) -> Steps:
+        while True:
+            t += 1e-3
+            if t >= h:
+                t, h = yield t
+
+    assert Scheduler(c, task(program)).run(until=1.0) == "until"
+    assert c.clock.now == pytest.approx(1.0, abs=2e-3)
+
+
+def test_a_wait_that_nothing_can_end_is_said_not_sat_out() -> None:
+    c = controller()
+
+    def program(t: float, h: float) -> Steps:
+        yield Wait(t, lambda: False, lambda: float("inf"), "for input 3")
+        return t
+
+    with pytest.raises(Stuck, match="for input 3"):
+        Scheduler(c, task(program)).run()
+
+
+def test_an_endless_wait_is_said_also_when_the_run_is_bounded() -> None:
+    c = controller()
+
+    def program(t: float, h: float) -> Steps:
+        yield Wait(t, lambda: False, lambda: float("inf"), "for input 3")
+        return t
+
+    with pytest.raises(Stuck):
+        Scheduler(c, task(program)).run(until=10.0)
+
+
+def test_two_tasks_share_the_controllers_time() -> None:
+    c = controller()
+    done: list[str] = []
+
+    def work(name: str) -> Callable[[float, float], Steps]:
+        def program(t: float, h: float) -> Steps:
+            for _ in range(1000):
+                t += 1e-5
+                if t >= h:
+                    t, h = yield t
+            done.append(name)
+            return t
+
+        return program
+
+    scheduler = Scheduler(c, task(work("parent")))
+    scheduler.start(task(work("child")))
+    assert scheduler.run() == "ended"
+    assert done[0] == "parent"
+    assert c.clock.now == pytest.approx(0.02, abs=2e-3)
+
+
+def test_the_program_ends_with_its_parent() -> None:
+    c = controller()
+
+    def parent(t: float, h: float) -> Steps:
+        return t + 1e-5
+        yield t
+
+    def child(t: float, h: float) -> Steps:
+        while True:
+            t, h = yield t + 1e-3
+
+    scheduler = Scheduler(c, task(parent))
+    scheduler.start(task(child))
+    assert scheduler.run() == "ended"
+
+
+def test_a_task_knows_where_it_stands() -> None:
+    c = controller()
+
+    def program(t: float, h: float) -> Steps:
+        yield wait_until(c, t, 1.0)
+        return t
+
+    first = program.__code__.co_firstlineno
+    waiting = GeneratorTask("parent", program, program.__code__.co_filename, range(2000))
+    waiting.resume(0.0, 1.0)
+    assert waiting.at == first + 1

@@ -1,0 +1,103 @@
+"""The house rules that a machine can hold: imports point down, and heavy libraries stay where they belong."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "motionlang"
+
+# From the top down; a package may import its own level's name and anything below it.
+LEVELS: dict[str, int] = {
+    "cli": 10,
+    "__main__": 10,
+    "repl": 9,
+    "views": 8,
+    "run": 7,
+    "report": 7,
+    "mint": 6,
+    "mccl": 6,
+    "copley": 6,
+    "lang": 5,
+    "controller": 4,
+    "profile": 3,
+    "errors": 1,
+    "source": 1,
+    "units": 1,
+    "": 0,
+    "_wheel": 0,
+}
+# A library, and the only places that may import it.
+HOMES: dict[str, tuple[str, ...]] = {
+    "lark": ("lang/grammar", "mint/parser", "mccl/parser"),
+    "rich": ("views",),
+    "prompt_toolkit": ("repl",),
+    "matplotlib": ("views",),
+    "can": ("copley",),
+    "canopen": ("copley",),
+}
+FILES = sorted(PACKAGE.rglob("*.py"))
+
+
+def imports(path: Path) -> set[str]:
+    """Every module that a file imports, anywhere in it, for types or for use."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found.add(node.module)
+            if node.module == "motionlang":
+                found.update(f"motionlang.{alias.name}" for alias in node.names)
+    return found
+
+
+def layer(module: str) -> str:
+    """The first name below `motionlang`; `cli_pvt` and the like belong to `cli`."""
+    parts = module.split(".")
+    name = parts[1] if len(parts) > 1 else ""
+    return "cli" if name.startswith("cli") else name
+
+
+def own_layer(path: Path) -> str:
+    relative = path.relative_to(PACKAGE).with_suffix("")
+    return (
+        layer("motionlang." + ".".join(relative.parts))
+        if relative.name != "__init__" or len(relative.parts) > 1
+        else ""
+    )
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_point_down(path: Path) -> None:
+    here = own_layer(path)
+    if here == "":
+        return  # the package's own front door opens `run` lazily
+    for module in sorted(imports(path)):
+        if module.split(".")[0] != "motionlang" or module in ("motionlang", "motionlang.__version__"):
+            continue
+        there = layer(module)
+        if there not in LEVELS:
+            continue  # a name, not a module: `from motionlang import __version__`
+        assert here == there or LEVELS[there] < LEVELS[here] or {here, there} == {"run", "report"}, (
+            f"{here} imports {module}, which lies above it or beside it"
+        )
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_heavy_libraries_stay_at_home(path: Path) -> None:
+    relative = path.relative_to(PACKAGE).as_posix()
+    for module in imports(path):
+        homes = HOMES.get(module.split(".")[0])
+        assert homes is None or relative.startswith(homes), f"{relative} imports {module}"
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_files_keep_one_reason(path: Path) -> None:
+    lines = path.read_text(encoding="utf-8").count("\n")
+    generated = path.name == "tables.py"
+    limit = 700 if "keywords" in path.as_posix() else 500
+    assert generated or lines <= limit, f"{lines} lines"
