@@ -6,7 +6,7 @@ ramp kind), and the peak speed of a move too short for its slew speed.
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, sqrt
 
 from motionlang.profile.curve import Profile
 from motionlang.profile.limits import check_finite, too_large
@@ -57,6 +57,44 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float)
         back = _travel(ramps, beyond, speed, 0.0, -sign)
         return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *back))
     return finish(ramps.shape, start, target, (v0, *_travel(ramps, size, speed, u, sign)))
+
+
+def from_rest(
+    shape: str,
+    start: float,
+    target: float,
+    speed: float,
+    up: tuple[float, float],
+    down: tuple[float, float],
+    mean: float,
+) -> Profile:
+    """The move from rest for ramps that take a time proportional to the speed; up and down: (T/V, kind).
+
+    A ramp's distance is `mean` V T. Apart from `approach` because planning from rest runs inside the program,
+    for nearly every move.
+    """
+    distance = target - start
+    size = distance if distance >= 0.0 else -distance
+    rise, kind = up
+    fall, last_kind = down
+    per_square = mean * (rise + fall)
+    ramps = speed * speed * per_square
+    slew = 0.0
+    if size >= ramps:
+        slew = (size - ramps) / speed
+    else:
+        speed = sqrt(size / per_square)
+    rise *= speed
+    fall *= speed
+    duration = rise + slew + fall
+    if not duration < inf:
+        check_finite(position=start, target=target)
+        raise too_large()
+    if distance < 0.0:
+        speed = -speed
+    return Profile(
+        shape, start, target, duration, (0.0, rise, kind, speed, slew, 0.0, speed, fall, last_kind, 0.0)
+    )
 
 
 def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:

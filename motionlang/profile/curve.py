@@ -238,7 +238,7 @@ class Profile:
         curve = (
             knots + tuple(self.duration + knot for knot in more_knots[1:]),
             pieces + more_pieces,
-            marks + tuple((name, first + len(pieces)) for name, first in more_marks),
+            _joined_marks(marks, more_marks, len(pieces)),
         )
         return from_curve(self.shape, self.start, other.end, curve, self.start_velocity, other.end_velocity)
 
@@ -308,16 +308,24 @@ def hold(position: float, duration: float = inf) -> Profile:
 
 
 def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
-    """The same motion under another shape name, and if `name` is given all its phases called that."""
+    """The same motion under another shape name, and if `name` is given one phase of that name."""
     made = Profile(shape, profile.start, profile.end, profile.duration, profile._recipe)
     knots, pieces, marks = profile.curve
-    made._curve = (knots, pieces, tuple((name or old, first) for old, first in marks))
+    made._curve = (knots, pieces, ((name, 0),) if name and marks else marks)
     return made
 
 
 def far_end(position: float, velocity: float) -> float:
     """Where a profile that runs on for ever at `velocity` ends."""
     return copysign(inf, velocity) if velocity else position
+
+
+def _joined_marks(
+    marks: tuple[tuple[str, int], ...], more: tuple[tuple[str, int], ...], count: int
+) -> tuple[tuple[str, int], ...]:
+    """Phase marks of two profiles in a row; a phase that simply goes on stays one phase."""
+    goes_on = marks[-1][0] == more[0][0] != "segment"
+    return marks + tuple((name, first + count) for name, first in (more[1:] if goes_on else more))
 
 
 def _standing(shape: str, position: float, velocity: float) -> Profile:

@@ -28,9 +28,8 @@ def plan_jerk(
     defines the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An initial
     acceleration `a0` is first brought to zero at the jerk limit. Raises ValueError as `plan_trapezoid`.
     """
-    smallest = min(speed, accel, decel, accel_jerk, decel_jerk)
-    total = speed + accel + decel + accel_jerk + decel_jerk
-    if not (smallest > 0.0 and total < inf):
+    smooth = accel_jerk > 0.0 and decel_jerk > 0.0 and accel_jerk + decel_jerk < inf
+    if not (smooth and speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
         check_positive(
             speed=speed,
             acceleration=accel,
@@ -40,10 +39,29 @@ def plan_jerk(
         )
         raise too_large()
     if v0 == 0.0 and a0 == 0.0:
-        return _from_rest(start, target, speed, (accel, accel_jerk), (decel, decel_jerk))
+        # Written out because planning from rest runs inside the program, for nearly every move.
+        distance = target - start
+        size = distance if distance >= 0.0 else -distance
+        rise, fall = accel / accel_jerk, decel / decel_jerk
+        first = speed / accel + rise if speed >= accel * rise else 2.0 * sqrt(speed / accel_jerk)
+        last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
+        slew = size / speed - 0.5 * (first + last)
+        if slew < 0.0:
+            speed = peak_speed(0.0, size, (accel, accel_jerk), (decel, decel_jerk))
+            first, _ = ramp_to(speed, accel, accel_jerk)
+            last, _ = ramp_to(speed, decel, decel_jerk)
+            slew = 0.0
+        duration = first + slew + last
+        if duration < inf:
+            ratio = rise / first if speed >= accel * rise else 0.5
+            last_ratio = fall / last if speed >= decel * fall else 0.5
+            v = speed if distance >= 0.0 else -speed
+            recipe = (0.0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
+            return Profile("scurve", start, target, duration, recipe)
     check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
     ramps = jerk_ramps(accel, decel, accel_jerk, decel_jerk)
     if a0 == 0.0:
+        # also where a move from rest with figures too large ends: `approach` says so
         return approach(ramps, start, target, speed, v0)
     eased = ease(start, v0, a0, accel_jerk if a0 * v0 >= 0.0 else decel_jerk)
     return eased.then(approach(ramps, eased.end, target, speed, eased.end_velocity))
@@ -101,13 +119,18 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
 
 def _closed_form(size: float, up: tuple[float, float], down: tuple[float, float]) -> float:
     """Peak speed from rest if both ramps reach their acceleration or neither does; -1.0 if only one does."""
-    lower, upper = sorted((up[0] * up[0] / up[1], down[0] * down[0] / down[1]))
-    per_square = 0.5 / up[0] + 0.5 / down[0]
-    per_speed = 0.5 * (up[0] / up[1] + down[0] / down[1])
+    accel, accel_jerk = up
+    decel, decel_jerk = down
+    rise, fall = accel / accel_jerk, decel / decel_jerk
+    lower, upper = accel * rise, decel * fall
+    if lower > upper:
+        lower, upper = upper, lower
+    per_square = 0.5 / accel + 0.5 / decel
+    per_speed = 0.5 * (rise + fall)
     v = 2.0 * size / (sqrt(per_speed * per_speed + 4.0 * per_square * size) + per_speed)
     if v >= upper:
         return v
-    v = (size / (1.0 / sqrt(up[1]) + 1.0 / sqrt(down[1]))) ** (2.0 / 3.0)
+    v = (size / (1.0 / sqrt(accel_jerk) + 1.0 / sqrt(decel_jerk))) ** (2.0 / 3.0)
     return v if v <= lower else -1.0
 
 
@@ -118,28 +141,3 @@ def _ramp_slope(change: float, accel: float, jerk: float) -> tuple[float, float]
         return change / accel + rise, 1.0 / accel
     time = 2.0 * sqrt(change / jerk)
     return time, 2.0 / (jerk * time) if time > 0.0 else inf
-
-
-def _from_rest(
-    start: float, target: float, speed: float, up: tuple[float, float], down: tuple[float, float]
-) -> Profile:
-    # Apart from `approach` because planning from rest runs inside the program, for nearly every move.
-    distance = target - start
-    size = distance if distance >= 0.0 else -distance
-    v = speed
-    first, ratio = ramp_to(v, *up)
-    last, last_ratio = ramp_to(v, *down)
-    slew = (size - 0.5 * v * (first + last)) / v
-    if slew < 0.0:
-        v = peak_speed(0.0, size, up, down)
-        first, ratio = ramp_to(v, *up)
-        last, last_ratio = ramp_to(v, *down)
-        slew = 0.0
-    duration = first + slew + last
-    if not duration < inf:
-        check_finite(position=start, target=target)
-        raise too_large()
-    if distance < 0.0:
-        v = -v
-    recipe = (0.0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
-    return Profile("scurve", start, target, duration, recipe)

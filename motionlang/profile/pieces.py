@@ -28,7 +28,7 @@ def acceleration_in(piece: Piece, x: float) -> float:
     """Acceleration at local time x."""
     _, _, c2, c3, amplitude, omega, phase = piece
     if amplitude:
-        return -amplitude * omega**2 * sin(omega * x + phase)
+        return -amplitude * omega * omega * sin(omega * x + phase)
     return 6.0 * c3 * x + 2.0 * c2 if c3 else 2.0 * c2
 
 
@@ -36,7 +36,7 @@ def jerk_in(piece: Piece, x: float) -> float:
     """Jerk at local time x."""
     _, _, _, c3, amplitude, omega, phase = piece
     if amplitude:
-        return -amplitude * omega**3 * cos(omega * x + phase)
+        return -amplitude * omega * omega * omega * cos(omega * x + phase)
     return 6.0 * c3
 
 

@@ -94,7 +94,7 @@ def _segment(p0: float, v0: float | None, p1: float, v1: float | None, time: flo
     if v0 is None or v1 is None:
         return (p0, step, 0.0, 0.0, 0.0, 0.0, 0.0)
     b2 = (3.0 * step - 2.0 * v0 - v1) / time
-    b3 = (v0 + v1 - 2.0 * step) / time**2
+    b3 = (v0 + v1 - 2.0 * step) / (time * time)
     if not abs(b2) + abs(b3) < inf:
         raise too_large()
     return (p0, v0, b2, b3, 0.0, 0.0, 0.0)

@@ -84,9 +84,9 @@ def _add_ramp(
         amplitude = -0.5 * change * duration / pi
         pieces.append((p, 0.5 * (v_from + v_to), 0.0, 0.0, amplitude, pi / duration, 0.0))
     elif kind == FALLING:
-        pieces.append((p, v_from, change / duration, -change / (3.0 * duration**2), 0.0, 0.0, 0.0))
+        pieces.append((p, v_from, change / duration, -change / (3.0 * duration * duration), 0.0, 0.0, 0.0))
     elif kind == RISING:
-        pieces.append((p, v_from, 0.0, change / (3.0 * duration**2), 0.0, 0.0, 0.0))
+        pieces.append((p, v_from, 0.0, change / (3.0 * duration * duration), 0.0, 0.0, 0.0))
     else:
         _add_trapezoidal(knots, pieces, time, p, ramp)
         return
@@ -105,7 +105,7 @@ def _add_trapezoidal(
     bend = 0.5 * peak * rise
     pieces.append((p, v_from, 0.0, sixth, 0.0, 0.0, 0.0))
     knots.append(time + rise)
-    p += v_from * rise + sixth * rise**3
+    p += v_from * rise + sixth * rise * rise * rise
     if held > 0.0:
         v = v_from + bend
         pieces.append((p, v, 0.5 * peak, 0.0, 0.0, 0.0, 0.0))

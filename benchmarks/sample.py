@@ -1,0 +1,72 @@
+"""How many times np.fill it costs to sample one long profile, and a history of 2000 short moves.
+
+Prints `name value unit`. Every figure is the best of many interleaved rounds in one process.
+"""
+
+from __future__ import annotations
+
+import gc
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.profile import Profile, plan_jerk, plan_sinusoidal
+from motionlang.profile.sample import PieceTable, sample_profile
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+POINTS = 1_000_000
+
+
+def history() -> tuple[list[float], list[Profile]]:
+    """2000 jerk-limited moves of about half a second, one after the other."""
+    lengths = np.random.default_rng(3).uniform(5.0, 40.0, 2000)
+    starts, profiles, time, place = [], [], 0.0, 0.0
+    for length in lengths:
+        move = plan_jerk(place, place + float(length), 100.0, 500.0, 500.0, 5000.0, 5000.0)
+        starts.append(time)
+        profiles.append(move)
+        time, place = time + move.duration, move.end
+    return starts, profiles
+
+
+def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
+    """Seconds of each job, the best of `rounds`, the jobs taking turns."""
+    times = dict.fromkeys(jobs, float("inf"))
+    for _ in range(rounds):
+        for name, job in jobs.items():
+            begin = perf_counter()
+            job()
+            times[name] = min(times[name], perf_counter() - begin)
+    return times
+
+
+def main() -> None:
+    """Measure and print."""
+    scurve = plan_jerk(0.0, 1000.0, 100.0, 500.0, 500.0, 5000.0, 5000.0)
+    sine = plan_sinusoidal(0.0, 1000.0, 100.0, 50.0, 50.0)
+    starts, profiles = history()
+    table = PieceTable(starts, profiles)
+    out = np.zeros(POINTS)
+    dt_long, dt = scurve.duration / POINTS, (starts[-1] + profiles[-1].duration) / POINTS
+    gc.disable()
+    times = best(
+        40,
+        {
+            "fill": lambda: out.fill(1.0),
+            "one profile": lambda: sample_profile(scurve, POINTS, dt_long, 0, out),
+            "one sine profile": lambda: sample_profile(sine, POINTS, sine.duration / POINTS, 0, out),
+            "2000 moves": lambda: table.sample(0.0, dt, POINTS, 0, out),
+            "table of 2000 moves": lambda: PieceTable(starts, profiles),
+        },
+    )
+    print(f"sample.pieces {len(table.begins)} pieces")
+    for name, seconds in times.items():
+        print(f"sample.{name.replace(' ', '_')} {seconds / POINTS * 1e9:.3f} ns/point")
+        print(f"sample.{name.replace(' ', '_')}_over_fill {seconds / times['fill']:.2f} x")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,205 @@
+"""Profiles into NumPy columns, at a few times the cost of filling the array.
+
+Long pieces are sampled block by block: the piece is re-centred at the start of every block of K points, and
+one matrix product with the powers of the time inside a block makes all blocks at once. Short pieces are
+sampled together on one grid of small blocks, and the points between a knot and the next block done again.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.profile.curve import Profile
+
+    Array = NDArray[np.float64]
+
+ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3}
+BLOCK = 256
+GRID = 24
+CHUNK = 262144
+LONG = 1024
+"""From this many points a piece is worth a matrix product of its own."""
+
+
+def sample_profile(profile: Profile, n: int, dt: float, order: int = 0, out: Array | None = None) -> Array:
+    """Position (order 0), velocity (1) or acceleration (2) at n times 0, dt, 2 dt ..."""
+    return PieceTable((0.0,), (profile,)).sample(0.0, dt, n, order, out)
+
+
+def sample_track(
+    starts: Sequence[float], profiles: Sequence[Profile], t0: float, dt: float, n: int, quantity: str
+) -> Array:
+    """A history of moves at n times t0, t0 + dt ...; `quantity` is position, velocity, acceleration or jerk.
+
+    `starts` (seconds, rising) says when each profile begins; it ends where the next begins, however far it
+    got, and between moves the axis stays as the last one left it. To sample one history more than once
+    make its `PieceTable` once.
+    """
+    return PieceTable(starts, profiles).sample(t0, dt, n, ORDERS[quantity])
+
+
+class PieceTable:
+    """The pieces of a history as columns: when each begins, and its seven coefficients (7 x pieces)."""
+
+    __slots__ = ("begins", "columns", "origins")
+
+    def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
+        origins: list[float] = []
+        rows: list[tuple[float, ...]] = []
+        if profiles:
+            origins.append(starts[0])
+            rows.append((profiles[0].start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        for i, (start, profile) in enumerate(zip(starts, profiles, strict=True)):
+            knots, pieces, _ = profile.curve
+            following = starts[i + 1] if i + 1 < len(starts) else np.inf
+            if start + profile.duration < following:
+                knots = (*knots[:-1], profile.duration)
+                pieces = (*pieces, (profile.end, profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
+            else:
+                knots = tuple(knot for knot in knots[:-1] if start + knot < following)
+            origins.extend(start + knot for knot in knots)
+            rows.extend(pieces[: len(knots)])
+        self.origins = np.array(origins, dtype=np.float64)
+        self.begins = self.origins.copy()
+        self.begins[:1] = -np.inf
+        self.columns = np.array(rows, dtype=np.float64).reshape(-1, 7).T.copy()
+
+    def sample(self, t0: float, dt: float, n: int, order: int = 0, out: Array | None = None) -> Array:
+        """n values of derivative `order` at t0, t0 + dt ..., into `out` if given (n doubles)."""
+        out = np.empty(n) if out is None else out
+        if not len(self.begins):
+            out.fill(0.0)
+            return out
+        edges = self._edges(t0, dt, n)
+        used = np.flatnonzero(np.diff(edges))
+        edges = np.append(edges[used], n)
+        columns = _derivative(self.columns[:, used], order)
+        origins = self.origins[used] - t0
+        long = np.diff(edges) >= LONG
+        for begin, finish in _runs(~long):
+            _sample_short(out, edges[begin : finish + 1], origins[begin:finish], columns[:, begin:finish], dt)
+        for i in np.flatnonzero(long):
+            _sample_long(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
+        return out
+
+    def _edges(self, t0: float, dt: float, n: int) -> NDArray[np.int64]:
+        """First point of each piece; a point within a billionth of a step of a knot belongs to the next."""
+        first = np.ceil((self.begins - t0) / dt - 1e-9)
+        return np.append(np.clip(first, 0, n), n).astype(np.int64)
+
+
+def _derivative(columns: Array, order: int) -> Array:
+    for _ in range(order):
+        _, c1, c2, c3, amplitude, omega, phase = columns
+        nothing = np.zeros_like(c1)
+        columns = np.array([c1, 2 * c2, 3 * c3, nothing, amplitude * omega, omega, phase + np.pi / 2])
+    return columns
+
+
+def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Begin and end of every run of True."""
+    padded = np.concatenate(([False], mask, [False]))
+    turns = np.flatnonzero(padded[1:] != padded[:-1])
+    return [(int(a), int(b)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
+
+
+def _sample_long(out: Array, piece: Array, x0: float, dt: float) -> None:
+    c0, c1, c2, c3, amplitude, omega, phase = (float(c) for c in piece)
+    blocks, rest = divmod(len(out), BLOCK)
+    inside = np.arange(BLOCK) * dt
+    x = x0 + np.arange(blocks + (rest > 0)) * (BLOCK * dt)
+    value = ((c3 * x + c2) * x + c1) * x + c0
+    slope = (3.0 * c3 * x + 2.0 * c2) * x + c1
+    if amplitude:
+        angle = omega * x + phase
+        local = np.stack((value, slope, amplitude * np.sin(angle), amplitude * np.cos(angle)), axis=1)
+        basis = np.stack((np.ones(BLOCK), inside, np.cos(omega * inside), np.sin(omega * inside)))
+    else:
+        local = np.stack((value, slope, 3.0 * c3 * x + c2, np.full_like(x, c3)), axis=1)
+        basis = np.stack((np.ones(BLOCK), inside, inside**2, inside**3))
+    np.matmul(local[:blocks], basis, out=out[: blocks * BLOCK].reshape(blocks, BLOCK))
+    if rest:
+        out[blocks * BLOCK :] = local[-1] @ basis[:, :rest]
+
+
+def _sample_short(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
+    chunks = max(1, -(-int(edges[-1] - edges[0]) // CHUNK))
+    marks = np.searchsorted(edges, np.linspace(edges[0], edges[-1], chunks + 1)).tolist()
+    marks[-1] = len(edges) - 1
+    for a, b in pairwise(marks):
+        if a < b:
+            _sample_chunk(out, edges[a : b + 1], origins[a:b], columns[:, a:b], dt)
+
+
+def _sample_chunk(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
+    """A grid of small blocks, each from the piece its first point is in; then what follows a knot, again."""
+    begin, finish = int(edges[0]), int(edges[-1])
+    piece_blocks = np.diff(-(-(edges - begin) // GRID))
+    block_piece = np.repeat(np.arange(len(origins)), piece_blocks)
+    x = (begin + np.arange(len(block_piece)) * GRID) * dt - origins[block_piece]
+    local = _recentred(columns[:4].take(block_piece, axis=1), x)
+    basis = np.vander(np.arange(GRID) * dt, 4, increasing=True).T
+    blocks, rest = divmod(finish - begin, GRID)
+    np.matmul(local.T[:blocks], basis, out=out[begin : finish - rest].reshape(blocks, GRID))
+    if rest:
+        out[finish - rest : finish] = local[:, -1] @ basis[:, :rest]
+    following = np.minimum(begin + -(-(edges[:-1] - begin) // GRID) * GRID, edges[1:])
+    _set_points(out, edges[:-1], following, origins, columns[:4], dt)
+    _add_waves(out, edges, origins, columns, dt)
+
+
+def _recentred(columns: Array, x: Array) -> Array:
+    """Cubic coefficients (4 x pieces) with each local time counted from x."""
+    c0, c1, c2, c3 = columns
+    local = np.empty_like(columns)
+    np.multiply(c3, x, out=local[2])
+    local[2] += c2
+    local[1] = local[2] * x + c1
+    local[0] = local[1] * x + c0
+    local[1] += (local[2] + c3 * x) * x
+    local[2] += 2.0 * c3 * x
+    local[3] = c3
+    return local
+
+
+def _points(
+    begins: NDArray[np.int64], ends: NDArray[np.int64], origins: Array, dt: float
+) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
+    """The points of many index ranges in one row, their counts per range, and their local times."""
+    counts = ends - begins
+    total = int(counts.sum())
+    index = np.repeat(begins - np.cumsum(counts) + counts, counts)
+    index += np.arange(total)
+    return index, counts, index * dt - np.repeat(origins, counts)
+
+
+def _set_points(
+    out: Array, begins: NDArray[np.int64], ends: NDArray[np.int64], origins: Array, columns: Array, dt: float
+) -> None:
+    index, counts, x = _points(begins, ends, origins, dt)
+    value = np.repeat(columns[3], counts)
+    for column in columns[2::-1]:
+        value *= x
+        value += np.repeat(column, counts)
+    out[index] = value
+
+
+def _add_waves(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
+    wavy = np.flatnonzero(columns[4])
+    if not len(wavy):
+        return
+    amplitude, omega, phase = columns[4:, wavy]
+    index, counts, x = _points(edges[wavy], edges[wavy + 1], origins[wavy], dt)
+    x *= np.repeat(omega, counts)
+    x += np.repeat(phase, counts)
+    np.sin(x, out=x)
+    x *= np.repeat(amplitude, counts)
+    out[index] += x
