@@ -17,7 +17,7 @@ from motionlang.profile.pieces import (
     transformed,
     velocity_in,
 )
-from motionlang.profile.ramps import expand
+from motionlang.profile.ramps import expand, named_ramps
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -105,6 +105,8 @@ class Profile:
     @property
     def phases(self) -> tuple[Phase, ...]:
         """The phases that occur, in order."""
+        if len(self._recipe) > 2:
+            return tuple(Phase(*ramp) for ramp in named_ramps(self._recipe))
         _, pieces, marks = self.curve
         lasts = [*(first for _, first in marks[1:]), len(pieces)]
         return tuple(
@@ -114,6 +116,8 @@ class Profile:
     @property
     def peak_speed(self) -> float:
         """The largest absolute velocity."""
+        if len(self._recipe) > 2:  # every ramp is monotone
+            return max(map(abs, self._recipe[::3]))
         return self._peak(velocity_in, even_points)
 
     @property
@@ -309,7 +313,8 @@ def hold(position: float, duration: float = inf) -> Profile:
 
 def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
     """The same motion under another shape name, and if `name` is given one phase of that name."""
-    made = Profile(shape, profile.start, profile.end, profile.duration, profile._recipe)
+    recipe = (profile.start_velocity, profile.end_velocity) if name else profile._recipe
+    made = Profile(shape, profile.start, profile.end, profile.duration, recipe)
     knots, pieces, marks = profile.curve
     made._curve = (knots, pieces, ((name, 0),) if name and marks else marks)
     return made

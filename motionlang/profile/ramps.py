@@ -63,6 +63,18 @@ def expand(start: float, recipe: Recipe, names: tuple[str, ...] | None = None) -
     return tuple(knots), tuple(pieces), tuple(marks)
 
 
+def named_ramps(recipe: Recipe) -> list[tuple[str, float, float, float, float]]:
+    """Name, duration, distance, first and last velocity of every ramp of a recipe that takes time."""
+    found = []
+    final = len(recipe) - 4
+    for i in range(0, final + 1, 3):
+        v_from, duration, kind, v_to = recipe[i : i + 4]
+        if duration > 0.0:
+            distance = ramp_distance(v_from, duration, kind, v_to)
+            found.append((_name(v_from, v_to, i == final), duration, distance, v_from, v_to))
+    return found
+
+
 def _name(v_from: float, v_to: float, last: bool) -> str:
     if v_from == v_to:
         return "slew"
