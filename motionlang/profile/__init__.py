@@ -1,6 +1,7 @@
 """Motion mathematics: planners that return a `Profile`, position as an exact function of time.
 
-`sample` and `verify` use NumPy and are imported by name, never from here: running a program needs neither.
+`sample` and `verify` use NumPy, the `pvt` modules serve drives: they are imported by name, never from here,
+because running a program needs none of them.
 """
 
 from __future__ import annotations
@@ -10,13 +11,6 @@ from motionlang.profile.jerk import plan_jerk
 from motionlang.profile.joint import on_line, path_length, scaled
 from motionlang.profile.parabolic import plan_parabolic
 from motionlang.profile.plan import plan
-from motionlang.profile.pvt import (
-    average_velocities,
-    plan_pvt,
-    pvt_segment,
-    refined_velocities,
-    smooth_velocities,
-)
 from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
 from motionlang.profile.stop import plan_stop, plan_velocity
 from motionlang.profile.trapezoid import plan_trapezoid
@@ -25,21 +19,16 @@ __all__ = [
     "Phase",
     "Profile",
     "State",
-    "average_velocities",
     "hold",
     "on_line",
     "path_length",
     "plan",
     "plan_jerk",
     "plan_parabolic",
-    "plan_pvt",
     "plan_ratio",
     "plan_sinusoidal",
     "plan_stop",
     "plan_trapezoid",
     "plan_velocity",
-    "pvt_segment",
-    "refined_velocities",
     "scaled",
-    "smooth_velocities",
 ]
