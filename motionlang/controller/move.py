@@ -26,6 +26,7 @@ class Move:
         "scale",
         "start_time",
         "target",
+        "zero",
     )
 
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
@@ -34,5 +35,6 @@ class Move:
         self.start_time = 0.0
         self.profile: Profile | None = None
         self.scale = 1.0
+        self.zero = 0.0
         self.ended = ""
         self.offset = 0.0

@@ -1,0 +1,148 @@
+"""A run as data, schema `motionlang.report/1`: what `--report json` prints.
+
+Lengths are user units, times seconds, speeds user units a second, all in full precision. The figures of a move are
+those in force when it started. Only axes that the program touched are listed: the others are as at power-up.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from motionlang.controller.axis import Axis
+    from motionlang.errors import Diagnostic
+    from motionlang.run import Run
+
+    Row = dict[str, object]
+
+SCHEMA = "motionlang.report/1"
+# What "ended" says of a move that was under way when the run came to its end.
+END_OF_RUN = "end-of-run"
+
+
+def build(run: Run) -> Row:
+    """The whole report as plain dicts, lists, texts and numbers."""
+    report = _head(run)
+    report["moves"] = list(moves(run))
+    report |= _tail(run)
+    return report
+
+
+def text(run: Run) -> str:
+    """The report as one JSON document, a line a move; it reads back as `build` gives it, in ASCII."""
+    return _document(_head(run), moves(run), _tail(run))
+
+
+def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic]) -> str:
+    """The JSON document of a run that never began, because a file or a setting was wrong."""
+    head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": "fault"}
+    head |= {"time": 0.0, "output": []}
+    tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "not_counted": []}
+    return _document(head, iter(()), tail)
+
+
+def moves(run: Run) -> Iterator[Row]:
+    """Every move that was started, in the order of its start, what is still under way cut at the end of the run."""
+    running = {id(axis.move) for axis in run.controller.axes.values() if axis.move is not None}
+    for move in run.controller.moves:
+        profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
+        assert profile is not None
+        ended = move.ended
+        if id(move) in running:
+            profile, ended = profile.cut(run.time - start), END_OF_RUN
+        size = abs(scale)
+        row: Row = {
+            "axis": move.axis,
+            "command": move.command,
+            "line": move.line,
+            "profile": profile.shape,
+            "start_time": start,
+            "duration": profile.duration,
+            "start": (profile.start - zero) / scale,
+            "end": (profile.end - zero) / scale,
+            "distance": (profile.end - profile.start) / scale,
+            "peak_speed": profile.peak_speed / size,
+            "phases": [
+                {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
+                for phase in profile.phases
+            ],
+        }
+        if ended:
+            row["ended"] = ended
+        yield row
+
+
+def axes(run: Run) -> list[Row]:
+    """The state at the end of the run of every axis that the program touched."""
+    moved = {move.axis for move in run.controller.moves}
+    return [
+        _axis(axis, run.time)
+        for axis in run.controller.axes.values()
+        if axis.index in moved or _is_touched(axis)
+    ]
+
+
+def _axis(axis: Axis, now: float) -> Row:
+    counts = axis.position(now)
+    return {
+        "axis": axis.index,
+        "position": axis.scale.position_to_user(counts),
+        "counts": counts,
+        "scale": axis.scale.counts,
+        "enabled": axis.enabled,
+        "error": axis.faults,
+    }
+
+
+def _is_touched(axis: Axis) -> bool:
+    return bool(len(axis.starts) > 1 or axis.faults or axis.scale.counts != 1.0 or axis.scale.zero)
+
+
+def _head(run: Run) -> Row:
+    return {
+        "schema": SCHEMA,
+        "program": run.source.name,
+        "dialect": run.dialect.name,
+        "status": run.status,
+        "time": run.time,
+        "output": list(run.output),
+    }
+
+
+def _tail(run: Run) -> Row:
+    return {
+        "axes": axes(run),
+        "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
+        "not_counted": list(run.not_counted),
+    }
+
+
+def _document(head: Row, rows: Iterator[Row], tail: Row) -> str:
+    """A field a line and a move a line: json's own indenting is written in Python and takes three times as long."""
+    from json import JSONEncoder
+
+    encode = JSONEncoder(allow_nan=False).encode
+
+    def line(value: object) -> str:
+        try:
+            return encode(value)
+        except ValueError:
+            return encode(_finite(value))
+
+    body = ",\n  ".join(map(line, rows))
+    fields = [f'"{name}": {line(value)}' for name, value in head.items()]
+    fields.append(f'"moves": [\n  {body}\n]' if body else '"moves": []')
+    fields += [f'"{name}": {line(value)}' for name, value in tail.items()]
+    return "{" + ",\n ".join(fields) + "}\n"
+
+
+def _finite(value: object) -> object:
+    """The same with null for what JSON has no number for: a figure that overflowed."""
+    if isinstance(value, dict):
+        return {name: _finite(each) for name, each in value.items()}
+    if isinstance(value, list):
+        return [_finite(each) for each in value]
+    if isinstance(value, float) and not abs(value) < float("inf"):
+        return None
+    return value
