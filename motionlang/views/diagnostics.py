@@ -1,0 +1,153 @@
+"""How a mistake looks: what it is, where it is, the line itself with the place marked, and what to do about it.
+
+    error[unknown-word]: there is no keyword MOVR
+     --> pick.mnt:5:1
+      |
+    5 | MOVR(0) = 12
+      | ^^^^
+      hint: did you mean MOVER?
+
+Plain text is the same everywhere, so that tests compare whole messages; colours are for terminals only.
+"""
+
+from __future__ import annotations
+
+from motionlang.views.terminal import WIDTH, cells, printable, styled
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.errors import Diagnostic
+    from motionlang.source import Source
+
+TAB = 4
+# A message quotes the user's text, which may be a megabyte without a space.
+LONGEST_MESSAGE = 500
+
+
+def render(
+    diagnostic: Diagnostic,
+    source: Source | None = None,
+    *,
+    name: str = "",
+    colour: bool = False,
+    width: int = WIDTH,
+) -> str:
+    """One diagnostic with its excerpt, lines ended by newlines; without `source` there is no excerpt.
+
+    `name` is how the user called the file, where that is more than the name of its source.
+    """
+    severity = diagnostic.severity
+    message = styled(_short(diagnostic.message), "bold", colour)
+    lines = [f"{styled(f'{severity}[{diagnostic.code}]', severity, colour)}: {message}"]
+    gutter = len(str(diagnostic.line)) if source is not None and diagnostic.line else 1
+    if source is not None:
+        lines.append(
+            f"{' ' * gutter}{styled('-->', 'place', colour)} {_place(diagnostic, name or source.name)}"
+        )
+        if diagnostic.line:
+            lines += _excerpt(diagnostic, source.line(diagnostic.line), gutter, colour, width)
+    if diagnostic.hint:
+        lines.append(f"{' ' * (gutter + 1)}{styled('hint:', 'note', colour)} {_short(diagnostic.hint)}")
+    return "\n".join(lines) + "\n"
+
+
+def render_all(
+    diagnostics: Iterable[Diagnostic],
+    source: Source | None = None,
+    *,
+    name: str = "",
+    colour: bool = False,
+    width: int = WIDTH,
+) -> str:
+    """All of them, an empty line between two."""
+    return "\n".join(render(each, source, name=name, colour=colour, width=width) for each in diagnostics)
+
+
+def tally(diagnostics: Iterable[Diagnostic]) -> str:
+    """How many of each kind: "2 errors, 1 warning"; empty where there are none."""
+    severities = [each.severity for each in diagnostics]
+    parts = []
+    for severity in ("error", "warning"):
+        count = severities.count(severity)
+        if count:
+            parts.append(f"{count} {severity}{'s' if count > 1 else ''}")
+    return ", ".join(parts)
+
+
+def _place(diagnostic: Diagnostic, name: str) -> str:
+    place = printable(name)
+    if diagnostic.line:
+        place += f":{diagnostic.line}"
+        if diagnostic.column:
+            place += f":{diagnostic.column}"
+    return place
+
+
+def _short(text: str) -> str:
+    text = printable(text)
+    return text if len(text) <= LONGEST_MESSAGE else text[: LONGEST_MESSAGE - 1] + "…"
+
+
+def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width: int) -> list[str]:
+    """The line with its number, and below it the carets where the column is known."""
+    bar = styled("|", "place", colour)
+    number = styled(f"{diagnostic.line:>{gutter}}", "place", colour)
+    column = max(diagnostic.column, 1)
+    shown, indent, marked = _window(line, column - 1, diagnostic.length, max(width - gutter - 3, 20))
+    edge = " " * gutter
+    lines = [f"{edge} {bar}", f"{number} {bar} {shown}".rstrip()]
+    if diagnostic.column:
+        carets = styled("^" * marked, diagnostic.severity, colour)
+        lines.append(f"{edge} {bar} {' ' * indent}{carets}")
+    return lines
+
+
+def _window(line: str, at: int, length: int, room: int) -> tuple[str, int, int]:
+    """The part of `line` around `at` that fits into `room` cells, where the mark begins in it, and its width."""
+    at = min(at, len(line))
+    # More characters than `room` on either side can never be shown: a megabyte costs as little as a line.
+    first = max(0, at - room)
+    before = _widened(line[first:at])
+    after = _widened(line[at : at + room], cells(before))
+    marked = cells(_widened(line[at : at + max(length, 1)][:room], cells(before)))
+    cut_right = len(line) > at + room
+    if cells(before) + cells(after) + cut_right > room:
+        if first or cells(before) + min(marked, room // 2) > room - 1:
+            before = "…" + _last(before, room // 2)
+        left = room - cells(before)
+        cut_right = cut_right or cells(after) > left
+        after = _first(after, left - 1) + "…" if cut_right else after
+    indent = cells(before)
+    return before + after, indent, max(1, min(marked, room - indent - cut_right))
+
+
+def _widened(text: str, start: int = 0) -> str:
+    """`text` as a terminal can show it, tabs turned into spaces up to the next stop; it begins in cell `start`."""
+    if "\t" not in text:
+        return printable(text)
+    made, column = [], start
+    for part in text.split("\t"):
+        shown = printable(part)
+        column += cells(shown)
+        stop = TAB - column % TAB
+        made.append(shown + " " * stop)
+        column += stop
+    return "".join(made)[: -stop or None]
+
+
+def _last(text: str, room: int) -> str:
+    """The end of `text` that fits into `room` cells."""
+    kept = text[-room:]
+    while cells(kept) > room:
+        kept = kept[1:]
+    return kept
+
+
+def _first(text: str, room: int) -> str:
+    """The beginning of `text` that fits into `room` cells."""
+    kept = text[: max(room, 0)]
+    while cells(kept) > room:
+        kept = kept[:-1]
+    return kept
