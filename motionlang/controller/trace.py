@@ -1,0 +1,180 @@
+"""The motion of a run as NumPy columns, sampled when asked for, at any rate.
+
+Rows stand at 0, 1/rate, 2/rate …; the last row stands at the very end of the run, also where that lies between
+two steps of the grid. Lengths are user units by the scale that the axis has when it is sampled.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil, isfinite
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.profile.sample import ORDERS, PieceTable
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.controller.controller import Controller
+
+    Array = NDArray[np.float64]
+
+# quantity -> unit, and the unit as a part of a column's name.
+UNITS: dict[str, tuple[str, str]] = {
+    "position": ("uu", "uu"),
+    "velocity": ("uu/s", "uu_per_s"),
+    "acceleration": ("uu/s2", "uu_per_s2"),
+    "jerk": ("uu/s3", "uu_per_s3"),
+}
+USUAL = ("position", "velocity", "acceleration")
+# Rows of one chunk: a few hundred kilobytes a column, which stay in the cache while they are written out.
+ROWS = 65_536
+MOST_ROWS = 200_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """What a column holds: `quantity` ("time", "position" …) in `unit`, of `axis` (None for the time)."""
+
+    name: str
+    quantity: str
+    unit: str
+    axis: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """Columns of equal length; `samples["axis0_position_uu"]` and `samples.get(0, "position")` are one array."""
+
+    columns: tuple[Column, ...]
+    data: tuple[Array, ...]
+
+    def __len__(self) -> int:
+        return len(self.data[0])
+
+    def __getitem__(self, name: str) -> Array:
+        for column, values in zip(self.columns, self.data, strict=True):
+            if column.name == name:
+                return values
+        raise KeyError(name)
+
+    @property
+    def time(self) -> Array:
+        """Seconds since power-up."""
+        return self.data[0]
+
+    def get(self, axis: int, quantity: str) -> Array:
+        """The column of one quantity of one axis; KeyError where it was not sampled."""
+        for column, values in zip(self.columns, self.data, strict=True):
+            if column.axis == axis and column.quantity == quantity:
+                return values
+        raise KeyError((axis, quantity))
+
+
+class Trace:
+    """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
+
+    __slots__ = ("_controller", "_tables", "end")
+
+    def __init__(self, controller: Controller) -> None:
+        self._controller = controller
+        self._tables: dict[int, PieceTable] = {}
+        self.end = controller.clock.now
+
+    @property
+    def axes(self) -> tuple[int, ...]:
+        """The axes that ever moved or were given a position; the first one where none was."""
+        axes = self._controller.axes
+        return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
+
+    def columns(self, axes: Sequence[int] | None = None, quantities: Sequence[str] = USUAL) -> tuple[Column, ...]:
+        """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist."""
+        made = [Column("time_s", "time", "s", None)]
+        for axis in self.axes if axes is None else axes:
+            for quantity in quantities:
+                unit, suffix = UNITS[quantity]
+                name = f"axis{self._controller.axes[axis].index}_{quantity}_{suffix}"
+                made.append(Column(name, quantity, unit, axis))
+        return tuple(made)
+
+    def rows(self, rate: float = 1000.0, until: float | None = None) -> int:
+        """How many rows a sampling has."""
+        return _last_step(rate, self.end if until is None else until) + 1
+
+    def sample(
+        self,
+        rate: float = 1000.0,
+        axes: Sequence[int] | None = None,
+        until: float | None = None,
+        quantities: Sequence[str] = USUAL,
+    ) -> Samples:
+        """All rows at once, `rate` in samples a second; ValueError above 200 million rows: use `chunks`."""
+        count = self.rows(rate, until)
+        if count > MOST_ROWS:
+            raise ValueError(f"{count} rows are too many to hold at once")
+        columns = self.columns(axes, quantities)
+        data = tuple(np.empty(count) for _ in columns)
+        first = 0
+        for chunk in self.chunks(rate, axes, until, quantities):
+            for whole, part in zip(data, chunk.data, strict=True):
+                whole[first : first + len(part)] = part
+            first += len(chunk)
+        return Samples(columns, data)
+
+    def chunks(
+        self,
+        rate: float = 1000.0,
+        axes: Sequence[int] | None = None,
+        until: float | None = None,
+        quantities: Sequence[str] = USUAL,
+    ) -> Iterator[Samples]:
+        """The same rows, `ROWS` at a time; the arrays of a chunk are overwritten by the next."""
+        end = self.end if until is None else until
+        last = _last_step(rate, end)
+        columns = self.columns(axes, quantities)
+        buffers = [np.empty(min(ROWS, last + 1)) for _ in columns]
+        for first in range(0, last + 1, ROWS):
+            count = min(ROWS, last + 1 - first)
+            data = tuple(buffer[:count] for buffer in buffers)
+            np.divide(np.arange(first, first + count), rate, out=data[0])
+            self._fill(columns, data, first / rate, 1.0 / rate, count)
+            if first + count > last:
+                data[0][-1] = end
+                self._fill(columns, tuple(values[-1:] for values in data), end, 1.0, 1)
+            yield Samples(columns, data)
+
+    def table(self, axis: int) -> PieceTable:
+        """The pieces of an axis's motion, in counts, made once."""
+        if axis not in self._tables:
+            track = self._controller.axes[axis]
+            self._tables[axis] = PieceTable(track.starts, track.profiles)
+        return self._tables[axis]
+
+    def to_user(self, axis: int, quantity: str, values: Array) -> None:
+        """Turn counts into user units, in place; all times are seconds."""
+        scale = self._controller.axes[axis].scale
+        if quantity == "position" and scale.zero:
+            values -= scale.zero
+        if scale.counts != 1.0:
+            values /= scale.counts
+
+    def _fill(
+        self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
+    ) -> None:
+        for column, out in zip(columns, data, strict=True):
+            if column.axis is not None:
+                self.table(column.axis).sample(start, step, count, ORDERS[column.quantity], out)
+                self.to_user(column.axis, column.quantity, out)
+
+
+def _last_step(rate: float, end: float) -> int:
+    """The number of the last row: a row within a billionth of a step of the end is the end."""
+    if not (isfinite(rate) and rate > 0.0):
+        raise ValueError(f"the rate must be a number above 0, not {rate!r}")
+    if not (isfinite(end) and end >= 0.0):
+        raise ValueError(f"the end must be a time of 0 or more, not {end!r}")
+    return max(0, ceil(end * rate - 1e-9))
