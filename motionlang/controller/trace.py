@@ -144,7 +144,7 @@ class Trace:
             self._fill(columns, data, first / rate, 1.0 / rate, count)
             if first + count > last:
                 data[0][-1] = end
-                self._fill(columns, tuple(values[-1:] for values in data), end, 1.0, 1)
+                self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)
             yield Samples(columns, data)
 
     def table(self, axis: int) -> PieceTable:
@@ -154,12 +154,16 @@ class Trace:
             self._tables[axis] = PieceTable(track.starts, track.profiles)
         return self._tables[axis]
 
+    def resolution(self, axis: int) -> float:
+        """One count of an axis in user units."""
+        return 1.0 / abs(self._controller.axes[axis].scale.counts or 1.0)
+
     def to_user(self, axis: int, quantity: str, values: Array) -> None:
         """Turn counts into user units, in place; all times are seconds."""
         scale = self._controller.axes[axis].scale
         if quantity == "position" and scale.zero:
             values -= scale.zero
-        if scale.counts != 1.0:
+        if scale.counts not in (0.0, 1.0):
             values /= scale.counts
 
     def _fill(

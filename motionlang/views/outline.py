@@ -1,0 +1,86 @@
+"""A motion as the few points that a picture of it needs, taken from its pieces: no peak and no jump is lost.
+
+Every piece gives its ends, its quarters and its middle, and the points of an even grid that fall into it. A knot is
+there twice, once as the end of one piece and once as the begin of the next, so that a jump is drawn upright. Where
+there are more points than a picture has columns, each column keeps its lowest and its highest.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.profile.sample import ORDERS
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.controller.trace import Trace
+
+    Array = NDArray[np.float64]
+
+GRID = 1000
+_PARTS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+
+
+def outline(trace: Trace, axis: int, quantity: str, bins: int = GRID) -> tuple[Array, Array]:
+    """Times (s) and values (user units) of one quantity of one axis, at most about eight points a bin."""
+    piece, inside = _points(trace, axis, bins)
+    table = trace.table(axis)
+    values = _evaluate(table.columns[:, piece], inside, ORDERS[quantity])
+    times = table.origins[piece] + inside
+    trace.to_user(axis, quantity, values)
+    if len(times) > 8 * bins and trace.end > 0.0:
+        return _extremes(times, values, trace.end, bins)
+    return times, values
+
+
+def _points(trace: Trace, axis: int, bins: int) -> tuple[NDArray[np.int64], Array]:
+    """Which piece each point lies in, and its time since the begin of the piece, in the order of time."""
+    begins = trace.table(axis).origins
+    ends = np.minimum(np.append(begins[1:], trace.end), trace.end)
+    lengths = ends - begins
+    used = np.flatnonzero((lengths > 0.0) & (begins < trace.end))
+    if not len(used):
+        used = np.flatnonzero(begins <= trace.end)[-1:]
+        return used, np.zeros(1)
+    inside = (lengths[used, None] * _PARTS).ravel()
+    piece = np.repeat(used, len(_PARTS))
+    grid = np.linspace(0.0, trace.end, bins + 1)
+    owner = used[np.clip(np.searchsorted(begins[used], grid, "right") - 1, 0, None)]
+    piece = np.concatenate((piece, owner))
+    inside = np.concatenate((inside, np.clip(grid - begins[owner], 0.0, lengths[owner])))
+    order = np.lexsort((inside, piece))
+    return piece[order], inside[order]
+
+
+def _evaluate(columns: Array, x: Array, order: int) -> Array:
+    """Derivative `order` of p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f)."""
+    c0, c1, c2, c3, amplitude, omega, phase = columns
+    cubic = [
+        lambda: ((c3 * x + c2) * x + c1) * x + c0,
+        lambda: (3.0 * c3 * x + 2.0 * c2) * x + c1,
+        lambda: 6.0 * c3 * x + 2.0 * c2,
+        lambda: 6.0 * c3,
+    ][order]()
+    wave: Array = amplitude * omega**order * np.sin(omega * x + phase + order * np.pi / 2.0)
+    return np.asarray(cubic + wave, dtype=np.float64)
+
+
+def _extremes(times: Array, values: Array, end: float, bins: int) -> tuple[Array, Array]:
+    """The lowest and the highest value of each bin, in the order in which they come."""
+    bin_of = np.minimum((times * (bins / end)).astype(np.int64), bins - 1)
+    firsts = np.flatnonzero(np.diff(bin_of, prepend=-1))
+    lowest = _positions(values, firsts)
+    highest = _positions(-values, firsts)
+    chosen = np.sort(np.concatenate((lowest, highest, [0, len(values) - 1])))
+    return times[chosen], values[chosen]
+
+
+def _positions(values: Array, firsts: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Where the lowest value of each stretch stands."""
+    lowest = np.minimum.reduceat(values, firsts)
+    counts = np.diff(np.append(firsts, len(values)))
+    hits = np.flatnonzero(values == np.repeat(lowest, counts))
+    return hits[np.searchsorted(hits, firsts)]
