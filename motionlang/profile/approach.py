@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import inf, sqrt
 
 from motionlang.profile.curve import Profile
-from motionlang.profile.limits import check_finite, too_large
+from motionlang.profile.limits import STILL, check_finite, too_large
 from motionlang.profile.ramps import ramp_distance
 
 TYPE_CHECKING = False
@@ -40,6 +40,8 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float)
     Running the wrong way: stop first. Too fast for `speed`: brake to it first. Too fast to stop at the
     target: stop beyond it and come back.
     """
+    if -STILL < v0 < STILL:
+        v0 = 0.0
     distance = target - start
     sign = 1.0 if distance > 0.0 or (distance == 0.0 and v0 > 0.0) else -1.0
     size, u = abs(distance), sign * v0
@@ -51,7 +53,7 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float)
         rest = _travel(ramps, size + stopping, speed, 0.0, sign)
         return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *rest))
     beyond = stopping - size
-    if abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)):
+    if abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)) < inf:
         return finish(ramps.shape, start, target, (v0, time, kind, 0.0))
     if beyond > 0.0:
         back = _travel(ramps, beyond, speed, 0.0, -sign)

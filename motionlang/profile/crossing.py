@@ -59,13 +59,13 @@ def _first(
     profile: Profile, wanted: float, after: float, how: tuple[Value, Value, Turns], last: float
 ) -> float | None:
     knots, pieces, _ = profile.curve
+    value = how[0]
     for i, piece in enumerate(pieces):
         begin, finish = knots[i], knots[i + 1]
         if finish < after:
             continue
-        ending = last
-        if i + 1 < len(pieces):
-            ending = _joined(how[0](piece, finish - begin), how[0](pieces[i + 1], 0.0))
+        following = value(pieces[i + 1], 0.0) if i + 1 < len(pieces) else last
+        ending = _joined(value(piece, 0.0), value(piece, finish - begin), following)
         low = max(after - begin, 0.0)
         x = _first_in(piece, wanted, (low, finish - begin), how, ending)
         if x is not None:
@@ -73,9 +73,13 @@ def _first(
     return None
 
 
-def _joined(own: float, following: float) -> float:
-    """A piece ends at the value the next one begins with, so that no rounding gap hides a crossing."""
-    return following if abs(following - own) <= 1e-9 * (abs(own) + abs(following)) else own
+def _joined(beginning: float, ending: float, following: float) -> float:
+    """A piece ends at the value the next one begins with, so that no rounding gap hides a crossing.
+
+    A gap too large for rounding is a jump and stays.
+    """
+    gap, size = abs(following - ending), abs(beginning) + abs(ending) + abs(following)
+    return following if gap <= 1e-7 * size else ending
 
 
 def _first_in(

@@ -133,7 +133,7 @@ class Profile:
         try:
             return self._curve
         except AttributeError:
-            self._curve = _ending_at(expand(self.start, self._recipe), self.duration)
+            self._curve = _ending_at(expand(self.start, self._recipe), self.start, self.duration)
             return self._curve
 
     @property
@@ -337,7 +337,12 @@ def _standing(shape: str, position: float, velocity: float) -> Profile:
     return from_curve(shape, position, position, ((0.0,), (), ()), velocity, velocity)
 
 
-def _ending_at(curve: Curve, duration: float) -> Curve:
+def _ending_at(curve: Curve, start: float, duration: float) -> Curve:
     # The planner's total and the sum of the ramps may differ in the last bit; the planner's is the truth.
     knots, pieces, marks = curve
-    return ((*knots[:-1], duration), pieces, marks) if pieces else curve
+    if pieces:
+        return (*knots[:-1], duration), pieces, marks
+    if duration == 0.0:
+        return curve
+    # every ramp was too short to count
+    return (0.0, duration), ((start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),), (("slew", 0),)

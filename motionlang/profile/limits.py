@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from math import inf, isfinite, isnan
 
+STILL = 1e-60
+"""A velocity this small is rest: the ramp from it would underflow."""
+
 
 def check_positive(**quantities: float) -> None:
     """Raise ValueError naming the first quantity that is not a finite number greater than zero."""

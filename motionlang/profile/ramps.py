@@ -27,6 +27,9 @@ FALLING = -2.0
 RISING = -3.0
 """Acceleration growing linearly from zero to its peak: the same in reverse, slowing down."""
 
+MOMENT = 1e-100
+"""Seconds too few to divide by the square of; ramps this short, or too short for the clock, are left out."""
+
 
 def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> float:
     """Distance of a ramp: the mean velocity for symmetrical kinds, two thirds of the way for parabolic ones.
@@ -51,7 +54,7 @@ def expand(start: float, recipe: Recipe, names: tuple[str, ...] | None = None) -
     marks: list[tuple[str, int]] = []
     for i in range(0, len(recipe) - 1, 3):
         v_from, duration, kind, v_to = recipe[i : i + 4]
-        if duration <= 0.0:
+        if duration < MOMENT or time + duration == time:
             continue
         last = i + 4 == len(recipe)
         marks.append((names[i // 3] if names else _name(v_from, v_to, last), len(pieces)))
@@ -112,13 +115,16 @@ def _add_trapezoidal(
     v_from, duration, ratio, v_to = ramp
     rise = ratio * duration
     held = duration - 2.0 * rise
+    if time + rise == time:
+        _add_ramp(knots, pieces, time, p, (v_from, duration, 0.0, v_to))
+        return
     peak = (v_to - v_from) / (duration - rise)
     sixth = peak / (6.0 * rise)
     bend = 0.5 * peak * rise
     pieces.append((p, v_from, 0.0, sixth, 0.0, 0.0, 0.0))
     knots.append(time + rise)
     p += v_from * rise + sixth * rise * rise * rise
-    if held > 0.0:
+    if time + rise + held > time + rise:
         v = v_from + bend
         pieces.append((p, v, 0.5 * peak, 0.0, 0.0, 0.0, 0.0))
         knots.append(time + rise + held)

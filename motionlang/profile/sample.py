@@ -91,8 +91,9 @@ class PieceTable:
         return out
 
     def _edges(self, t0: float, dt: float, n: int) -> NDArray[np.int64]:
-        """First point of each piece; a point within a billionth of a step of a knot belongs to the next."""
-        first = np.ceil((self.begins - t0) / dt - 1e-9)
+        """First point of each piece; a point that is at a knot but for rounding belongs to the next piece."""
+        rounding = min(1e-9, 1e-15 * (abs(t0) / dt + n))
+        first = np.ceil((self.begins - t0) / dt - rounding)
         return np.append(np.clip(first, 0, n), n).astype(np.int64)
 
 

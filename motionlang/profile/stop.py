@@ -7,7 +7,7 @@ from math import inf, isfinite, pi
 from motionlang.profile.approach import Ramps
 from motionlang.profile.curve import Profile, far_end, relabelled
 from motionlang.profile.jerk import ease, jerk_ramps
-from motionlang.profile.limits import check_finite, check_positive, check_ramp, too_large
+from motionlang.profile.limits import STILL, check_finite, check_positive, check_ramp, too_large
 from motionlang.profile.parabolic import parabolic_ramps
 from motionlang.profile.ramps import SINE, ramp_distance
 from motionlang.profile.trapezoid import stretched
@@ -82,6 +82,7 @@ def ramps_of(
 
 
 def _run(start: float, ramps: Ramps, v0: float, v1: float) -> Profile:
+    v0, v1 = (0.0 if -STILL < v < STILL else v for v in (v0, v1))
     recipe: Recipe = (v0, *_change(ramps, v0, v1), v1, inf, 0.0, v1)
     position = start
     for i in range(0, len(recipe) - 4, 3):

@@ -1,0 +1,1 @@
+"""The motion mathematics against published figures, closed forms and an independent integration."""
