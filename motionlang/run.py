@@ -114,6 +114,7 @@ def run(
     compiled = _compile(source, language, settings, result, cache)
     if compiled is not None:
         _execute(result, compiled, until, pace)
+        result.diagnostics[:0] = result.machine.diagnostics
     result.machine.terminal.close()
     result.time = result.controller.clock.now
     return result
@@ -160,7 +161,7 @@ def _execute(result: Run, compiled: Program, until: float, pace: Callable[[float
     scheduler: Scheduler | None = None
     try:
         parent = compiled.start(result.machine)
-        scheduler = Scheduler(result.controller, parent, pace)
+        scheduler = result.machine.scheduler = Scheduler(result.controller, parent, pace)
         result.status = scheduler.run(until)
         jogging = [axis for axis in result.controller.axes if not result.controller.is_idle(axis)]
         if jogging and result.status == "ended":

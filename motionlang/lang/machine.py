@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from motionlang.errors import Diagnostic
+    from motionlang.lang.scheduler import Scheduler
     from motionlang.source import Source
 
 # key -> (kind, default, help). `axis.N.…` stands for every axis.
@@ -28,7 +29,15 @@ MAX_AXES = 64
 class Machine:
     """A controller with its terminal, and the settings that a language needs to run on it."""
 
-    __slots__ = ("controller", "instruction_time", "model", "overrides", "terminal")
+    __slots__ = (
+        "controller",
+        "diagnostics",
+        "instruction_time",
+        "model",
+        "overrides",
+        "scheduler",
+        "terminal",
+    )
 
     def __init__(
         self,
@@ -45,6 +54,10 @@ class Machine:
         self.terminal = Terminal(show)
         # What `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
+        # What the program did wrong without ending: MCCL answers with a code and goes on.
+        self.diagnostics: list[Diagnostic] = []
+        # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
+        self.scheduler: Scheduler | None = None
 
 
 def read_machine(source: Source) -> dict[str, object]:
