@@ -10,6 +10,10 @@ The grammar knows no keyword of the motion library: `SPEED(0) = 10` is an `Assig
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.places import Places
+
 
 class Node:
     """A piece of a program that starts at token number `at`."""
@@ -66,12 +70,12 @@ class Name(Node):
 
 
 class Member(Node):
-    """`value.field` of a user type."""
+    """`value.field` of a user type; `args` are the subscripts of `value.field(…)`, None without a bracket."""
 
-    __slots__ = ("field", "value")
+    __slots__ = ("args", "field", "value")
 
-    def __init__(self, at: int, value: Expr, field: str) -> None:
-        self.at, self.value, self.field = at, value, field
+    def __init__(self, at: int, value: Expr, field: str, args: list[Expr] | None = None) -> None:
+        self.at, self.value, self.field, self.args = at, value, field, args
 
 
 class Unary(Node):
@@ -438,7 +442,27 @@ class UserType(Node):
         self.at, self.name, self.members = at, name, members
 
 
-class Module(Node):
+class Placed(Node):
+    """A tree that knows where its tokens stand; that takes no part in equality, as no position does."""
+
+    __slots__ = ("places",)
+
+    places: Places
+
+    def line(self, at: int) -> int:
+        """The line, from 1, of a token; `at` is that of any node of the tree."""
+        return self.places.line(at)
+
+    def column(self, at: int) -> int:
+        """The column, from 1, of a token."""
+        return self.places.column(at)
+
+    def length(self, at: int) -> int:
+        """The number of characters of a token."""
+        return self.places.length(at)
+
+
+class Module(Placed):
     """A whole program: the parent task's statements, then its blocks, in source order."""
 
     __slots__ = ("body", "events", "startup", "subs", "tasks", "types")

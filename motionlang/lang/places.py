@@ -1,0 +1,77 @@
+"""From the ordinal of a token to its line and column, worked out when somebody asks.
+
+A tree carries ordinals because they cost nothing to make. The compiler asks for lines, which need one look at
+the texts of the tokens; columns are wanted for messages only, and for them the text is cut up once more.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.tables import Tables
+    from motionlang.source import Source
+
+
+class Places:
+    """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
+
+    __slots__ = ("_first", "_lines", "_spans", "_tables", "_texts", "source")
+
+    def __init__(self, source: Source, tables: Tables, texts: list[str] | None = None) -> None:
+        self.source = source
+        self._tables = tables
+        self._texts = texts
+        self._spans: list[tuple[int, int]] | None = None
+        self._first: list[int] = []  # for every stretch of one line: its first token …
+        self._lines: list[int] = []  # … and its line
+
+    def line(self, at: int) -> int:
+        """The line of a token."""
+        if not self._first:
+            self._find_lines()
+        return self._lines[bisect_right(self._first, at) - 1]
+
+    def column(self, at: int) -> int:
+        """The column of a token."""
+        return self.source.place(self.span(at)[0])[1]
+
+    def length(self, at: int) -> int:
+        """The number of characters of a token."""
+        start, end = self.span(at)
+        return max(1, end - start)
+
+    def span(self, at: int) -> tuple[int, int]:
+        """The offsets at which a token begins and ends; of one past the last, the end of the text."""
+        if self._spans is None:
+            self._spans = self._tables.spans(self.source.text)
+        end = len(self.source.text)
+        return self._spans[at] if at < len(self._spans) else (end, end)
+
+    def _find_lines(self) -> None:
+        texts, self._texts = self._texts, None
+        if texts is None or self._tables.continues(self.source.text):
+            self._lines_from_spans()
+            return
+        line = 1
+        self._first, self._lines = [0], [1]
+        for at, text in enumerate(texts, 1):
+            if "\n" in text:
+                line += text.count("\n")
+                self._first.append(at)
+                self._lines.append(line)
+
+    def _lines_from_spans(self) -> None:
+        """Lines that go on in the next one end inside no token, so the offsets have to tell."""
+        self.span(0)
+        text, line, before = self.source.text, 1, 0
+        for at, (start, _) in enumerate(self._spans or ()):
+            ends = text.count("\n", before, start)
+            if ends or at == 0:
+                line += ends
+                self._first.append(at)
+                self._lines.append(line)
+            before = start
+        if not self._first:
+            self._first, self._lines = [0], [1]

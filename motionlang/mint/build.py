@@ -1,0 +1,142 @@
+"""The pieces of tree-building that are more than one constructor call; `motionlang.mint.tables` calls them."""
+
+from __future__ import annotations
+
+from motionlang.lang.tables import DEEPEST, TooDeep
+from motionlang.mint.nodes import (
+    Call,
+    Case,
+    Event,
+    Expr,
+    Label,
+    Module,
+    Name,
+    Node,
+    Number,
+    Select,
+    Startup,
+    Stmt,
+    Sub,
+    Task,
+    TypeName,
+    UserType,
+    Variable,
+)
+
+ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
+
+
+class Misuse(Exception):
+    """The grammar has a place for it, the language has not: the token `at`, and what to say about it."""
+
+    def __init__(self, at: int, message: str, hint: str) -> None:
+        super().__init__(message)
+        self.at, self.message, self.hint = at, message, hint
+
+
+def number(text: str) -> float:
+    """The value of a literal: `12`, `1.5e-3`, `0x1F`, `0b101`."""
+    if text.isdigit():
+        return int(text)
+    if text[1:2] in ("x", "X", "b", "B"):
+        return int(text, 0)
+    return float(text)
+
+
+def string(text: str) -> str:
+    """The value of a literal string or character, without its quotes."""
+    if "\\" not in text:
+        return text[1:-1]
+    first, *rest = text[1:-1].split("\\")
+    out = [first]
+    pieces = iter(rest)
+    for piece in pieces:
+        if piece:
+            out.append(ESCAPES.get(piece[0], piece[0]) + piece[1:])
+        else:  # `\\`: what follows it is plain
+            out.append("\\" + next(pieces, ""))
+    return "".join(out)
+
+
+def dotted(at: int, text: str) -> Name:
+    """`REMOTEOUT.1.2`: a keyword with its channels."""
+    name, *channels = text.split(".")
+    return Name(at, name, [Number(at, int(each)) for each in channels], True)
+
+
+def body(values: list[object]) -> list[Stmt]:
+    """The empty list of statements with which a block begins."""
+    if len(values) > DEEPEST:
+        raise TooDeep
+    return []
+
+
+def label_before(body: list[Stmt], at: int, texts: list[str]) -> list[Stmt]:
+    """`NAME:` on a line of its own has been read as a call; make it the label it is."""
+    if at >= 2 and texts[at - 1] == ":" and body:
+        last = body[-1]
+        if (
+            last.at == at - 2
+            and type(last) is Call
+            and last.target.args is None
+            and _opens_line(texts, at - 2)
+        ):
+            body[-1] = Label(at - 2, last.target.name)
+    return body
+
+
+def _opens_line(texts: list[str], at: int) -> bool:
+    return at == 0 or "\n" in texts[at - 1]
+
+
+def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
+    """The members of a user type, line after line."""
+    members += more
+    return members
+
+
+def declare(name: Name, type: TypeName | None = None, value: Expr | None = None) -> Variable:
+    """A variable of a `Dim`: what stands in its brackets are its dimensions."""
+    if name.axes:
+        raise Misuse(name.at, f"{name.name}[…] cannot be declared", "dimensions stand in round brackets")
+    return Variable(name.at, name.name, name.args or [], type, [] if value is None else [value])
+
+
+def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
+    """After a `,` in a `Dim`: an array goes on with its initial values, otherwise a variable begins."""
+    last = variables[-1]
+    if last.values and last.dimensions:
+        last.values.append(value)
+    elif isinstance(value, Name):
+        variables.append(declare(value))
+    else:
+        raise Misuse(value.at, "here a variable is declared, so a name is expected", "")
+    return variables
+
+
+def next_case(select: Select, body: list[Stmt], case: Case) -> Select:
+    """A `Case` after another one, whose body has now been read."""
+    last_case(select, body).cases.append(case)
+    return select
+
+
+def last_case(select: Select, body: list[Stmt]) -> Select:
+    """The end of a `Select`, or of one of its cases."""
+    select.cases[-1].body = body
+    return select
+
+
+def task(at: int, name: str, items: list[Stmt | Sub]) -> Task:
+    """A task: its statements apart from the subs written inside it."""
+    return Task(
+        at, name, [i for i in items if not isinstance(i, Sub)], [i for i in items if isinstance(i, Sub)]
+    )
+
+
+def module(items: list[Node]) -> Module:
+    """A whole program, its statements and each sort of block apart."""
+    sorts: dict[type, list[Node]] = {Sub: [], Task: [], Event: [], Startup: [], UserType: []}
+    statements: list[Node] = []
+    for item in items:
+        sorts.get(type(item), statements).append(item)
+    return Module(statements, *sorts.values())  # type: ignore[arg-type]
