@@ -252,7 +252,7 @@ class Profile:
 
     def scaled(self, start: float, factor: float) -> Profile:
         """The same motion from `start`, every distance times `factor` (negative: the other way)."""
-        end = start + self.distance * factor if self.distance else start
+        end = start + self.distance * factor if self.distance and factor else start
         recipe = self._recipe
         if len(recipe) > 2:
             ramps = tuple(v if i % 3 else v * factor for i, v in enumerate(recipe))
@@ -341,7 +341,8 @@ def _ending_at(curve: Curve, start: float, duration: float) -> Curve:
     # The planner's total and the sum of the ramps may differ in the last bit; the planner's is the truth.
     knots, pieces, marks = curve
     if pieces:
-        return (*knots[:-1], duration), pieces, marks
+        last = duration if duration > knots[-2] else knots[-1]
+        return (*knots[:-1], last), pieces, marks
     if duration == 0.0:
         return curve
     # every ramp was too short to count

@@ -115,19 +115,20 @@ def _add_trapezoidal(
     v_from, duration, ratio, v_to = ramp
     rise = ratio * duration
     held = duration - 2.0 * rise
-    if time + rise == time:
+    risen, falling, finish = time + rise, time + (duration - rise), time + duration
+    if not time < risen <= falling < finish:  # too short for the clock
         _add_ramp(knots, pieces, time, p, (v_from, duration, 0.0, v_to))
         return
     peak = (v_to - v_from) / (duration - rise)
     sixth = peak / (6.0 * rise)
     bend = 0.5 * peak * rise
     pieces.append((p, v_from, 0.0, sixth, 0.0, 0.0, 0.0))
-    knots.append(time + rise)
+    knots.append(risen)
     p += v_from * rise + sixth * rise * rise * rise
-    if time + rise + held > time + rise:
+    if held > 0.0 and risen < falling:
         v = v_from + bend
         pieces.append((p, v, 0.5 * peak, 0.0, 0.0, 0.0, 0.0))
-        knots.append(time + rise + held)
+        knots.append(falling)
         p += (v + 0.5 * peak * held) * held
     pieces.append((p, v_to - bend, 0.5 * peak, -sixth, 0.0, 0.0, 0.0))
-    knots.append(time + duration)
+    knots.append(finish)
