@@ -1,0 +1,157 @@
+"""What the prompt itself understands: words with a leading dot, which begins no statement of either language."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from motionlang.errors import Diagnostic, nearest
+from motionlang.repl import status
+from motionlang.run import ONE_SHIFT, dialect_of
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.repl.session import Session
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """`argument` as the help shows it: `X` must be given, `[X]` may be, empty where there is none."""
+
+    name: str
+    argument: str
+    help: str
+    obey: Callable[[Session, str], None]
+
+    @property
+    def usage(self) -> str:
+        return f".{self.name} {self.argument}".rstrip()
+
+
+def is_command(line: str) -> bool:
+    """Whether a line speaks to the prompt and not to the machine."""
+    text = line.lstrip()
+    return text[:1] == "." and text[1:2].isalpha()
+
+
+def obey(session: Session, line: str) -> None:
+    """Do what a dotted line says."""
+    word, _, argument = line[1:].partition(" ")
+    argument = argument.strip()
+    command = COMMANDS.get(word.lower())
+    if command is None:
+        near = nearest(word, COMMANDS)
+        hint = f"did you mean .{near}?" if near else ".help lists what the prompt understands"
+        _wrong(session, "unknown-word", f"there is no command .{word}", hint)
+    elif (argument and not command.argument) or (not argument and command.argument[:1].isalpha()):
+        _wrong(session, "values", f"{command.usage} is how it is written", command.help)
+    else:
+        command.obey(session, argument)
+
+
+def _wrong(session: Session, code: str, message: str, hint: str = "") -> None:
+    session.trouble([Diagnostic(code, message, hint=hint)])
+
+
+def _help(session: Session, word: str) -> None:
+    if word:
+        _help_on(session, word)
+        return
+    width = max(len(command.usage) for command in COMMANDS.values())
+    for command in COMMANDS.values():
+        session.say(f"{command.usage.ljust(width)}  {command.help}\n")
+
+
+def _help_on(session: Session, word: str) -> None:
+    command = COMMANDS.get(word.lstrip(".").lower()) if word.startswith(".") else None
+    row = session.dialect.table().get(word)
+    if command is not None:
+        session.say(f"{command.usage}\n  {command.help}\n")
+    elif row is not None:
+        session.say(row.help + "\n")
+    else:
+        near = nearest(word, session.dialect.table().names())
+        _wrong(session, "unknown-word", f"{word} is no keyword", f"did you mean {near}?" if near else "")
+
+
+def _axes(session: Session, _: str) -> None:
+    session.say(status.table(session.machine))
+
+
+def _time(session: Session, _: str) -> None:
+    session.say(status.one_line(session.machine) + "\n")
+
+
+def _run(session: Session, argument: str) -> None:
+    try:
+        seconds = float(argument)
+    except ValueError:
+        seconds = -1.0
+    if not 0.0 <= seconds <= ONE_SHIFT:
+        _wrong(session, "range", f".run takes 0 to {ONE_SHIFT:g} seconds, not {argument}", ".run 0.5")
+        return
+    if session.runner.pass_time(seconds):
+        _time(session, "")
+
+
+def _settle(session: Session, _: str) -> None:
+    if session.runner.settle():
+        _time(session, "")
+    elif endless := status.moving(session.machine):
+        names = ", ".join(map(str, endless))
+        session.remark(f"-- axis {names} will not come to rest by itself\n")
+
+
+def load_file(session: Session, path: str) -> None:
+    """Run the program in a file; its names and the machine live on."""
+    try:
+        source = Source.read(path)
+    except OSError as error:
+        _wrong(session, "file", f"{path} could not be read: {error.strerror or error}")
+        return
+    other = dialect_of(path)
+    if other is not None and other.name != session.dialect.name:
+        _wrong(
+            session,
+            "file",
+            f"{path} is a {other.name} program, and this prompt speaks {session.dialect.name}",
+        )
+    else:
+        session.load(source)
+
+
+def _live(session: Session, argument: str) -> None:
+    if session.live is None:
+        _wrong(session, "not-simulated", "only a prompt at a terminal can be live", ".run S lets time pass")
+    elif argument.lower() in ("on", "off"):
+        session.live = argument.lower() == "on"
+    else:
+        _wrong(session, "range", f".live is on or off, not {argument}")
+
+
+def _reset(session: Session, _: str) -> None:
+    session.reset()
+
+
+def _quit(session: Session, _: str) -> None:
+    session.over = True
+
+
+COMMANDS: dict[str, Command] = {
+    command.name: command
+    for command in (
+        Command("help", "[WORD]", "This list, or what a keyword does.", _help),
+        Command("axes", "", "Every axis in use: position, velocity, target, what it is doing.", _axes),
+        Command("time", "", "Machine time and positions, in one line.", _time),
+        Command("run", "S", "Let S seconds of machine time pass.", _run),
+        Command("settle", "", "Let the motion that is under way end.", _settle),
+        Command("live", "on|off", "Let machine time follow the clock on the wall.", _live),
+        Command(
+            "plot", "[FILE]", "The velocity of every axis so far, here or in a .png or .svg file.", _plot
+        ),
+        Command("load", "FILE", "Run a program; its names and the machine live on.", load_file),
+        Command("reset", "", "Power-up: machine time zero, no names, no moves.", _reset),
+        Command("quit", "", "Leave, as Ctrl-D does.", _quit),
+    )
+}

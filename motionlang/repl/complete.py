@@ -1,0 +1,71 @@
+"""Completion: keywords with their one line of help, the prompt's own commands, and file names for these."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from prompt_toolkit.completion import CompleteEvent, Completer, Completion, PathCompleter
+from prompt_toolkit.document import Document
+
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.keyword import Keyword
+from motionlang.repl.commands import COMMANDS, is_command
+
+_WORD = re.compile(r"[A-Za-z_]\w*$")
+_PROSE = ("comment", "string")
+
+
+def candidates(dialect: Dialect, text: str) -> list[tuple[str, int, str]]:
+    """What may stand at the end of `text`: the word, how many characters it replaces, one line of help."""
+    line = text.rpartition("\n")[2]
+    if line.lstrip().startswith(".") and " " not in line.lstrip():
+        begun = line.lstrip()[1:]
+        found = [command for name, command in COMMANDS.items() if name.startswith(begun.lower())]
+        return [(command.name, len(begun), command.help) for command in found]
+    word = _WORD.search(line)
+    if word is None or _in_prose(dialect, line):
+        return []
+    begun = word[0]
+    rows = [row for row in dialect.table() if _fits(row, begun.upper())]
+    rows.sort(key=lambda row: (not row.simulated, row.name.upper()))
+    return [(_spelt(row.name, begun), len(begun), _help(row)) for row in rows]
+
+
+class WordCompleter(Completer):
+    """`candidates` for the terminal; files after `.load` and `.plot`."""
+
+    def __init__(self, dialect: Dialect) -> None:
+        self._dialect = dialect
+        self._paths = PathCompleter(expanduser=False)
+
+    def get_completions(self, document: Document, complete_event: CompleteEvent) -> Iterable[Completion]:
+        word, _, argument = document.current_line_before_cursor.lstrip().partition(" ")
+        command = COMMANDS.get(word[1:]) if is_command(word) else None
+        if command is not None and "FILE" in command.argument and argument:
+            yield from self._paths.get_completions(Document(argument), complete_event)
+            return
+        yield from self._words(document)
+
+    def _words(self, document: Document) -> Iterator[Completion]:
+        for word, length, help in candidates(self._dialect, document.text_before_cursor):
+            yield Completion(word, start_position=-length, display_meta=help)
+
+
+def _fits(row: Keyword, begun: str) -> bool:
+    return row.name.upper().startswith(begun) or (bool(row.short) and row.short.upper() == begun)
+
+
+def _spelt(name: str, begun: str) -> str:
+    """Both languages take any case: go on as the user has begun."""
+    return name.lower() if begun.islower() else name
+
+
+def _help(row: Keyword) -> str:
+    return row.help if row.simulated else f"not simulated: {row.help}"
+
+
+def _in_prose(dialect: Dialect, line: str) -> bool:
+    """Whether the end of `line` lies in a comment or a string."""
+    pieces = list(dialect.tokens(line))
+    return bool(pieces) and pieces[-1][0] in _PROSE

@@ -1,0 +1,34 @@
+"""Ctrl-C as a request: a running command is ended between two steps, where every axis is in order."""
+
+from __future__ import annotations
+
+import os
+import signal
+from types import FrameType, TracebackType
+
+
+class Interrupts:
+    """`with interrupts:` turns Ctrl-C into `pressed()`; pressed twice it is the ordinary KeyboardInterrupt."""
+
+    def __init__(self) -> None:
+        self._pressed = False
+
+    def pressed(self) -> bool:
+        return self._pressed
+
+    def __enter__(self) -> Interrupts:
+        self._pressed = False
+        self._before = signal.signal(signal.SIGINT, self._press)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        signal.signal(signal.SIGINT, self._before)
+
+    def _press(self, number: int, frame: FrameType | None) -> None:
+        if self._pressed:
+            raise KeyboardInterrupt
+        self._pressed = True
+        if os.isatty(2):
+            os.write(2, b"\n")  # the terminal has shown ^C, and what comes belongs on a line of its own

@@ -1,0 +1,93 @@
+"""The prompt at a terminal: history, highlighting, completion, blocks, and the machine in the bottom bar."""
+
+from __future__ import annotations
+
+import os
+
+from prompt_toolkit import PromptSession
+from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
+from prompt_toolkit.formatted_text import StyleAndTextTuples
+from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+from prompt_toolkit.output import ColorDepth
+from prompt_toolkit.patch_stdout import patch_stdout
+
+from motionlang import __version__
+from motionlang.repl import status
+from motionlang.repl.complete import WordCompleter
+from motionlang.repl.highlight import STYLE, WordLexer
+from motionlang.repl.history import history
+from motionlang.repl.interrupt import Interrupts
+from motionlang.repl.live import Live
+from motionlang.repl.session import Session
+
+# How often the bottom bar follows in live mode, seconds.
+REFRESH = 0.1
+
+
+def converse(session: Session) -> int:
+    """Ask and answer until the user leaves; a person at a terminal has seen every trouble, so always 0."""
+    interrupts = Interrupts()
+    session.interrupted = interrupts.pressed
+    session.live = False
+    live = Live(session)
+    ask = _asker(session, live)
+    print(
+        f"motionlang {__version__}, {session.dialect.name}, {len(session.machine.controller.axes)} axes. "
+        "Tab completes, .help helps, Ctrl-D leaves."
+    )
+    while not session.over:
+        try:
+            with patch_stdout(raw=True):
+                text = ask.prompt(refresh_interval=REFRESH if session.live else 0)
+        except KeyboardInterrupt:
+            continue
+        except EOFError:
+            break
+        with interrupts:
+            live.begin()
+            session.feed(text)
+            live.end()
+    return 0
+
+
+def _asker(session: Session, live: Live) -> PromptSession[str]:
+    def bar() -> StyleAndTextTuples:
+        live.catch_up()
+        return [("", status.one_line(session.machine) + ("   live" if session.live else ""))]
+
+    name = session.dialect.name
+    return PromptSession(
+        [("class:prompt", f"{name}> ")],
+        prompt_continuation=[("class:prompt", f"{'.' * len(name)}> ")],
+        multiline=True,
+        lexer=WordLexer(session.dialect),
+        completer=WordCompleter(session.dialect),
+        complete_while_typing=False,
+        auto_suggest=AutoSuggestFromHistory(),
+        history=history(name),
+        bottom_toolbar=bar,
+        key_bindings=_keys(session),
+        style=STYLE,
+        color_depth=ColorDepth.DEPTH_1_BIT if os.environ.get("NO_COLOR") else None,
+    )
+
+
+def _keys(session: Session) -> KeyBindings:
+    """Enter executes what is complete and goes on with what is not; Alt-Enter always begins a new line."""
+    keys = KeyBindings()
+
+    @keys.add("enter")
+    def enter(event: KeyPressEvent) -> None:
+        buffer = event.current_buffer
+        if buffer.complete_state and buffer.complete_state.current_completion:
+            buffer.complete_state = None
+        elif session.is_complete(buffer.text):
+            buffer.validate_and_handle()
+        else:
+            buffer.newline(copy_margin=True)
+
+    @keys.add("escape", "enter")
+    def newline(event: KeyPressEvent) -> None:
+        event.current_buffer.newline(copy_margin=True)
+
+    return keys

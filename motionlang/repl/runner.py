@@ -1,0 +1,125 @@
+"""Runs one command after the other on one machine, and outlives whatever goes wrong with any of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.machine import Machine
+from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.lang.task import Task, Wait, wait_until
+from motionlang.lang.trouble import explain
+from motionlang.run import ONE_SHIFT
+from motionlang.source import Source
+
+# Machine time after which a busy command is asked again whether somebody pressed Ctrl-C.
+SLICE = 0.25
+NOWHERE = Source("input", "")
+
+
+class Interrupted(Exception):
+    """Somebody pressed Ctrl-C while a command was running."""
+
+
+class Runner:
+    """`tell(diagnostics, source)` is called with what goes wrong.
+
+    `poll(time)` is called between two steps of a command, where every axis is in order, with the machine time that is
+    about to be reached; it raises `Interrupted` to end the command.
+    """
+
+    def __init__(
+        self,
+        dialect: Dialect,
+        machine: Machine,
+        tell: Callable[[list[Diagnostic], Source], None],
+        poll: Callable[[float], None],
+    ) -> None:
+        self.dialect, self.machine = dialect, machine
+        self._interactive = dialect.interactive(machine)
+        self._tell, self._poll = tell, poll
+
+    def is_complete(self, text: str) -> bool:
+        """Whether `text` leaves no block open."""
+        return self._interactive.is_complete(text)
+
+    def execute(self, source: Source) -> bool:
+        """Run a source until its task has ended; motion stays under way. False when something went wrong."""
+        try:
+            task = self._interactive.task(source)
+        except ProgramError as error:
+            self._tell(error.diagnostics, source)
+            return False
+        except Exception as error:
+            self._explain(error, None, source)
+            return False
+        return self._run(task, source)
+
+    def pass_time(self, seconds: float) -> bool:
+        """Let machine time pass; False when something went wrong on the way."""
+        controller = self.machine.controller
+        now = controller.clock.now
+        return self._run(_Passing(wait_until(controller, now, now + seconds)), NOWHERE)
+
+    def settle(self) -> bool:
+        """Let the motion that is under way end; False when it never does, or something went wrong on the way."""
+        controller = self.machine.controller
+        task = _Passing(wait_until(controller, 0.0, 0.0))
+        scheduler = Scheduler(controller, task, self._poll)
+        return self._guard(scheduler, NOWHERE, scheduler.settle)
+
+    def _run(self, task: Task, source: Source) -> bool:
+        clock = self.machine.controller.clock
+        scheduler = Scheduler(self.machine.controller, task, self._poll)
+        end = clock.now + ONE_SHIFT
+
+        def run() -> bool:
+            while not scheduler.run_program(min(clock.now + SLICE, end)):
+                if clock.now >= end:
+                    raise Refusal("limit", "the command has been running for eight hours of machine time")
+                self._poll(clock.now)
+            return True
+
+        return self._guard(scheduler, source, run)
+
+    def _guard(self, scheduler: Scheduler, source: Source, work: Callable[[], bool]) -> bool:
+        """Do `work`; whatever goes wrong is told, and the machine lives on."""
+        try:
+            return work()
+        except (Interrupted, KeyboardInterrupt):
+            message = "the command was ended from the keyboard"
+            self._tell_at(scheduler.current, source, "interrupted", message)
+        except Stuck as stuck:
+            message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
+            self._tell_at(stuck.task, source, "never", message, "start a move first")
+        except Exception as error:
+            self._explain(error, scheduler.current, source)
+        return False
+
+    def _tell_at(self, task: Task, source: Source, code: str, message: str, hint: str = "") -> None:
+        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, task.at)
+        self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
+
+    def _explain(self, error: Exception, task: Task | None, source: Source) -> None:
+        """Tell what went wrong; our own mistakes go on upwards."""
+        diagnostic = explain(self.dialect, source, None if source is NOWHERE else task, error)
+        if diagnostic is None:
+            raise error
+        self._tell([diagnostic], source)
+
+
+class _Passing(Task):
+    """Nothing but time."""
+
+    __slots__ = ("_wait",)
+
+    def __init__(self, wait: Wait) -> None:
+        super().__init__("prompt")
+        self._wait: Wait | None = wait
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        wait, self._wait = self._wait, None
+        self.done = wait is None
+        return now, wait

@@ -1,0 +1,70 @@
+"""The machine in a few words: machine time, and every axis that is not as it was at power-up."""
+
+from __future__ import annotations
+
+from motionlang.controller.axis import Axis
+from motionlang.lang.machine import Machine
+
+
+def moving(machine: Machine) -> list[int]:
+    """The axes in motion."""
+    controller = machine.controller
+    return [number for number in controller.axes if not controller.is_idle(number)]
+
+
+def one_line(machine: Machine) -> str:
+    """Machine time and positions, for the bottom bar: `1.5 s   0: 200   1: 12.5 moving`."""
+    parts = [f"{number_text(machine.controller.clock.now, 9)} s"]
+    parts += [_brief(machine, axis) for axis in _touched(machine)]
+    return "   ".join(parts)
+
+
+def table(machine: Machine) -> str:
+    """A line an axis, in user units: position, velocity, target, what it is doing."""
+    rows = [("axis", "position", "velocity", "target", "")]
+    rows += [_row(machine, axis) for axis in _touched(machine)]
+    widths = [max(len(row[k]) for row in rows) for k in range(4)]
+    lines = ["  ".join(text.rjust(width) for text, width in zip(row, widths, strict=False)) for row in rows]
+    text = "".join(f"{line}  {row[4]}".rstrip() + "\n" for line, row in zip(lines, rows, strict=True))
+    return text if len(rows) > 1 else f"{len(machine.controller.axes)} axes, none has moved\n"
+
+
+def number_text(value: float, digits: int = 10) -> str:
+    """A number as people write it, without the noise of the last bits."""
+    return f"{value:.{digits}g}" if round(value, 12) else "0"
+
+
+def _touched(machine: Machine) -> list[Axis]:
+    return [axis for axis in machine.controller.axes.values() if _is_touched(axis)]
+
+
+def _is_touched(axis: Axis) -> bool:
+    scaled = axis.scale.counts != 1.0 or axis.scale.zero != 0.0
+    return bool(len(axis.starts) > 1 or axis.buffer or axis.faults or scaled)
+
+
+def _brief(machine: Machine, axis: Axis) -> str:
+    position = axis.scale.position_to_user(axis.position(machine.controller.clock.now))
+    state = _state(machine, axis)
+    return f"{axis.index}: {number_text(position)}" + (f" {state}" if state != "idle" else "")
+
+
+def _row(machine: Machine, axis: Axis) -> tuple[str, str, str, str, str]:
+    now, scale = machine.controller.clock.now, axis.scale
+    endless = abs(axis.target) == float("inf")
+    return (
+        str(axis.index),
+        number_text(scale.position_to_user(axis.position(now))),
+        number_text(scale.to_user(axis.velocity(now), "uu/s")),
+        "-" if endless else number_text(scale.position_to_user(axis.target)),
+        _state(machine, axis),
+    )
+
+
+def _state(machine: Machine, axis: Axis) -> str:
+    if axis.faults:
+        return f"fault {axis.faults}"
+    if not axis.enabled:
+        return "off"
+    waiting = f", {len(axis.buffer)} in the buffer" if axis.buffer else ""
+    return ("idle" if machine.controller.is_idle(axis.index) else "moving") + waiting

@@ -1,0 +1,50 @@
+"""Where history lies, and who may read it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from prompt_toolkit.history import InMemoryHistory
+
+from motionlang.repl.history import KeptHistory, history
+
+
+@pytest.fixture(autouse=True)
+def _home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("MOTIONLANG_HISTORY", raising=False)
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    monkeypatch.setattr("sys.platform", "linux")
+
+
+def test_each_dialect_has_its_own_and_only_the_user_can_read_it(tmp_path: Path) -> None:
+    history("mint").store_string("MOVER = 12")
+    kept = tmp_path / "state" / "motionlang" / "mint-history"
+    assert "+MOVER = 12" in kept.read_text()
+    assert kept.stat().st_mode & 0o777 == 0o600
+    assert kept.parent.stat().st_mode & 0o777 == 0o700
+    assert list(history("mint").load_history_strings()) == ["MOVER = 12"]
+    assert list(history("mccl").load_history_strings()) == []
+
+
+def test_a_file_that_others_could_read_is_closed_to_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "mine"
+    path.touch(0o666)
+    monkeypatch.setenv("MOTIONLANG_HISTORY", str(path))
+    assert isinstance(history("mint"), KeptHistory)
+    assert path.stat().st_mode & 0o777 == 0o600
+
+
+@pytest.mark.parametrize("place", ["", "/proc/nowhere/history", "/dev/null"])
+def test_what_cannot_be_kept_is_not(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_HISTORY", place)
+    assert isinstance(history("mint"), InMemoryHistory)
+
+
+def test_a_link_is_not_followed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "other").touch()
+    (tmp_path / "link").symlink_to(tmp_path / "other")
+    monkeypatch.setenv("MOTIONLANG_HISTORY", str(tmp_path / "link"))
+    assert isinstance(history("mint"), InMemoryHistory)

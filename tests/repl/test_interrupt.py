@@ -1,0 +1,29 @@
+"""Ctrl-C while a command runs."""
+
+from __future__ import annotations
+
+import signal
+
+import pytest
+
+from motionlang.repl.interrupt import Interrupts
+
+
+def test_ctrl_c_is_a_request_first_and_an_order_the_second_time() -> None:
+    before = signal.getsignal(signal.SIGINT)
+    interrupts = Interrupts()
+    with interrupts:
+        assert not interrupts.pressed()
+        signal.raise_signal(signal.SIGINT)
+        assert interrupts.pressed()
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_every_command_begins_unpressed() -> None:
+    interrupts = Interrupts()
+    with interrupts:
+        signal.raise_signal(signal.SIGINT)
+    with interrupts:
+        assert not interrupts.pressed()

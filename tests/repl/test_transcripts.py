@@ -1,0 +1,45 @@
+"""Sessions as they look on the screen: what is typed after the prompt, and below it what appears.
+
+A transcript begins with what it is about. A line that begins with `mint> ` or `mccl> ` is typed, one that begins with
+dots instead of the name goes on with a block, everything else is the answer. `pytest --update` writes the answers anew.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang.repl.session import Session
+from motionlang.run import dialect, dialects
+
+FOLDER = Path(__file__).parent
+PROMPTS = {f"{name}> ": name for name in dialects()}
+
+
+def replay(transcript: str, folder: Path) -> str:
+    """The transcript as it looks today."""
+    shown: list[str] = []
+    session: Session | None = None
+    for line in transcript.splitlines():
+        prompt = line[:6].ljust(6)
+        if prompt in PROMPTS and session is None:
+            session = Session(dialect(PROMPTS[prompt]))
+        if session is None:
+            shown.append(line + "\n")
+        elif prompt in PROMPTS or prompt == "....> ":
+            assert session.in_block == (prompt == "....> "), f"the prompt is not the one that {line!r} shows"
+            shown.append(line + "\n")
+            shown.append(session.feed(line[6:].replace("FOLDER", str(folder))))
+    assert session is not None, "nothing is typed"
+    assert not session.in_block
+    return "".join(shown)
+
+
+@pytest.mark.parametrize("path", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
+def test_transcript(path: Path, request: pytest.FixtureRequest) -> None:
+    expected = path.read_text(encoding="utf-8")
+    now = replay(expected, FOLDER)
+    if request.config.getoption("--update", default=False):
+        path.write_text(now, encoding="utf-8")
+    assert now == path.read_text(encoding="utf-8")
