@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from os.path import expanduser
 
 from motionlang.errors import Diagnostic, nearest
 from motionlang.repl import status
-from motionlang.run import ONE_SHIFT, dialect_of
+from motionlang.run import ONE_SHIFT, Run, dialect_of
 from motionlang.source import Source
+from motionlang.views.files import reason
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,7 +40,7 @@ def is_command(line: str) -> bool:
 def obey(session: Session, line: str) -> None:
     """Do what a dotted line says."""
     word, _, argument = line[1:].partition(" ")
-    argument = argument.strip()
+    argument = argument.replace("\0", "").strip()  # no system has a file with a NUL in its name
     command = COMMANDS.get(word.lower())
     if command is None:
         near = nearest(word, COMMANDS)
@@ -103,12 +105,32 @@ def _settle(session: Session, _: str) -> None:
         session.remark(f"-- axis {names} will not come to rest by itself\n")
 
 
+def _plot(session: Session, path: str) -> None:
+    from motionlang.views.plot import write_plot
+
+    if not path.lower().endswith((".png", ".svg")):
+        _wrong(session, "file", f"{path} is neither a .png nor a .svg file")
+        return
+    try:
+        write_plot(_so_far(session), expanduser(path))
+    except ImportError:
+        _wrong(session, "file", "a picture needs matplotlib", "pip install motionlang[plot]")
+    except OSError as error:
+        _wrong(session, "file", f"{path} could not be written: {reason(error)}")
+
+
+def _so_far(session: Session) -> Run:
+    run = Run(Source("input", ""), session.dialect, session.machine)
+    run.time = session.machine.controller.clock.now
+    return run
+
+
 def load_file(session: Session, path: str) -> None:
     """Run the program in a file; its names and the machine live on."""
     try:
-        source = Source.read(path)
+        source = Source.read(expanduser(path))
     except OSError as error:
-        _wrong(session, "file", f"{path} could not be read: {error.strerror or error}")
+        _wrong(session, "file", f"{path} could not be read: {reason(error)}")
         return
     other = dialect_of(path)
     if other is not None and other.name != session.dialect.name:
@@ -147,9 +169,7 @@ COMMANDS: dict[str, Command] = {
         Command("run", "S", "Let S seconds of machine time pass.", _run),
         Command("settle", "", "Let the motion that is under way end.", _settle),
         Command("live", "on|off", "Let machine time follow the clock on the wall.", _live),
-        Command(
-            "plot", "[FILE]", "The velocity of every axis so far, here or in a .png or .svg file.", _plot
-        ),
+        Command("plot", "FILE", "The motion so far as a picture: .png or .svg.", _plot),
         Command("load", "FILE", "Run a program; its names and the machine live on.", load_file),
         Command("reset", "", "Power-up: machine time zero, no names, no moves.", _reset),
         Command("quit", "", "Leave, as Ctrl-D does.", _quit),

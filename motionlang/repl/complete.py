@@ -37,7 +37,7 @@ class WordCompleter(Completer):
 
     def __init__(self, dialect: Dialect) -> None:
         self._dialect = dialect
-        self._paths = PathCompleter(expanduser=False)
+        self._paths = PathCompleter(expanduser=True)
 
     def get_completions(self, document: Document, complete_event: CompleteEvent) -> Iterable[Completion]:
         word, _, argument = document.current_line_before_cursor.lstrip().partition(" ")
