@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from typing import IO, TYPE_CHECKING
+from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
@@ -50,8 +51,6 @@ def _decimals(trace: Trace, column: Column) -> int:
 
 def _write_npz(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
     """What `np.savez` would write, without ever holding more than a chunk; the same bytes for the same trace."""
-    from zipfile import ZipFile
-
     columns, total = trace.columns(), trace.rows(rate)
     work = total * len(columns)
     done = 0
@@ -69,8 +68,6 @@ def _write_npz(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> 
 
 
 def _entry(name: str) -> ZipInfo:
-    from zipfile import ZipInfo
-
     return ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
 
 

@@ -10,7 +10,20 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 # SGR numbers of the few styles that plain text output uses.
-_STYLES = {"error": "1;31", "warning": "1;33", "note": "1;36", "place": "34", "bold": "1", "dim": "2"}
+_STYLES = {
+    "error": "1;31",
+    "warning": "1;33",
+    "note": "1;36",
+    "place": "34",
+    "bold": "1",
+    "dim": "2",
+    "word": "36",
+    "chart": "32",
+    "accel": "32",
+    "slew": "34",
+    "decel": "33",
+    "stop": "31",
+}
 
 
 def wants_colour(stream: TextIO) -> bool:
@@ -30,6 +43,11 @@ def is_terminal(stream: TextIO) -> bool:
         return False
 
 
+def draws(stream: TextIO) -> bool:
+    """Whether the encoding of `stream` has lines and braille dots in it."""
+    return (getattr(stream, "encoding", None) or "").lower().replace("-", "").startswith("utf")
+
+
 def width_of(stream: TextIO) -> int:
     """The columns of the terminal behind `stream`; `COLUMNS`, or 100, where there is none."""
     named = os.environ.get("COLUMNS", "")
@@ -42,8 +60,8 @@ def width_of(stream: TextIO) -> int:
 
 
 def styled(text: str, style: str, colour: bool) -> str:
-    """`text` in one of the styles, as it is without colour."""
-    return f"\x1b[{_STYLES[style]}m{text}\x1b[0m" if colour and text else text
+    """`text` in one of the styles; as it is without colour, or where there is no such style."""
+    return f"\x1b[{_STYLES[style]}m{text}\x1b[0m" if colour and text and style in _STYLES else text
 
 
 def cells(text: str) -> int:

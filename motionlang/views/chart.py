@@ -1,0 +1,104 @@
+"""A chart in braille dots: the velocity of an axis over time, small enough for a terminal.
+
+A character holds two dots across and four down. Every column of dots spans the lowest and the highest velocity of
+its stretch of time, read off the pieces of the motion, so that no short move is missed in a long run.
+"""
+
+from __future__ import annotations
+
+from motionlang.views.terminal import styled
+from motionlang.views.words import clock_time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.profile import Profile
+
+    Span = tuple[float, float]
+
+# The bits of the dots in U+2800…28FF, left and right column, from the top.
+_DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
+
+
+def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: bool = False) -> list[str]:
+    """The lines of a chart of `axis` from 0 to `end` seconds, `width` characters in all, `height` rows of dots."""
+    scale = axis.scale.counts or 1.0
+    label = 10
+    across = max(10, width - label - 2)
+    spans = [
+        (min(a / scale, b / scale), max(a / scale, b / scale))
+        for a, b in velocity_spans(axis, end, 2 * across)
+    ]
+    low = min(0.0, min(span[0] for span in spans))
+    high = max(0.0, max(span[1] for span in spans))
+    if low == high:
+        return []
+    zero = round(high / (high - low) * (4 * height - 1)) // 4
+    lines = []
+    for row, text in enumerate(dots(spans, low, high, height)):
+        value = {0: high, height - 1: low}.get(row)
+        if row == zero:
+            value = 0.0
+        name = "" if value is None else f"{value:.6g}"
+        mark = "│" if value is None else "┼" if row == zero else "┤"
+        lines.append(
+            f"{name:>{label}} {styled(mark, 'dim', colour)}{styled(text.rstrip(chr(0x2800)), 'chart', colour)}"
+        )
+    begin, finish = "0", clock_time(end)
+    gap = max(1, across - len(begin) - len(finish))
+    lines.append(" " * (label + 2) + styled(begin + " " * gap + finish, "dim", colour))
+    return lines
+
+
+def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
+    """The lowest and the highest velocity, counts/s, in each of `count` equal stretches of 0…`end`."""
+    step = (end or 1.0) / count
+    lows, highs = [float("inf")] * count, [-float("inf")] * count
+
+    def note(at: int, *values: float) -> None:
+        at = min(max(at, 0), count - 1)
+        lows[at] = min(lows[at], *values)
+        highs[at] = max(highs[at], *values)
+
+    ends = [*axis.starts[1:], end]
+    for start, following, profile in zip(axis.starts, ends, axis.profiles, strict=True):
+        first, last = int(start / step), int(min(following, end) / step)
+        if first == last:
+            note(first, profile.start_velocity, *_turning_velocities(profile, following - start))
+            continue
+        for at in range(max(first, 0), min(last, count - 1) + 1):
+            a, b = max(at * step, start) - start, min((at + 1) * step, following) - start
+            note(at, *_velocities(profile, a, b))
+    return [(low, high) if low <= high else (0.0, 0.0) for low, high in zip(lows, highs, strict=True)]
+
+
+def dots(spans: Sequence[Span], low: float, high: float, height: int) -> list[str]:
+    """Rows of braille characters, two spans a character, each drawn from its low to its high and to its neighbour."""
+    top = 4 * height - 1
+    factor = top / (high - low)
+    columns = [(round((high - b) * factor), round((high - a) * factor)) for a, b in spans]
+    for i in range(1, len(columns)):
+        (upper, lower), (left_upper, left_lower) = columns[i], columns[i - 1]
+        columns[i] = (min(upper, left_lower), max(lower, left_upper))
+    cells = [[0] * ((len(spans) + 1) // 2) for _ in range(height)]
+    for i, (upper, lower) in enumerate(columns):
+        for y in range(upper, lower + 1):
+            cells[y // 4][i // 2] |= _DOTS[i % 2][y % 4]
+    return ["".join(chr(0x2800 + cell) for cell in row) for row in cells]
+
+
+def _velocities(profile: Profile, begin: float, finish: float) -> list[float]:
+    """Velocities at both ends of a stretch and at the knots inside it: between them it only rises or only falls."""
+    found = [profile.velocity(begin), profile.velocity(finish)]
+    if profile.shape != "hold":
+        found += [profile.velocity(knot) for knot in profile.knots if begin < knot < finish]
+    return found
+
+
+def _turning_velocities(profile: Profile, length: float) -> list[float]:
+    """What a profile that lies in one stretch reaches, without making its pieces."""
+    if profile.shape == "hold" or length >= profile.duration:
+        return [phase.end_velocity for phase in profile.phases]
+    return _velocities(profile, 0.0, length)

@@ -1,0 +1,204 @@
+"""The report for a person: how the run ended, its moves with their phases, where the axes stand, a small chart.
+
+Few moves are shown phase by phase, more of them a line each, very many as totals a line of the program.
+"""
+
+from __future__ import annotations
+
+from motionlang.report import axes as axes_of
+from motionlang.report import moves as moves_of
+from motionlang.views.chart import velocity_chart
+from motionlang.views.grid import Column, decimals_of, grid
+from motionlang.views.terminal import printable, styled
+from motionlang.views.words import clock_time, dialect_name, figure, outcome
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from motionlang.run import Run
+
+    Row = dict[str, Any]
+
+# Up to this many moves are shown with their phases; of more than `MOST_ROWS`, so many are shown, and the totals.
+WITH_PHASES, MOST_ROWS, SHOWN = 10, 40, 10
+MOST_TOTALS = 30
+# A chart of more moves than this is a solid block.
+MOST_CHARTED, MOST_CHARTS = 200, 4
+
+_MOVES = (
+    Column("axis"),
+    Column("command", align="<", style="word"),
+    Column("line", drop=4),
+    Column("profile", align="<", drop=1),
+    Column("start", "s", drop=5),
+    Column("time", "s"),
+    Column("from", "uu", drop=6),
+    Column("to", "uu", drop=3),
+    Column("distance", "uu"),
+    Column("peak", "uu/s"),
+    Column("ended by", align="<", drop=2, style="warning"),
+)
+_AXES = (
+    Column("axis"),
+    Column("position", "uu"),
+    Column("counts", drop=2),
+    Column("scale", "counts/uu", drop=1),
+    Column("state", align="<"),
+)
+_TOTALS = (
+    Column("line"),
+    Column("command", align="<", style="word"),
+    Column("axis"),
+    Column("moves"),
+    Column("in motion", align=">"),
+    Column("of the run", drop=2),
+    Column("each", "s", drop=1),
+    Column("distance", "uu"),
+    Column("peak", "uu/s"),
+)
+
+
+def render(run: Run, *, width: int = 100, colour: bool = False, charts: bool = False) -> str:
+    """The whole report as text that ends with a newline; `charts` adds the velocity of the axes that moved."""
+    rows: list[Row] = list(moves_of(run))
+    parts = [_head(run, rows, colour)]
+    if rows:
+        parts.append(_moves(rows, width, colour))
+    if len(rows) > MOST_ROWS:
+        parts.append(_totals(rows, run.time, width, colour))
+    if charts and rows:
+        parts += _charts(run, rows, width, colour)
+    axes = axes_of(run)
+    if axes:
+        parts.append(_axes(axes, width, colour))
+    parts += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.not_counted]
+    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+
+
+def _head(run: Run, rows: list[Row], colour: bool) -> list[str]:
+    count = {0: "no axis moved", 1: "1 move"}.get(len(rows), f"{_grouped(len(rows))} moves")
+    name = styled(printable(run.source.name), "bold", colour)
+    return [f"{name} · {dialect_name(run.dialect.name)} · {outcome(run)} · {count}"]
+
+
+def _moves(rows: list[Row], width: int, colour: bool) -> list[str]:
+    """A line a move, and a line a phase where there are few."""
+    shown = rows if len(rows) <= MOST_ROWS else rows[:SHOWN]
+    phased = len(rows) <= WITH_PHASES
+    texts, styles = [], []
+    form = _Form(shown, phased)
+    for row in shown:
+        texts.append(form.move(row))
+        styles.append("")
+        phases = row["phases"] if phased else []
+        for k, phase in enumerate(phases):
+            texts.append(form.phase(phase, k == len(phases) - 1))
+            styles.append(phase["name"])
+    lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
+    if len(shown) < len(rows):
+        more = f"… and {_grouped(len(rows) - len(shown))} more moves: --report json has them all"
+        lines.append(styled(more, "dim", colour))
+    return lines
+
+
+class _Form:
+    """Moves and phases as cells of `_MOVES`, every column with as many decimals as its figures need."""
+
+    def __init__(self, rows: list[Row], phased: bool) -> None:
+        phases = [phase for row in rows for phase in row["phases"]] if phased else []
+        self.start = decimals_of([row["start_time"] for row in rows], 6)
+        self.time = decimals_of([each["duration"] for each in (*rows, *phases)], 6)
+        self.place = decimals_of([row[end] for row in rows for end in ("start", "end")])
+        self.distance = decimals_of([each["distance"] for each in (*rows, *phases)])
+        self.speed = decimals_of([row["peak_speed"] for row in rows])
+
+    def move(self, row: Row) -> list[str]:
+        return [
+            str(row["axis"]),
+            row["command"],
+            str(row["line"] or ""),
+            row["profile"],
+            figure(row["start_time"], self.start),
+            figure(row["duration"], self.time),
+            figure(row["start"], self.place),
+            figure(row["end"], self.place),
+            figure(row["distance"], self.distance),
+            figure(row["peak_speed"], self.speed),
+            row.get("ended", "").replace("-", " "),
+        ]
+
+    def phase(self, phase: Row, last: bool) -> list[str]:
+        name = f"{'└' if last else '├'} {phase['name']}"
+        time, distance = figure(phase["duration"], self.time), figure(phase["distance"], self.distance)
+        return ["", name, "", "", "", time, "", "", distance, "", ""]
+
+
+def _totals(rows: list[Row], time: float, width: int, colour: bool) -> list[str]:
+    """What each line of the program moved, all in all, the busiest first."""
+    groups: dict[tuple[int, str, int], list[Row]] = {}
+    for row in rows:
+        groups.setdefault((row["line"], row["command"], row["axis"]), []).append(row)
+    busiest = sorted(groups.items(), key=lambda item: (-sum(row["duration"] for row in item[1]), item[0]))
+    texts = [_total(key, group, time) for key, group in busiest[:MOST_TOTALS]]
+    lines = grid(_TOTALS, texts, width=width, colour=colour)
+    if len(busiest) > MOST_TOTALS:
+        lines.append(styled(f"… and {_grouped(len(busiest) - MOST_TOTALS)} more", "dim", colour))
+    return lines
+
+
+def _total(key: tuple[int, str, int], group: list[Row], time: float) -> list[str]:
+    line, command, axis = key
+    motion = sum(row["duration"] for row in group)
+    distance = sum(abs(row["distance"]) for row in group)
+    return [
+        str(line or ""),
+        command,
+        str(axis),
+        _grouped(len(group)),
+        clock_time(motion),
+        f"{motion / time:.1%}" if time else "",
+        figure(motion / len(group)),
+        figure(distance, decimals_of([distance], 3)),
+        figure(max(row["peak_speed"] for row in group)),
+    ]
+
+
+def _charts(run: Run, rows: list[Row], width: int, colour: bool) -> list[list[str]]:
+    moved = sorted({row["axis"] for row in rows})
+    counts = {axis: sum(row["axis"] == axis for row in rows) for axis in moved}
+    charted = [axis for axis in moved if counts[axis] <= MOST_CHARTED][:MOST_CHARTS]
+    parts = []
+    for axis in charted:
+        height = 6 if len(charted) == 1 else 4
+        lines = velocity_chart(run.controller.axes[axis], run.time, width=width, height=height, colour=colour)
+        if lines:
+            parts.append([styled(f"velocity of axis {axis}, uu/s", "bold", colour), *lines])
+    return parts
+
+
+def _axes(axes: list[Row], width: int, colour: bool) -> list[str]:
+    place = decimals_of([axis["position"] for axis in axes])
+    counts = decimals_of([axis["counts"] for axis in axes], 2)
+    scale = decimals_of([axis["scale"] for axis in axes])
+    texts = [
+        [
+            str(axis["axis"]),
+            figure(axis["position"], place),
+            figure(axis["counts"], counts),
+            figure(axis["scale"], scale),
+            _state(axis),
+        ]
+        for axis in axes
+    ]
+    return grid(_AXES, texts, width=width, colour=colour)
+
+
+def _state(axis: Row) -> str:
+    state = "on" if axis["enabled"] else "off"
+    return f"{state}, error {axis['error']}" if axis["error"] else state
+
+
+def _grouped(count: int) -> str:
+    """A whole number with thin gaps: 20 000."""
+    return f"{count:,}".replace(",", " ")
