@@ -1,0 +1,1 @@
+"""Copley PVT drives: points on the wire, the drive's buffer and trajectory generator, and the CAN bus to them."""

@@ -1,0 +1,248 @@
+"""A simulated Copley drive in PVT mode: it takes points from its buffer and makes a motion of them.
+
+The motion is a history of profiles, exact at any time, as that of an axis is. Time is virtual, in whole
+microseconds while a move runs, and passes only in `run_until`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.copley.buffer import Buffer, Entry, entry_of
+from motionlang.copley.packet import UNDERFLOW
+from motionlang.profile.curve import Profile, from_curve, hold
+from motionlang.profile.pvt import pvt_piece
+from motionlang.profile.stop import plan_stop
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.copley.point import WirePoint
+
+IDLE, WAITING, MOVING, STOPPING = "idle", "waiting", "moving", "stopping"
+
+SERVO_PERIOD = 250
+"""Microseconds of one servo period; sub-mode 0 adjusts its times by one of them."""
+KEPT = 3
+"""Points that sub-mode 0 waits for before it moves, and tries to keep in the buffer."""
+ABORT_DECELERATION = 1_000_000.0
+"""Counts/s^2 at which an aborted move comes to rest."""
+
+
+class Drive:
+    """A drive at rest at `position` with an empty buffer.
+
+    `log` tells what happened (seconds, sentence). `listener` is called when a point leaves the buffer or an
+    error is latched: the event of object 0x2012.
+    """
+
+    def __init__(
+        self,
+        position: float = 0.0,
+        *,
+        servo_period: int = SERVO_PERIOD,
+        abort_deceleration: float = ABORT_DECELERATION,
+    ) -> None:
+        self.buffer = Buffer()
+        self.servo_period, self.abort_deceleration = servo_period, abort_deceleration
+        self.state = IDLE
+        # Sub-mode 0: begin with an empty buffer, wait for points, and steer the segment times.
+        self.steering = False
+        self.microseconds = 0
+        self.starts: list[float] = [0.0]
+        self.profiles: list[Profile] = [hold(position)]
+        self.log: list[tuple[float, str]] = []
+        self.listener: Callable[[], None] | None = None
+        self._boundary: int | None = None
+        self._reference = position
+        self._velocity = 0.0
+        self._entry = Entry(0, None, 0)
+
+    # ------------------------------------------------------------------------------------------- reading
+
+    @property
+    def now(self) -> float:
+        """Virtual time in seconds."""
+        return self.microseconds * 1e-6
+
+    @property
+    def position(self) -> float:
+        """The commanded position, counts."""
+        return self.profiles[-1].position(self.now - self.starts[-1])
+
+    @property
+    def velocity(self) -> float:
+        """The commanded velocity, counts/s."""
+        return self.profiles[-1].velocity(self.now - self.starts[-1])
+
+    @property
+    def next_boundary(self) -> int | None:
+        """The microsecond at which the present segment ends; None at rest."""
+        return self._boundary
+
+    # ------------------------------------------------------------------------------------------ commands
+
+    def add(self, point: WirePoint) -> bool:
+        """Put a point into the buffer; False where it was full."""
+        return self.add_entry(entry_of(point))
+
+    def add_entry(self, entry: Entry) -> bool:
+        """Put an entry into the buffer; in sub-mode 0 the third one lets a waiting move begin."""
+        taken = self.buffer.add(entry)
+        if not taken:
+            self._note("a point came to a full buffer and was dropped: overflow")
+            self._event()
+        elif self.state == WAITING and len(self.buffer.entries) >= KEPT:
+            self._begin()
+        return taken
+
+    def latch(self, error: int, why: str) -> None:
+        """Latch an error that the bus found."""
+        self.buffer.errors |= error
+        self._note(why)
+        self._event()
+
+    def clear_errors(self, mask: int) -> None:
+        """Forget the latched errors of a mask."""
+        self.buffer.errors &= ~mask
+
+    def clear(self) -> None:
+        """Clear the buffer and abort the move in progress."""
+        self.buffer.clear()
+        self.stop("the buffer was cleared")
+
+    def pop(self, count: int) -> None:
+        """Remove the most recently added points; a move goes on unless it runs dry."""
+        self.buffer.pop(count)
+
+    def start(self) -> None:
+        """Begin the move in the buffer; ignored while one is in progress."""
+        if self.state in (MOVING, STOPPING, WAITING):
+            return
+        if self.steering:
+            self.buffer.clear()
+            self.state = WAITING
+            self._note(f"waiting for {KEPT} points")
+        else:
+            self._begin()
+
+    def stop(self, why: str = "stopped by the master") -> None:
+        """Abort the move in progress: brake to rest; the buffer keeps what it has."""
+        if self.state == MOVING:
+            self._note(f"move aborted at {self.position:.10g}: {why}")
+            self._brake()
+        elif self.state == WAITING:
+            self.state = IDLE
+
+    # ---------------------------------------------------------------------------------------------- time
+
+    def run_until(self, microseconds: int) -> None:
+        """Let virtual time pass, segment by segment."""
+        while self._boundary is not None and self._boundary <= microseconds:
+            self.microseconds = self._boundary
+            self._boundary = None
+            self._arrive()
+        self.microseconds = max(self.microseconds, microseconds)
+
+    # ---------------------------------------------------------------------------------- the life of a move
+
+    def _begin(self) -> None:
+        """Take the first point: where the move begins, and how fast."""
+        self._reference = here = self.position
+        first = self._take()
+        while first is not None and first.initial:
+            self._reference = float(first.position)
+            first = self._take()
+        if first is None:
+            self._run_dry("the move was started with no point in the buffer")
+            return
+        place = self._place(first)
+        if place != here:
+            self._note(f"commanded position steps from {here:.10g} to {place:.10g} at the start")
+            self._append(hold(place))
+        self._velocity = 0.0 if first.velocity is None else first.velocity / 10.0
+        self._entry = first
+        self.state = MOVING
+        self._note(f"move started at {place:.10g}")
+        self._next_segment()
+
+    def _arrive(self) -> None:
+        """The present profile is over: the next segment, or rest."""
+        if self.state == STOPPING:
+            self._rest(self.profiles[-1].end)
+        else:
+            self._next_segment()
+
+    def _next_segment(self) -> None:
+        """From the point just reached to the next one in the buffer."""
+        if self._entry.microseconds == 0:
+            self._note(f"move ended at {self._reference:.10g}")
+            self._rest(self._reference)
+            return
+        following = self._take()
+        if following is None:
+            self._run_dry("the next point was not in the buffer in time")
+            return
+        self._run(following)
+
+    def _run(self, target: Entry) -> None:
+        span = self._steered(self._entry.microseconds)
+        begin = self._reference
+        place = self._place(target)
+        given = None if target.velocity is None else target.velocity / 10.0
+        piece = pvt_piece(begin, self._velocity, place, given, span * 1e-6)
+        end_velocity = piece[1] if given is None else given
+        curve = ((0.0, span * 1e-6), (piece,), (("segment", 0),))
+        self._append(from_curve("pvt", begin, place, curve, piece[1], end_velocity))
+        self._velocity, self._entry = end_velocity, target
+        self._boundary = self.microseconds + span
+
+    def _steered(self, span: int) -> int:
+        """Sub-mode 0: one servo period more while the buffer is short of points, one less while it has too many."""
+        if not self.steering or span == 0:
+            return span
+        surplus = len(self.buffer.entries) - KEPT
+        step = self.servo_period if surplus < 0 else -self.servo_period if surplus > 0 else 0
+        return max(span + step, self.servo_period)
+
+    def _place(self, entry: Entry) -> float:
+        """The absolute position of a point, remembered for the one after it."""
+        self._reference = self._reference + entry.position if entry.relative else float(entry.position)
+        return self._reference
+
+    def _take(self) -> Entry | None:
+        entry = self.buffer.take()
+        if entry is not None:
+            self._event()
+        return entry
+
+    def _run_dry(self, why: str) -> None:
+        self.buffer.errors |= UNDERFLOW
+        self._note(f"underflow at {self.position:.10g}: {why}")
+        self._event()
+        self._brake()
+
+    def _brake(self) -> None:
+        velocity = self.velocity
+        if velocity == 0.0:
+            self._rest(self.position)
+            return
+        self.state = STOPPING
+        stop = plan_stop("trapezoid", self.position, velocity, self.abort_deceleration)
+        self._append(stop)
+        self._boundary = self.microseconds + max(1, round(stop.duration * 1e6))
+
+    def _rest(self, place: float) -> None:
+        self._append(hold(place))
+        self.state, self._boundary, self._velocity = IDLE, None, 0.0
+
+    def _append(self, profile: Profile) -> None:
+        self.starts.append(self.now)
+        self.profiles.append(profile)
+
+    def _note(self, what: str) -> None:
+        self.log.append((self.now, what))
+
+    def _event(self) -> None:
+        if self.listener is not None:
+            self.listener()

@@ -1,0 +1,278 @@
+"""A master that streams a PVT move to a drive over CANopen and keeps its buffer fed.
+
+The order is that of the manual: the status object 0x2012 mapped to an event-driven PDO, the buffer filled, bit 4 of
+the control word raised, and more points sent whenever the status says that the drive has taken some.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+import canopen
+
+from motionlang.copley import packet
+from motionlang.copley.node import object_dictionary
+from motionlang.copley.objects import FIXED_TIME, INTERPOLATED_POSITION, SUB_MODES
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.copley.point import WirePoint
+
+    _Send = Callable[[bytes], None]
+
+WAYS: dict[str, str] = {
+    "pdo": "object 0x2010, one PDO per point",
+    "sdo": "object 0x2010 by SDO",
+    **{str(mode): f"object 0x60C1, {text}" for mode, text in SUB_MODES.items()},
+}
+SWITCH_ON = (0x06, 0x07, 0x0F)
+START, ENABLED = 0x1F, 0x0F
+CUBIC_MODE = -3
+MOVING_BIT = 0x1000
+SILENT_WAITS = 5000
+"""Looks at the bus in a row without any news after which the master gives up."""
+
+
+class StreamError(Exception):
+    """The move could not be streamed to its end."""
+
+
+class Bus(Protocol):
+    """What the master needs: a canopen network, and a way to let time pass until something may be new."""
+
+    network: canopen.Network
+
+    def wait(self) -> None: ...
+
+
+@dataclass(slots=True)
+class Streamed:
+    """What a stream took: messages with points sent, and sent again; the fewest points seen waiting in the buffer."""
+
+    sent: int = 0
+    resent: int = 0
+    lowest: int = 32
+
+
+class Master:
+    """A master for one drive on a bus."""
+
+    def __init__(self, bus: Bus, node_id: int = 1) -> None:
+        self.bus = bus
+        self.node_id, self.node = node_id, canopen.RemoteNode(node_id, object_dictionary())
+        bus.network.add_node(self.node)
+        self.status = packet.BufferStatus(0, 0, 0, True)
+        self.news = 0
+
+    def prepare(self) -> None:
+        """Bring the drive to operation enabled, in interpolated position mode, with an empty buffer."""
+        self._map_pdos()
+        self.node.nmt.state = "OPERATIONAL"
+        self._write(0x6060, 0, INTERPOLATED_POSITION)
+        for control in SWITCH_ON:
+            self._write(0x6040, 0, control)
+        self.refresh()
+        if self.status.errors:
+            self._send_sdo(
+                packet.encode_command(packet.PacketCommand(packet.CLEAR_ERRORS, self.status.errors))
+            )
+        if not self.status.empty:
+            self._send_sdo(packet.encode_command(packet.PacketCommand(packet.CLEAR)))
+        self.refresh()
+
+    def stream(self, points: Sequence[WirePoint], way: str = "pdo") -> Streamed:
+        """Run a whole move by one of `WAYS`; `StreamError` where the drive or the points do not allow it."""
+        if way not in WAYS:
+            raise StreamError(f"there is no way {way!r} to stream; there is {', '.join(WAYS)}")
+        self.prepare()
+        if way in ("pdo", "sdo"):
+            self._write(
+                0x60C0, 0, CUBIC_MODE
+            )  # any but 0, which would forget the points sent before the start
+            return self._stream_packets(points, self._send_pdo if way == "pdo" else self._send_sdo)
+        mode = int(way)
+        self._write(0x60C0, 0, mode)
+        if mode in FIXED_TIME:
+            return self._stream_fixed(points, mode)
+        return self._stream_records(points, mode)
+
+    def refresh(self) -> None:
+        """Read the buffer status by SDO."""
+        self.status = packet.decode_status(self._read(0x2012))
+
+    # ------------------------------------------------------------------------------------- the three streams
+
+    def _stream_packets(self, points: Sequence[WirePoint], send: _Send) -> Streamed:
+        base = self.status.next_number
+        messages = packet.encode_points(points, base)
+        done, result = 0, Streamed()
+        started, silent = False, 0
+        while True:
+            done, again = self._recovered(base, done)
+            result.resent += again
+            room = self._room(base + done)
+            burst = messages[done : done + room]
+            for message in burst:
+                send(message)
+            done += len(burst)
+            result.sent += len(burst)
+            if not started:
+                self._start()
+                started = True
+            if done == len(messages) and not self._moving():
+                # the last frames may have been lost: only the status knows
+                if self._recovered(base, done) == (done, 0):
+                    self._check()
+                    return result
+            elif done < len(messages):
+                result.lowest = min(result.lowest, 32 - self.status.free)
+            silent = self._wait(silent)
+
+    def _stream_records(self, points: Sequence[WirePoint], mode: int) -> Streamed:
+        base, result = self.status.next_number, Streamed()
+        started, silent = False, 0
+        while True:
+            room = self._room(base + result.sent)
+            for point in points[result.sent : result.sent + room]:
+                self._write_record(_absolute_only(point), mode)
+                result.sent += 1
+            if not started:
+                self._start()
+                started = True
+            self._check()
+            if result.sent == len(points) and not self._moving():
+                return result
+            if result.sent < len(points):
+                result.lowest = min(result.lowest, 32 - self.status.free)
+            silent = self._wait(silent)
+
+    def _stream_fixed(self, points: Sequence[WirePoint], mode: int) -> Streamed:
+        """Sub-modes 0 and -1: one position each period, the last repeated until it is reached, then bit 4 lowered."""
+        period = _common_time(points)
+        self._write(0x60C2, 2, -3)
+        self._write(0x60C2, 1, period)
+        base, result, silent = self.status.next_number, Streamed(), 0
+        started = mode == 0
+        if started:
+            self._start()  # sub-mode 0 forgets what came before the start
+        positions = [_absolute_only(point).position for point in points]
+        while True:
+            room = self._room(base + result.sent)
+            for _ in range(room if mode == -1 else min(room, 1)):
+                self._write(0x60C1, 1, positions[min(result.sent, len(positions) - 1)])
+                result.sent += 1
+            if not started:
+                self._start()
+                started = True
+            self._check()
+            if result.sent < len(points):
+                result.lowest = min(result.lowest, 32 - self.status.free)
+            elif self._read(0x6064) == positions[-1]:
+                self._write(0x6040, 0, ENABLED)
+                return result
+            silent = self._wait(silent)
+
+    # --------------------------------------------------------------------------------------------- steps
+
+    def _start(self) -> None:
+        self._write(0x6040, 0, START)
+
+    def _recovered(self, base: int, done: int) -> tuple[int, int]:
+        """After a lost frame: clear the error, go back to the segment the drive expects; else stay."""
+        errors = self.status.errors
+        lost = (base + done - self.status.next_number) & 0xFFFF
+        if not errors & packet.SEQUENCE:
+            return done, 0
+        self._send_sdo(packet.encode_command(packet.PacketCommand(packet.CLEAR_ERRORS, packet.SEQUENCE)))
+        self.refresh()
+        return done - lost, lost
+
+    def _room(self, next_number: int) -> int:
+        """Free positions, less the points that were on their way when the drive counted them."""
+        return max(0, self.status.free - (next_number - self.status.next_number & 0xFFFF))
+
+    def _check(self) -> None:
+        """Stop at an error that ends a move; the latest word of the drive counts."""
+        if self.status.errors & (packet.UNDERFLOW | packet.OVERFLOW):
+            raise StreamError(f"the drive reports: {packet.error_names(self.status.errors)}")
+
+    def _moving(self) -> bool:
+        self._check()
+        moving = bool(self._read(0x6041) & MOVING_BIT)
+        if not moving:
+            self.refresh()
+        return moving
+
+    def _wait(self, silent: int) -> int:
+        """Let time pass; how many waits in a row have brought no news."""
+        before = self.news
+        self.bus.wait()
+        self._check()
+        silent = silent + 1 if self.news == before else 0
+        if silent > SILENT_WAITS:
+            raise StreamError("the drive does not take points any more")
+        return silent
+
+    # -------------------------------------------------------------------------------------------- the bus
+
+    def _map_pdos(self) -> None:
+        """RPDO 1 carries object 0x2010, TPDO 1 object 0x2012 on every event."""
+        receive, transmit = self.node.rpdo[1], self.node.tpdo[1]
+        for pdo, index, can_id in (
+            (receive, 0x2010, 0x200 + self.node_id),
+            (transmit, 0x2012, 0x180 + self.node_id),
+        ):
+            pdo.clear()
+            pdo.add_variable(index, 0, 64 if index == 0x2010 else 32)
+            pdo.cob_id, pdo.trans_type, pdo.enabled = can_id, 255, True
+            pdo.save()
+        transmit.callbacks.clear()
+        transmit.add_callback(self._received)
+
+    def _received(self, pdo: canopen.pdo.PdoMap) -> None:
+        self.status = packet.decode_status(int.from_bytes(pdo.data, "little"))
+        self.news += 1
+
+    def _send_pdo(self, message: bytes) -> None:
+        self.bus.network.send_message(0x200 + self.node_id, message)
+
+    def _send_sdo(self, message: bytes) -> None:
+        self.node.sdo.download(0x2010, 0, message)
+
+    def _write_record(self, point: WirePoint, mode: int) -> None:
+        self._write(0x60C1, 1, point.position)
+        self._write(0x60C1, 2, point.time)
+        if mode == -3:
+            if point.velocity is None:
+                raise StreamError(
+                    "sub-mode -3 is cubic throughout: a linear point needs 0x2010 or sub-mode -2"
+                )
+            self._write(0x60C1, 3, point.velocity)
+
+    def _write(self, index: int, sub: int, value: int) -> None:
+        try:
+            self._variable(index, sub).raw = value
+        except canopen.SdoAbortedError as refusal:
+            raise StreamError(f"the drive refused object {index:#06x}:{sub}: {refusal}") from None
+
+    def _read(self, index: int, sub: int = 0) -> int:
+        return int(self._variable(index, sub).raw)
+
+    def _variable(self, index: int, sub: int) -> Any:  # the library types records and variables alike
+        found = self.node.sdo[index]
+        return found[sub] if sub else found
+
+
+def _absolute_only(point: WirePoint) -> WirePoint:
+    if point.relative:
+        raise StreamError("object 0x60C1 has no relative points: use object 0x2010, or absolute points")
+    return point
+
+
+def _common_time(points: Sequence[WirePoint]) -> int:
+    times = {point.time for point in points[:-1]}
+    if len(times) != 1:
+        raise StreamError("sub-modes 0 and -1 need one time for all segments; sub-mode -2 takes any")
+    return times.pop()

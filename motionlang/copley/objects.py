@@ -1,0 +1,269 @@
+"""The CANopen objects of the simulated drive: what each is, and what reading and writing it does.
+
+`OBJECTS` is the table; the node's object dictionary, the documentation and the checks derive from it. There is
+no CAN in this file: `ObjectServer` answers reads and writes, and `Abort` carries the SDO abort code.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from motionlang.copley import packet
+from motionlang.copley.buffer import Entry, entry_of
+from motionlang.copley.drive import MOVING, STOPPING, WAITING
+from motionlang.copley.point import MAX_TIME
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.copley.drive import Drive
+
+INTERPOLATED_POSITION = 7
+"""Mode of operation (object 0x6060) in which the drive takes PVT points."""
+SUB_MODES: dict[int, str] = {
+    0: "linear, fixed time of 0x60C2 steered by one servo period, starts after three new points",
+    -1: "linear, fixed time of 0x60C2",
+    -2: "linear, the time of each point written with it",
+    -3: "cubic, the time and velocity of each point written with it",
+}
+FIXED_TIME = (0, -1)
+# The sub-index of 0x60C1 whose writing copies the record into the buffer.
+TRIGGERS: dict[int, int] = {0: 1, -1: 1, -2: 2, -3: 3}
+
+VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY, LENGTH = (
+    0x06090030,
+    0x08000022,
+    0x06010002,
+    0x06010001,
+    0x06070010,
+)
+
+
+class Abort(Exception):
+    """A read or write that the drive refuses, with the SDO abort code it answers."""
+
+    def __init__(self, code: int, reason: str) -> None:
+        super().__init__(reason)
+        self.code = code
+
+
+@dataclass(frozen=True, slots=True)
+class Object:
+    """One object, or one sub-index of it. `kind` is i or u and its bits, or bytes8; `access` r, w or rw."""
+
+    index: int
+    sub: int
+    name: str
+    kind: str
+    access: str
+    unit: str
+    help: str
+    source: str = "note"
+
+
+OBJECTS: tuple[Object, ...] = (
+    Object(0x2010, 0, "PVT data", "bytes8", "w", "", "a point or a buffer command in one frame", "manual"),
+    Object(0x2011, 0, "Trajectory buffer free count", "u16", "r", "points", "free positions of the buffer"),
+    Object(
+        0x2012, 0, "Trajectory buffer status", "u32", "r", "", "next number, free, errors, empty", "manual"
+    ),
+    Object(0x2013, 0, "Next trajectory segment ID", "u16", "r", "", "number of the next segment", "manual"),
+    Object(0x6040, 0, "Control word", "u16", "rw", "", "bits 0-3 switch the drive on, bit 4 starts", "DS402"),
+    Object(0x6041, 0, "Status word", "u16", "r", "", "state; bit 12: interpolated motion active", "DS402"),
+    Object(0x6060, 0, "Mode of operation", "i8", "rw", "", "7: interpolated position", "DS402"),
+    Object(0x6061, 0, "Mode of operation display", "i8", "r", "", "the mode in force", "DS402"),
+    Object(0x6062, 0, "Position demand value", "i32", "r", "counts", "the commanded position", "DS402"),
+    Object(0x6064, 0, "Position actual value", "i32", "r", "counts", "no motor: the commanded one", "DS402"),
+    Object(
+        0x6085, 0, "Quick stop deceleration", "u32", "rw", "10 counts/s2", "brakes aborted moves", "DS402"
+    ),
+    Object(0x60C0, 0, "Interpolation sub-mode select", "i16", "rw", "", "one of the four sub-modes"),
+    Object(
+        0x60C1, 1, "Interpolation position", "i32", "rw", "counts", "position; in 0 and -1 adds the point"
+    ),
+    Object(0x60C1, 2, "Interpolation time", "u8", "rw", "ms", "time; in -2 adds the point"),
+    Object(
+        0x60C1, 3, "Interpolation velocity", "i32", "rw", "0.1 counts/s", "velocity; in -3 adds the point"
+    ),
+    Object(
+        0x60C2, 1, "Interpolation time units", "u8", "rw", "10^x s", "the fixed time in units of sub-index 2"
+    ),
+    Object(
+        0x60C2, 2, "Interpolation time index", "i8", "rw", "", "x, -3 (milliseconds) to -6 (microseconds)"
+    ),
+)
+BY_ADDRESS: dict[tuple[int, int], Object] = {(o.index, o.sub): o for o in OBJECTS}
+
+_READY, _ON, _ENABLED = 1, 2, 3
+
+
+class ObjectServer:
+    """The objects of one drive. `power` is the DS402 state: 0 switch-on disabled, ready, switched on, enabled."""
+
+    def __init__(self, drive: Drive) -> None:
+        self.drive = drive
+        self.power = 0
+        self.values: dict[tuple[int, int], int] = {
+            (0x6040, 0): 0,
+            (0x6060, 0): 0,
+            (0x60C0, 0): 0,
+            (0x60C1, 1): 0,
+            (0x60C1, 2): 0,
+            (0x60C1, 3): 0,
+            (0x60C2, 1): 1,
+            (0x60C2, 2): -3,
+        }
+        drive.steering = True
+        self._reads: dict[int, Callable[[], int]] = {
+            0x2011: lambda: self.drive.buffer.free,
+            0x2012: lambda: packet.encode_status(self.drive.buffer.status),
+            0x2013: lambda: self.drive.buffer.next_number,
+            0x6041: self._status_word,
+            0x6061: lambda: self.values[0x6060, 0],
+            0x6062: self._position,
+            0x6064: self._position,
+            0x6085: lambda: round(self.drive.abort_deceleration / 10.0),
+        }
+        self._writes: dict[int, Callable[[int, int], None]] = {
+            0x6040: self._control,
+            0x6060: self._choose_mode,
+            0x6085: self._set_deceleration,
+            0x60C0: self._choose_sub_mode,
+            0x60C1: self._record,
+            0x60C2: self._set_period,
+        }
+
+    @property
+    def sub_mode(self) -> int:
+        return self.values[0x60C0, 0]
+
+    def read(self, index: int, sub: int) -> int:
+        """The value of an object; `Abort` for one that can only be written."""
+        if "r" not in BY_ADDRESS[index, sub].access:
+            raise Abort(WRITE_ONLY, f"object {index:#06x} can only be written")
+        made = self._reads.get(index)
+        return made() if made else self.values[index, sub]
+
+    def write(self, index: int, sub: int, value: int) -> None:
+        """Write a number; `Abort` where the drive refuses it."""
+        if "w" not in BY_ADDRESS[index, sub].access:
+            raise Abort(READ_ONLY, f"object {index:#06x} can only be read")
+        self._writes[index](sub, value)
+
+    def write_packet(self, data: bytes) -> None:
+        """Write object 0x2010."""
+        try:
+            content = packet.decode(data)
+        except packet.BadPacket as problem:
+            raise Abort(LENGTH if len(data) != 8 else VALUE_RANGE, str(problem)) from None
+        if isinstance(content, packet.PacketCommand):
+            self._command(content)
+        else:
+            self._segment(content)
+
+    # ------------------------------------------------------------------------------------------ 0x2010
+
+    def _command(self, command: packet.PacketCommand) -> None:
+        drive = self.drive
+        if command.code == packet.CLEAR:
+            drive.clear()
+        elif command.code == packet.POP:
+            drive.pop(command.data)
+        elif command.code == packet.CLEAR_ERRORS:
+            drive.clear_errors(command.data)
+        else:
+            drive.buffer.next_number = 0
+
+    def _segment(self, segment: packet.Packet) -> None:
+        buffer = self.drive.buffer
+        if buffer.errors & packet.SEQUENCE:
+            return  # until the master clears the error and sends again from the number it finds
+        if segment.number != buffer.next_number & 7:
+            why = f"a segment numbered {segment.number} came where {buffer.next_number & 7} was due: sequence error"
+            self.drive.latch(packet.SEQUENCE, why)
+        elif segment.initial is not None:
+            self.drive.add_entry(Entry(segment.initial, None, 0, initial=True))
+        else:
+            assert segment.point is not None
+            self.drive.add_entry(entry_of(segment.point))
+
+    # ------------------------------------------------------------------------------- 0x60C0 0x60C1 0x60C2
+
+    def _choose_sub_mode(self, _: int, value: int) -> None:
+        if value not in SUB_MODES:
+            raise Abort(VALUE_RANGE, f"there is no sub-mode {value}")
+        self._refuse_in_motion("the sub-mode cannot change")
+        self.values[0x60C0, 0] = value
+        self.drive.steering = value == 0
+
+    def _record(self, sub: int, value: int) -> None:
+        if sub > TRIGGERS[self.sub_mode]:
+            raise Abort(DEVICE_STATE, f"sub-mode {self.sub_mode} does not use sub-index {sub}")
+        self.values[0x60C1, sub] = value
+        if sub == TRIGGERS[self.sub_mode] and not self.drive.add_entry(self._entry()):
+            raise Abort(DEVICE_STATE, "the trajectory buffer is full")
+
+    def _entry(self) -> Entry:
+        fixed = self.sub_mode in FIXED_TIME
+        velocity = self.values[0x60C1, 3] if self.sub_mode == -3 else None
+        span = self.period() if fixed else self.values[0x60C1, 2] * 1000
+        return Entry(self.values[0x60C1, 1], velocity, span)
+
+    def period(self) -> int:
+        """The fixed time of sub-modes 0 and -1, microseconds."""
+        return int(self.values[0x60C2, 1] * 10 ** (6 + self.values[0x60C2, 2]))
+
+    def _set_period(self, sub: int, value: int) -> None:
+        legal = range(1, MAX_TIME + 1) if sub == 1 else range(-6, -2)
+        if value not in legal:
+            raise Abort(VALUE_RANGE, f"object 0x60C2:{sub} takes {legal[0]} to {legal[-1]}, not {value}")
+        self.values[0x60C2, sub] = value
+
+    # -------------------------------------------------------------------------------------------- DS402
+
+    def _choose_mode(self, _: int, value: int) -> None:
+        if value not in (0, INTERPOLATED_POSITION):
+            raise Abort(
+                VALUE_RANGE, f"only mode {INTERPOLATED_POSITION}, interpolated position, is simulated"
+            )
+        self._refuse_in_motion("the mode of operation cannot change")
+        self.values[0x6060, 0] = value
+
+    def _set_deceleration(self, _: int, value: int) -> None:
+        if value <= 0:
+            raise Abort(VALUE_RANGE, "the quick stop deceleration must be greater than zero")
+        self.drive.abort_deceleration = value * 10.0
+
+    def _control(self, _: int, value: int) -> None:
+        before = self.values[0x6040, 0]
+        self.values[0x6040, 0] = value
+        self.power = _next_power(self.power, value)
+        halted = bool(value & 0x100)
+        ready = self.power == _ENABLED and self.values[0x6060, 0] == INTERPOLATED_POSITION
+        if self.power != _ENABLED or halted or (before & 0x10 and not value & 0x10):
+            self.drive.stop("control word")
+        elif ready and value & 0x10 and not before & 0x10:
+            self.drive.start()
+
+    def _status_word(self) -> int:
+        bits = (0x40, 0x21, 0x23, 0x27)[self.power]
+        moving = self.drive.state in (MOVING, STOPPING, WAITING)
+        return bits | 0x0210 | (0x1000 if moving else 0x0400)
+
+    def _position(self) -> int:
+        return (round(self.drive.position) + 2**31) % 2**32 - 2**31
+
+    def _refuse_in_motion(self, what: str) -> None:
+        if self.drive.state in (MOVING, STOPPING, WAITING):
+            raise Abort(DEVICE_STATE, f"{what} while a move is in progress")
+
+
+def _next_power(power: int, control: int) -> int:
+    """DS402's state machine without its faults: up one command at a time, down at any time."""
+    if not control & 0x02 or not control & 0x04:
+        return 0
+    asked = _READY if not control & 0x01 else _ON if not control & 0x08 else _ENABLED
+    if power == 0:
+        return _READY if asked == _READY else 0
+    return asked
