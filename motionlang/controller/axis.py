@@ -16,6 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.move import Move
+    from motionlang.controller.watch import Watch
     from motionlang.profile import Profile, State
 
 # What an axis starts with; a dialect's table may say otherwise (Mint's SPEED is 40000).
@@ -56,6 +57,7 @@ class Axis:
         "speed",
         "starts",
         "target",
+        "watches",
     )
 
     def __init__(self, index: int) -> None:
@@ -83,6 +85,7 @@ class Axis:
         self.datum = 0.0
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
+        self.watches: list[Watch] = []
 
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""

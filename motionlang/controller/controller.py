@@ -10,12 +10,14 @@ from __future__ import annotations
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Refusal
+from motionlang.controller.inputs import Channels
 from motionlang.controller.move import Move
+from motionlang.controller.watch import Watch, arm
 from motionlang.profile import hold, plan, plan_stop, plan_velocity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from motionlang.controller.trace import Trace
     from motionlang.profile import Profile
@@ -47,6 +49,12 @@ class Controller:
         self.clock = Clock()
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.moves: list[Move] = []
+        self.inputs = Channels(self.clock)
+        self.outputs = Channels(self.clock)
+        self.analogue_inputs = Channels(self.clock)
+        self.analogue_outputs = Channels(self.clock)
+        # Told of ("idle", axis), ("fault", axis) and ("started", axis) as they happen.
+        self.listeners: list[Callable[[str, int], None]] = []
 
     # ------------------------------------------------------------------------------------------- settings
 
@@ -98,10 +106,9 @@ class Controller:
         here = a.position(now)
         shift = position - here
         rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
-        a.starts.append(now)
-        a.profiles.append(rest.shifted(shift))
-        a.target += shift
         a.datum += shift
+        a.target += shift
+        self._follow(a, rest.shifted(shift))
         if a.move is not None:
             a.move.offset += shift
             a.move.target += shift
@@ -230,6 +237,35 @@ class Controller:
         found = a.profiles[-1].crossing(position, now - start)
         return INFINITY if found is None else start + found
 
+    def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
+        """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
+        a = self.axes[axis]
+        watch = Watch(position, call, physical)
+        a.watches.append(watch)
+        arm(a, watch, self.clock, self.clock.now)
+        return watch
+
+    def unwatch(self, axis: int, watch: Watch) -> None:
+        """End a watch."""
+        self.axes[axis].watches.remove(watch)
+        if watch.event is not None:
+            watch.event.cancel()
+
+    def input(self, channel: int) -> float:
+        return self.inputs[channel]
+
+    def output(self, channel: int) -> float:
+        return self.outputs[channel]
+
+    def set_output(self, channel: int, value: float) -> None:
+        self.outputs[channel] = value
+
+    def analogue_input(self, channel: int) -> float:
+        return self.analogue_inputs[channel]
+
+    def set_analogue_output(self, channel: int, value: float) -> None:
+        self.analogue_outputs[channel] = value
+
     @property
     def trace(self) -> Trace:
         """The motion so far, to be sampled; brings in numpy."""
@@ -302,27 +338,39 @@ class Controller:
             raise Refusal(
                 "limit", f"more than {MAX_MOVES} moves were started", "shorten the run with --until"
             )
-        move.profile, move.start_time, move.scale = profile, self.clock.now, a.scale.counts
+        move.profile, move.start_time = profile, self.clock.now
+        move.scale, move.zero = a.scale.counts, a.scale.zero
         self.moves.append(move)
         a.move = move
         a.target = move.target
         self._append(a, profile)
 
     def _append(self, a: Axis, profile: Profile) -> None:
+        """Follow `profile` from now on, and be told when it is done."""
+        if a.arrival is not None:
+            a.arrival.cancel()
+        end = self.clock.now + profile.duration
+        a.arrival = self.clock.at(end, lambda: self._arrive(a)) if end < INFINITY else None
+        self._follow(a, profile)
+
+    def _follow(self, a: Axis, profile: Profile) -> None:
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
-        if a.arrival is not None:
-            a.arrival.cancel()
-        end = now + profile.duration
-        a.arrival = self.clock.at(end, lambda: self._arrive(a)) if end < INFINITY else None
+        for watch in a.watches:
+            arm(a, watch, self.clock, now)
 
     def _arrive(self, a: Axis) -> None:
         a.arrival = None
         a.move = None
-        a.starts.append(self.clock.now)
-        a.profiles.append(hold(a.profiles[-1].end))
+        self._follow(a, hold(a.profiles[-1].end))
         self._next(a)
+        if a.move is None:
+            self._tell("idle", a.index)
+
+    def _tell(self, what: str, axis: int) -> None:
+        for listener in self.listeners:
+            listener(what, axis)
 
     def _next(self, a: Axis) -> None:
         if a.buffer and a.buffer[0].released:
@@ -360,7 +408,6 @@ class Controller:
         if a.move is None:
             return
         self._end_move(a, ended)
-        now = self.clock.now
-        a.target = a.position(now)
-        a.starts.append(now)
-        a.profiles.append(hold(a.target))
+        a.target = a.position(self.clock.now)
+        self._follow(a, hold(a.target))
+        self._tell("idle", a.index)

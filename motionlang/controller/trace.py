@@ -91,7 +91,9 @@ class Trace:
         axes = self._controller.axes
         return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
 
-    def columns(self, axes: Sequence[int] | None = None, quantities: Sequence[str] = USUAL) -> tuple[Column, ...]:
+    def columns(
+        self, axes: Sequence[int] | None = None, quantities: Sequence[str] = USUAL
+    ) -> tuple[Column, ...]:
         """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist."""
         made = [Column("time_s", "time", "s", None)]
         for axis in self.axes if axes is None else axes:

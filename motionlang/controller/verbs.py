@@ -37,6 +37,13 @@ VERBS: dict[str, str] = {
     "faults": "The fault bits of an axis.",
     "idle_time": "The time at which an axis will be idle if nothing else happens.",
     "crossing_time": "The time at which an axis will pass a position if nothing else happens.",
+    "watch": "Be told whenever an axis passes a position, at the exact time.",
+    "unwatch": "Be told no longer.",
+    "input": "A digital input.",
+    "output": "A digital output, as it was set.",
+    "set_output": "Set a digital output.",
+    "analogue_input": "An analogue input.",
+    "set_analogue_output": "Set an analogue output.",
 }
 
 

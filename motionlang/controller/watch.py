@@ -1,0 +1,98 @@
+"""Watches: something that happens when an axis passes a position, at the exact time at which it passes.
+
+Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Each time an
+axis gets a new profile its watches are solved anew; nothing polls.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.clock import Clock, Event
+    from motionlang.profile import Profile
+
+# Counts within which an axis stands on a position: far below any encoder, far above rounding.
+_ON = 1e-6
+
+
+class Watch:
+    """Calls `call(direction)`, +1 forward or -1 reverse, whenever the axis passes `position`.
+
+    Reaching the position counts as passing it; leaving it again the same way is passing it back, so the directions
+    always alternate. A `physical` position is where the machine has it (a switch, a mark): it does not move when
+    the program gives the axis a new zero. Others, such as software limits, are positions as the program counts.
+    """
+
+    __slots__ = ("call", "event", "physical", "position", "side")
+
+    def __init__(self, position: float, call: Callable[[int], None], physical: bool) -> None:
+        self.position, self.call, self.physical = position, call, physical
+        self.side = 0  # where the axis was last: above, below, or not known yet
+        self.event: Event | None = None
+
+
+def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
+    """Solve one watch against the axis's present profile, from `now` on.
+
+    A pass that falls due in this very moment, such as arriving on the position, happens first.
+    """
+    due = watch.event
+    if due is not None and due.call is not None and due.time <= now:
+        pass_now = due.call
+        due.cancel()
+        pass_now()
+    position = _position(axis, watch)
+    side = _side(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
+    if side:
+        watch.side = side
+    _solve(axis, watch, clock, now, side)
+
+
+def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> None:
+    """Set the event of the next change of sides, given the `side` on which the axis is now (0: on the position)."""
+    if watch.event is not None:
+        watch.event.cancel()
+        watch.event = None
+    start, profile = axis.starts[-1], axis.profiles[-1]
+    if profile.shape == "hold":
+        return
+    found, after = _next(profile, _position(axis, watch), now - start, side)
+    if found is not None:
+        watch.event = clock.at(start + found, lambda: _changed(axis, watch, clock, after, reached=side != 0))
+
+
+def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple[float | None, int]:
+    """When the axis next changes sides, and the side it will then be on."""
+    if side:
+        return profile.crossing(position, elapsed), -side
+    margin = _margin(position)
+    up = profile.crossing(position + margin, elapsed)
+    down = profile.crossing(position - margin, elapsed)
+    if up is None or (down is not None and down < up):
+        return down, -1
+    return up, 1
+
+
+def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -> None:
+    """The axis has `reached` the position, or has left it; either way it now counts as being on `side`."""
+    watch.event = None
+    before, watch.side = watch.side, side
+    _solve(axis, watch, clock, clock.now, 0 if reached else side)
+    if before and before != side:
+        watch.call(side)
+
+
+def _position(axis: Axis, watch: Watch) -> float:
+    return watch.position + axis.datum if watch.physical else watch.position
+
+
+def _side(distance: float, position: float) -> int:
+    margin = _margin(position)
+    return (distance > margin) - (distance < -margin)
+
+
+def _margin(position: float) -> float:
+    return _ON + 1e-12 * abs(position)
