@@ -15,6 +15,7 @@ from motionlang.profile import hold
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.clock import Event
+    from motionlang.controller.limit import Limit
     from motionlang.controller.move import Move
     from motionlang.controller.watch import Watch
     from motionlang.profile import Profile, State
@@ -47,7 +48,9 @@ class Axis:
         "decel_time",
         "enabled",
         "faults",
+        "error_decel",
         "index",
+        "limits",
         "live_speed",
         "move",
         "profiles",
@@ -74,6 +77,7 @@ class Axis:
         self.decel_time: float | None = None
         self.accel_jerk = DEFAULTS["accel_jerk"]
         self.decel_jerk = DEFAULTS["decel_jerk"]
+        self.error_decel = DEFAULTS["decel"]
         self.ramp = DEFAULTS["ramp"]
         # Whether a new speed acts at once on a move in progress (Mint's FEEDRATEMODE 0).
         self.live_speed = False
@@ -86,6 +90,7 @@ class Axis:
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
         self.watches: list[Watch] = []
+        self.limits: list[Limit] = []
 
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""

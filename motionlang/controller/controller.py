@@ -34,6 +34,7 @@ SETTINGS = frozenset(
         "decel_time",
         "accel_jerk",
         "decel_jerk",
+        "error_decel",
         "ramp",
         "shape",
         "buffer_size",
@@ -175,24 +176,46 @@ class Controller:
             raise Refusal("range", f"axis {axis} cannot jog: {problem}") from None
         self._run(a, move, profile)
 
-    def stop(self, axis: int) -> None:
-        """Decelerate to rest at the set rate and empty the buffer."""
+    def stop(self, axis: int, ended: str = "stop") -> None:
+        """Decelerate to rest at the set rate (at `error_decel` for a fault) and empty the buffer."""
         a = self.axes[axis]
         a.buffer.clear()
         if a.move is None:
             return
-        _, decel = self._rates(a)
+        decel = a.error_decel if ended == "fault" else self._rates(a)[1]
         state = a.at(self.clock.now)
         try:
             profile = plan_stop(a.shape, state.position, state.velocity, decel, a.ramp, a.decel_jerk)
         except ValueError as problem:
             raise Refusal("range", f"axis {axis} cannot stop: {problem}") from None
-        self._continue(a, profile, "stop")
+        self._continue(a, profile, ended)
         a.target = a.move.target = profile.end
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
         """Come to rest at once and empty the buffer."""
         self._freeze(self.axes[axis], ended)
+
+    def fault(self, axis: int, bit: int, action: str) -> None:
+        """Raise a fault on an axis and do what `action` (one of `limit.ACTIONS`) says about it."""
+        self.axes[axis].faults |= bit
+        if action == "stop":
+            self.stop(axis)
+        elif action == "error-stop":
+            self.stop(axis, "fault")
+        elif action == "abort":
+            self.abort(axis, "fault")
+        elif action == "off":
+            self.disable(axis)
+        if action != "ignore":
+            self._tell("fault", axis)
+
+    def heading(self, axis: int) -> int:
+        """+1 while the axis moves forward, -1 in reverse, 0 at rest: where the present profile is going."""
+        a = self.axes[axis]
+        if a.move is None:
+            return 0
+        velocity = a.velocity(self.clock.now) or a.profiles[-1].end_velocity or a.profiles[-1].distance
+        return (velocity > 0) - (velocity < 0)
 
     # ------------------------------------------------------------------------------------------- reading
 
@@ -344,6 +367,9 @@ class Controller:
         a.move = move
         a.target = move.target
         self._append(a, profile)
+        for limit in a.limits:
+            if limit.active and self.heading(a.index) == limit.sign:
+                limit.trip()
 
     def _append(self, a: Axis, profile: Profile) -> None:
         """Follow `profile` from now on, and be told when it is done."""

@@ -26,6 +26,8 @@ VERBS: dict[str, str] = {
     "jog": "Run at a velocity until told otherwise.",
     "stop": "Decelerate to rest and empty the buffer.",
     "abort": "Come to rest at once and empty the buffer.",
+    "fault": "Raise a fault on an axis and act on it.",
+    "heading": "Which way an axis is moving.",
     "clear_faults": "Forget an axis's faults.",
     "position": "The position of an axis.",
     "velocity": "The velocity of an axis.",
