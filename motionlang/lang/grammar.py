@@ -55,7 +55,7 @@ def generate(name: str, package: str, actions: dict[str, str]) -> str:
     token, continued = _token_patterns(lark, literals, classes)
     parts = [
         f'"""The tables of grammars/{name}; written by `python -m motionlang.lang.grammar`, not by hand."""\n',
-        "# ruff: noqa\n# mypy: ignore-errors\n",
+        "# ruff: noqa\n# mypy: ignore-errors\n# fmt: off\n",
         "from motionlang.lang.tables import Tables",
         f"from motionlang.{package}.build import *",
         f"from motionlang.{package}.nodes import *\n",
@@ -64,6 +64,7 @@ def generate(name: str, package: str, actions: dict[str, str]) -> str:
         f"CONTINUED = {continued!r}\n",
         f"LITERALS = {_wrapped(literals)}\n",
         f"CLASSES = {_wrapped(classes)}\n",
+        f"SPELLINGS = {_wrapped(_spellings(lark))}\n",
         "RULES = (\n" + "".join(f"    {each},\n" for each in rules.rows) + ")\n",
         "ROWS = (\n" + "".join(f"    {each!r},\n" for each in rows) + ")\n",
         "TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, "
@@ -221,6 +222,11 @@ def _terminals(lark: Lark) -> tuple[dict[str, str], dict[str, str]]:
         else:
             classes[str(terminal.name)] = terminal.pattern.to_regexp()
     return dict(sorted(literals.items())), classes
+
+
+def _spellings(lark: Lark) -> dict[str, str]:
+    """From the kind of a fixed token to its text as the grammar spells it, for messages and completion."""
+    return {str(each.name): each.pattern.value for each in lark.terminals if each.pattern.type == "str"}
 
 
 def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str]) -> tuple[str, str]:

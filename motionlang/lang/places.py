@@ -27,6 +27,11 @@ class Places:
         self._first: list[int] = []  # for every stretch of one line: its first token …
         self._lines: list[int] = []  # … and its line
 
+    @property
+    def continues(self) -> bool:
+        """May lines of the source go on in the next one?"""
+        return self._tables.continues(self.source.text)
+
     def line(self, at: int) -> int:
         """The line of a token."""
         if not self._first:
@@ -51,7 +56,7 @@ class Places:
 
     def _find_lines(self) -> None:
         texts, self._texts = self._texts, None
-        if texts is None or self._tables.continues(self.source.text):
+        if texts is None or self.continues:
             self._lines_from_spans()
             return
         line = 1

@@ -18,7 +18,7 @@ import re
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
     Reducer = Callable[[list[Any], list[str]], None]
@@ -175,6 +175,10 @@ class Tables:
         """What cuts up a text."""
         return re.compile(self.continued if self.continues(text) else self.token, re.ASCII)
 
+    def matches(self, text: str) -> Iterator[re.Match[str]]:
+        """The tokens one by one; the text of each is group 1."""
+        return self.pattern(text).finditer(text if text.endswith("\n") else text + "\n")
+
     def texts(self, text: str) -> list[str]:
         """The tokens of a text, with an empty one for its end; the last line need not be ended."""
         texts: list[str] = self.pattern(text).findall(text if text.endswith("\n") else text + "\n")
@@ -185,7 +189,7 @@ class Tables:
 
     def spans(self, text: str) -> list[tuple[int, int]]:
         """The offsets of the tokens that `texts` returns, those made up for the end left out."""
-        return [match.span(1) for match in self.pattern(text).finditer(text)]
+        return [match.span(1) for match in self.matches(text)]
 
     def parse(self, texts: list[str]) -> Any:
         """The value of the start rule; raises `Stuck` or `TooDeep`."""

@@ -8,6 +8,7 @@ from motionlang.mint.nodes import (
     Case,
     Event,
     Expr,
+    For,
     Label,
     Module,
     Name,
@@ -23,6 +24,7 @@ from motionlang.mint.nodes import (
     Variable,
 )
 
+DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
 ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 
@@ -97,21 +99,31 @@ def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
 
 def declare(name: Name, type: TypeName | None = None, value: Expr | None = None) -> Variable:
     """A variable of a `Dim`: what stands in its brackets are its dimensions."""
-    if name.axes:
-        raise Misuse(name.at, f"{name.name}[…] cannot be declared", "dimensions stand in round brackets")
     return Variable(name.at, name.name, name.args or [], type, [] if value is None else [value])
 
 
 def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
-    """After a `,` in a `Dim`: an array goes on with its initial values, otherwise a variable begins."""
+    """After a `,` that follows an initial value: an array goes on with its values, else a variable begins.
+
+    A second value for a simple variable stays with it; the compiler counts values and says so.
+    """
     last = variables[-1]
-    if last.values and last.dimensions:
-        last.values.append(value)
-    elif isinstance(value, Name):
+    if isinstance(value, Name) and not last.dimensions and not value.axes:
         variables.append(declare(value))
     else:
-        raise Misuse(value.at, "here a variable is declared, so a name is expected", "")
+        last.values.append(value)
     return variables
+
+
+def counted(loop: For, following: int | None, texts: list[str]) -> For:
+    """A `For`, and the variable after its `Next`, which must be its own."""
+    if following is not None and texts[following].lower() != loop.variable.name.lower():
+        raise Misuse(
+            following,
+            f"`Next {texts[following]}` ends the `For` of `{loop.variable.name}`",
+            f"write Next {loop.variable.name}",
+        )
+    return loop
 
 
 def next_case(select: Select, body: list[Stmt], case: Case) -> Select:
