@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.profile.table import piece_columns
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -25,6 +27,7 @@ ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3}
 BLOCK = 256
 GRID = 24
 CHUNK = 262144
+SLICE = 65000
 LONG = 1024
 """From this many points a piece is worth a matrix product of its own."""
 
@@ -52,25 +55,15 @@ class PieceTable:
     __slots__ = ("begins", "columns", "origins")
 
     def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
-        origins: list[float] = []
-        rows: list[tuple[float, ...]] = []
+        origins, columns = piece_columns(starts, profiles)
         if profiles:
-            origins.append(starts[0])
-            rows.append((profiles[0].start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-        for i, (start, profile) in enumerate(zip(starts, profiles, strict=True)):
-            knots, pieces, _ = profile.curve
-            following = starts[i + 1] if i + 1 < len(starts) else np.inf
-            if start + profile.duration < following:
-                knots = (*knots[:-1], profile.duration)
-                pieces = (*pieces, (profile.end, profile.end_velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
-            else:
-                knots = tuple(knot for knot in knots[:-1] if start + knot < following)
-            origins.extend(start + knot for knot in knots)
-            rows.extend(pieces[: len(knots)])
-        self.origins = np.array(origins, dtype=np.float64)
-        self.begins = self.origins.copy()
+            before = np.zeros((7, 1))
+            before[0] = profiles[0].start
+            origins, columns = np.append(starts[0], origins), np.hstack((before, columns))
+        self.origins = origins
+        self.begins = origins.copy()
         self.begins[:1] = -np.inf
-        self.columns = np.array(rows, dtype=np.float64).reshape(-1, 7).T.copy()
+        self.columns = columns
 
     def sample(self, t0: float, dt: float, n: int, order: int = 0, out: Array | None = None) -> Array:
         """n values of derivative `order` at t0, t0 + dt ..., into `out` if given (n doubles)."""
@@ -86,8 +79,10 @@ class PieceTable:
         long = np.diff(edges) >= LONG
         for begin, finish in _runs(~long):
             _sample_short(out, edges[begin : finish + 1], origins[begin:finish], columns[:, begin:finish], dt)
-        for i in np.flatnonzero(long):
-            _sample_long(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
+        wavy = columns[4] != 0.0
+        _sample_cubics(out, edges, origins, columns, dt, np.flatnonzero(long & ~wavy))
+        for i in np.flatnonzero(long & wavy):
+            _sample_wave(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
         return out
 
     def _edges(self, t0: float, dt: float, n: int) -> NDArray[np.int64]:
@@ -112,23 +107,63 @@ def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
 
 
-def _sample_long(out: Array, piece: Array, x0: float, dt: float) -> None:
-    c0, c1, c2, c3, amplitude, omega, phase = (float(c) for c in piece)
-    blocks, rest = divmod(len(out), BLOCK)
+def _sample_cubics(
+    out: Array,
+    edges: NDArray[np.int64],
+    origins: Array,
+    columns: Array,
+    dt: float,
+    which: NDArray[np.int64],
+) -> None:
+    """The long cubic pieces: all their blocks re-centred together, then one product for each piece."""
+    if not len(which):
+        return
+    blocks = -(-(edges[which + 1] - edges[which]) // BLOCK)
+    ends = np.cumsum(blocks)
+    piece = np.repeat(which, blocks)
+    first = (np.arange(ends[-1]) - np.repeat(ends - blocks, blocks)) * BLOCK + edges[piece]
+    local = _recentred(columns[:4].take(piece, axis=1), first * dt - origins[piece]).T.copy()
+    basis = _powers(BLOCK, dt)
+    for i, end, count in zip(which.tolist(), ends.tolist(), blocks.tolist(), strict=True):
+        _blocks(local[end - count : end], basis, out[edges[i] : edges[i + 1]])
+
+
+def _sample_wave(out: Array, piece: Array, x0: float, dt: float) -> None:
+    """One long sine piece: sin(a + b) = sin a cos b + cos a sin b makes it a product as well."""
+    c0, c1, _, _, amplitude, omega, phase = (float(c) for c in piece)
     inside = np.arange(BLOCK) * dt
-    x = x0 + np.arange(blocks + (rest > 0)) * (BLOCK * dt)
-    value = ((c3 * x + c2) * x + c1) * x + c0
-    slope = (3.0 * c3 * x + 2.0 * c2) * x + c1
-    if amplitude:
-        angle = omega * x + phase
-        local = np.stack((value, slope, amplitude * np.sin(angle), amplitude * np.cos(angle)), axis=1)
-        basis = np.stack((np.ones(BLOCK), inside, np.cos(omega * inside), np.sin(omega * inside)))
-    else:
-        local = np.stack((value, slope, 3.0 * c3 * x + c2, np.full_like(x, c3)), axis=1)
-        basis = np.stack((np.ones(BLOCK), inside, inside**2, inside**3))
-    np.matmul(local[:blocks], basis, out=out[: blocks * BLOCK].reshape(blocks, BLOCK))
+    x = x0 + np.arange(-(-len(out) // BLOCK)) * (BLOCK * dt)
+    angle = omega * x + phase
+    local = np.stack(
+        (c0 + c1 * x, np.full_like(x, c1), amplitude * np.sin(angle), amplitude * np.cos(angle)), axis=1
+    )
+    basis = np.stack((np.ones(BLOCK), inside, np.cos(omega * inside), np.sin(omega * inside)))
+    _blocks(local, basis, out)
+
+
+def _powers(count: int, dt: float) -> Array:
+    """1, t, t^2, t^3 at `count` times, as rows."""
+    t = np.arange(count) * dt
+    return np.stack((np.ones(count), t, t * t, t * t * t))
+
+
+def _blocks(local: Array, basis: Array, out: Array) -> None:
+    """local @ basis into all of out, the last block as far as it goes."""
+    size = basis.shape[1]
+    full, rest = divmod(len(out), size)
+    _multiply(local[:full], basis, out[: full * size].reshape(full, size))
     if rest:
-        out[blocks * BLOCK :] = local[-1] @ basis[:, :rest]
+        out[full * size :] = local[-1] @ basis[:, :rest]
+
+
+def _multiply(local: Array, basis: Array, out: Array) -> None:
+    """local @ basis into out, in slices too small for the BLAS to start threads.
+
+    Threads gain little here, where memory is the limit, and cost thirty times as much on a busy machine.
+    """
+    rows = SLICE // basis.shape[1]
+    for i in range(0, len(out), rows):
+        np.matmul(local[i : i + rows], basis, out=out[i : i + rows])
 
 
 def _sample_short(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
@@ -147,11 +182,7 @@ def _sample_chunk(out: Array, edges: NDArray[np.int64], origins: Array, columns:
     block_piece = np.repeat(np.arange(len(origins)), piece_blocks)
     x = (begin + np.arange(len(block_piece)) * GRID) * dt - origins[block_piece]
     local = _recentred(columns[:4].take(block_piece, axis=1), x)
-    basis = np.vander(np.arange(GRID) * dt, 4, increasing=True).T
-    blocks, rest = divmod(finish - begin, GRID)
-    np.matmul(local.T[:blocks], basis, out=out[begin : finish - rest].reshape(blocks, GRID))
-    if rest:
-        out[finish - rest : finish] = local[:, -1] @ basis[:, :rest]
+    _blocks(local.T, _powers(GRID, dt), out[begin:finish])
     following = np.minimum(begin + -(-(edges[:-1] - begin) // GRID) * GRID, edges[1:])
     _set_points(out, edges[:-1], following, origins, columns[:4], dt)
     _add_waves(out, edges, origins, columns, dt)

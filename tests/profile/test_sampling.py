@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.profile import Profile, plan, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity
+from motionlang.profile import Profile, plan, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity, table
 from motionlang.profile.sample import PieceTable, sample_profile, sample_track
 from tests.profile.cases import Move, moves, quick
 
@@ -66,8 +68,8 @@ def test_a_track_of_moves(quantity: str, t0: float, dt: float, n: int) -> None:
 
 
 def test_a_table_fills_the_array_it_is_given() -> None:
-    table, out = PieceTable(*track()), np.full(1000, np.nan)
-    assert table.sample(0.0, 0.01, 1000, 0, out) is out
+    made, out = PieceTable(*track()), np.full(1000, np.nan)
+    assert made.sample(0.0, 0.01, 1000, 0, out) is out
     assert np.isfinite(out).all()
 
 
@@ -75,3 +77,18 @@ def test_nothing_to_sample() -> None:
     assert sample_track([], [], 0.0, 0.1, 3, "position").tolist() == [0.0, 0.0, 0.0]
     assert sample_track(*track(), 0.0, 0.1, 0, "position").shape == (0,)
     assert sample_profile(plan_trapezoid(2.0, 2.0, 1.0, 1.0, 1.0), 3, 0.1).tolist() == [2.0, 2.0, 2.0]
+
+
+@quick
+@given(st.lists(moves(), min_size=24, max_size=40))
+def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> None:
+    profiles = [move.planned() for move in many]
+    starts = [3.0 * i for i in range(len(profiles))]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(table, "FEW", math.inf)
+        one_by_one = PieceTable(starts, profiles)
+    at_once = PieceTable(starts, profiles)
+    n = 700
+    for order in (0, 1):
+        a, b = (made.sample(-1.0, 3.0 * len(many) / n, n, order) for made in (one_by_one, at_once))
+        assert np.abs(a - b).max() <= 1e-9 * np.abs(a).max() + 1e-12
