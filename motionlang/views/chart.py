@@ -31,8 +31,8 @@ def velocity_chart(axis: Axis, end: float, *, width: int, height: int, colour: b
         (min(a / scale, b / scale), max(a / scale, b / scale))
         for a, b in velocity_spans(axis, end, 2 * across)
     ]
-    low = min(0.0, min(span[0] for span in spans))
-    high = max(0.0, max(span[1] for span in spans))
+    low = min(0.0, *(span[0] for span in spans))
+    high = max(0.0, *(span[1] for span in spans))
     if low == high:
         return []
     zero = round(high / (high - low) * (4 * height - 1)) // 4

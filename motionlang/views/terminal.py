@@ -74,6 +74,14 @@ def printable(text: str) -> str:
     return text if text.isascii() and text.isprintable() else "".join(map(_picture, text))
 
 
+def plain(text: str) -> str:
+    """`text` for an encoding that has no lines to draw with."""
+    return text.translate(_ASCII)
+
+
+_ASCII = str.maketrans({"─": "-", "│": "|", "├": "|", "└": "`", "·": "-", "…": "...", "²": "2"})
+
+
 def _cells_of(character: str) -> int:
     from unicodedata import category, east_asian_width
 

@@ -1,0 +1,75 @@
+"""`--trace` and `--plot`: checked before the run, so that eight hours are not run for nothing, and written after it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib.util import find_spec
+from typing import TYPE_CHECKING
+
+from motionlang.cli_run import PLOTS, TRACES, complain
+from motionlang.errors import Diagnostic
+from motionlang.views.files import reason, unwritable
+from motionlang.views.progress import Progress
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.run import Run
+
+# Formats of the design that are not there yet, by option.
+LATER = {"--trace": (".parquet", ".vcd"), "--plot": (".html",)}
+
+
+def wrong_target(option: str, path: str) -> str | None:
+    """What is wrong with the file that `option` names, as far as it can be told before the run."""
+    formats = TRACES if option == "--trace" else PLOTS
+    suffix = os.path.splitext(path)[1].lower()
+    known = " and ".join(formats)
+    if suffix in LATER[option]:
+        return f"{suffix} files are not written yet: {option} writes {known}"
+    if suffix not in formats:
+        what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
+        return f"{option} writes {known}, {what}"
+    if option == "--plot" and find_spec("matplotlib") is None:
+        return "a plot needs matplotlib: pip install 'motionlang[plot]'"
+    return None
+
+
+def write_files(result: Run, trace: str | None, rate: float, plot: str | None) -> int:
+    """Write what was asked for; 1 when one of the files could not be written."""
+    status = 0
+    if trace is not None:
+        status = _write(trace, lambda: _write_trace(result, trace, rate))
+    if plot is not None:
+        from motionlang.views.plot import write_plot
+
+        status = max(status, _write(plot, lambda: write_plot(result, plot)))
+    return status
+
+
+def refused(path: str) -> Diagnostic | None:
+    """The diagnostic of a file that cannot be written, as far as it can be told beforehand."""
+    problem = unwritable(path)
+    return None if problem is None else Diagnostic("file", problem)
+
+
+def _write(path: str, write: Callable[[], None]) -> int:
+    try:
+        write()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        complain([Diagnostic("file", f"{path} cannot be written: {reason(error)}")], None, path)
+        return 1
+    return 0
+
+
+def _write_trace(result: Run, path: str, rate: float) -> None:
+    from motionlang.views.export import write_trace
+
+    progress = Progress(sys.stderr, path)
+    try:
+        write_trace(result.trace, path, rate, progress)
+    finally:
+        progress.done()

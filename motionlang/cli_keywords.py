@@ -1,0 +1,57 @@
+"""`motionlang keywords`: the vocabulary of a language as a list, one word as a page."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic, nearest
+from motionlang.run import dialect, dialects
+from motionlang.views.diagnostics import render
+from motionlang.views.keywords import as_dict, listing, page
+from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+
+SCHEMA = "motionlang.keywords/1"
+PIPED_WIDTH = 160
+
+
+def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:
+    """Print the list, or the page of `name`; 1 when no language has such a word."""
+    names = dialects() if dialect_name is None else (dialect_name,)
+    tables = {each: dialect(each).table() for each in names}
+    if name is None:
+        found = {each: list(table) for each, table in tables.items()}
+    else:
+        found = {each: [row] for each, table in tables.items() if (row := table.get(name)) is not None}
+        if not found:
+            words = [
+                word for table in tables.values() for row in table for word in (row.name, row.short) if word
+            ]
+            return _unknown(name, nearest(name, words))
+    if as_json:
+        rows = [as_dict(row, each) for each, rows in found.items() for row in rows]
+        sys.stdout.write(json.dumps({"schema": SCHEMA, "keywords": rows}, indent=1) + "\n")
+    else:
+        _print(found, name is not None)
+    return 0
+
+
+def _print(found: dict[str, list[Keyword]], single: bool) -> None:
+    colour = wants_colour(sys.stdout)
+    width = width_of(sys.stdout) if is_terminal(sys.stdout) or "COLUMNS" in os.environ else PIPED_WIDTH
+    show = page if single else listing
+    parts = [show(rows, each, width=width, colour=colour) for each, rows in found.items()]
+    text = "\n".join(parts)
+    sys.stdout.write(text if draws(sys.stdout) else plain(text))
+
+
+def _unknown(name: str, near: str | None) -> int:
+    hint = f"did you mean {near}?" if near else "motionlang keywords lists them all"
+    diagnostic = Diagnostic("unknown-word", f"there is no word {name}", hint=hint)
+    sys.stderr.write(render(diagnostic, colour=wants_colour(sys.stderr)))
+    return 1

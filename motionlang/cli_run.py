@@ -1,0 +1,215 @@
+"""`motionlang run`: a program from its file to its report, its trace and its picture."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from motionlang.run import ONE_SHIFT, dialect_of, run
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.errors import Diagnostic
+    from motionlang.run import Run
+
+REPORTS = ("table", "json", "none")
+TRACES = (".csv", ".npz")
+PLOTS = (".png", ".svg")
+RATE = 1000.0
+# The width of a table that goes into a file or a pipe: wide enough for every column.
+PIPED_WIDTH = 160
+
+
+class Options:
+    """What the command line asks of a run."""
+
+    __slots__ = (
+        "cache",
+        "dialect",
+        "file",
+        "machine",
+        "overrides",
+        "plot",
+        "rate",
+        "realtime",
+        "report",
+        "settings",
+        "trace",
+        "until",
+    )
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.dialect: str | None = None
+        self.machine: str | None = None
+        self.report = "table"
+        self.until = ONE_SHIFT
+        self.realtime: float | None = None
+        self.trace: str | None = None
+        self.rate = RATE
+        self.plot: str | None = None
+        # `--set` by what it names: keys of the machine file, and names of the program.
+        self.settings: dict[str, object] = {}
+        self.overrides: dict[str, float | str] = {}
+        self.cache = True
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Options) and all(
+            getattr(self, name) == getattr(other, name) for name in Options.__slots__
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def run_command(options: Options) -> int:
+    """Run a program and show what it did; answers with the exit status."""
+    try:
+        source = read_source(options.file)
+    except OSError as error:
+        return refuse(options, [unreadable(options.file, error)], None, 1)
+    if options.dialect is None and dialect_of(options.file) is None:
+        return refuse(options, [no_dialect(options.file)], None, 2)
+    settings = dict(options.settings)
+    if options.machine is not None:
+        status = read_machine_file(options, settings)
+        if status:
+            return status
+    result = run(
+        source,
+        dialect=options.dialect or dialect_of(options.file),
+        machine=settings,
+        until=options.until,
+        overrides=options.overrides,
+        show=None if options.report == "json" else _show,
+        pace=None if options.realtime is None else pacer(options.realtime),
+        cache=options.cache,
+    )
+    _report(result, options)
+    status = _write_files(result, options)
+    complain(result.diagnostics, result.source, options.file)
+    if result.status == "interrupted":
+        return 130
+    wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
+    return 1 if wrong else status
+
+
+def _show(text: str) -> None:
+    sys.stdout.write(text)
+
+
+def read_source(file: str) -> Source:
+    """The program of a file, or of standard input for `-`; OSError where it cannot be read."""
+    if file == "-":
+        return Source.from_bytes("<stdin>", sys.stdin.buffer.read())
+    return Source.read(file)
+
+
+def pacer(factor: float) -> Callable[[float], None]:
+    """What holds a run to the wall clock, `factor` machine seconds a second; output appears when it happens."""
+    from time import monotonic, sleep
+
+    began = monotonic()
+
+    def pace(time: float) -> None:
+        ahead = time / factor - (monotonic() - began)
+        if ahead > 0.0:
+            sys.stdout.flush()
+            sleep(ahead)
+
+    return pace
+
+
+def unreadable(file: str, error: OSError) -> Diagnostic:
+    """The diagnostic of a file that cannot be read."""
+    from motionlang.errors import Diagnostic
+    from motionlang.views.files import reason
+
+    return Diagnostic("file", f"{file} cannot be read: {reason(error)}")
+
+
+def no_dialect(file: str) -> Diagnostic:
+    """The diagnostic of a file whose name does not say its language."""
+    from motionlang.errors import Diagnostic
+
+    name = "standard input" if file == "-" else file
+    suffix = os.path.splitext(file)[1]
+    what = f"its suffix {suffix} belongs to no dialect" if suffix else "it has no suffix"
+    if file == "-":
+        what = "it has no name"
+    hint = "say --dialect mint or --dialect mccl; .mnt .mntx .prg are Mint, .mcl .mccl MCCL"
+    return Diagnostic("file", f"the language of {name} is unknown: {what}", hint=hint)
+
+
+def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str) -> None:
+    """Show diagnostics on standard error, after everything that standard output has so far."""
+    if not diagnostics:
+        return
+    from motionlang.views.diagnostics import render_all
+    from motionlang.views.terminal import wants_colour, width_of
+
+    sys.stdout.flush()
+    name = "<stdin>" if file == "-" else file
+    colour, width = wants_colour(sys.stderr), width_of(sys.stderr)
+    sys.stderr.write(render_all(diagnostics, source, name=name, colour=colour, width=width))
+    sys.stderr.flush()
+
+
+def refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source | None, status: int) -> int:
+    """Say why nothing was run, in JSON too where that was asked for."""
+    if options.report == "json":
+        from motionlang.report import failure
+
+        sys.stdout.write(failure(os.path.basename(options.file), options.dialect or "", diagnostics))
+    complain(diagnostics, source, source.name if source is not None else options.file)
+    return status
+
+
+def read_machine_file(options: Options, settings: dict[str, object]) -> int:
+    """Put the machine file's settings below those of `--set`."""
+    from motionlang.errors import ProgramError
+    from motionlang.lang.machine import read_machine
+
+    assert options.machine is not None
+    try:
+        source = Source.read(options.machine)
+    except OSError as error:
+        return refuse(options, [unreadable(options.machine, error)], None, 1)
+    try:
+        for key, value in read_machine(source).items():
+            settings.setdefault(key, value)
+    except ProgramError as error:
+        return refuse(options, error.diagnostics, source, 1)
+    return 0
+
+
+def _report(result: Run, options: Options) -> None:
+    if options.report == "json":
+        from motionlang.report import text
+
+        sys.stdout.write(text(result))
+        return
+    began = result.status != "fault" or result.time or result.controller.moves
+    if options.report == "none" or not began:
+        return
+    from motionlang.views.table import render
+    from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+    seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
+    width = width_of(sys.stdout) if seen else PIPED_WIDTH
+    table = render(result, width=width, colour=wants_colour(sys.stdout), charts=seen and drawn)
+    if result.output:
+        table = "\n" + table
+    sys.stdout.write(table if drawn else plain(table))
+
+
+def _write_files(result: Run, options: Options) -> int:
+    """The trace and the picture, where they were asked for; 1 when one could not be written."""
+    if options.trace is None and options.plot is None:
+        return 0
+    from motionlang.cli_files import write_files
+
+    sys.stdout.flush()
+    return write_files(result, options.trace, options.rate, options.plot)

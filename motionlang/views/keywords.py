@@ -1,0 +1,125 @@
+"""The words of a language for a person: all of them as a list, one of them as a page."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import TYPE_CHECKING
+
+from motionlang.views.terminal import cells, styled
+from motionlang.views.words import dialect_name
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.lang.keyword import Keyword
+
+ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
+TRUST = {
+    "manual": "printed in a manual",
+    "code": "read off running code",
+    "memory": "remembered, not checked against a manual",
+}
+UNITS = {
+    "uu": "user units",
+    "uu/s": "user units a second",
+    "uu/s2": "user units a second squared",
+    "uu/s3": "user units a second cubed",
+    "s": "seconds",
+    "ms": "milliseconds",
+    "%": "percent",
+    "bool": "0 or 1",
+    "bits": "a bit pattern",
+}
+INDEX = {
+    "axis": "an axis",
+    "axes": "one axis or several",
+    "channel": "a channel",
+    "bank": "a bank",
+    "none": "",
+}
+# Rows of the vocabulary that are known and not simulated, for the list.
+KNOWN = "known, not simulated"
+
+
+def listing(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False) -> str:
+    """All rows, group by group, a line a word; words that are not simulated come last, several a line."""
+    simulated = [row for row in rows if row.simulated]
+    known = [row.name for row in rows if not row.simulated]
+    count = f"{len(simulated)} simulated, {len(known)} known"
+    lines = [f"{styled(dialect_name(dialect), 'bold', colour)} · {count}"]
+    if not rows:
+        return lines[0] + "\n"
+    name_width = max((len(row.name) for row in simulated), default=0)
+    short_width = max((len(row.short) for row in simulated), default=0)
+    groups: dict[str, list[Keyword]] = {}
+    for row in simulated:
+        groups.setdefault(row.group or row.kind, []).append(row)
+    for group, members in groups.items():
+        lines += ["", styled(group, "bold", colour)]
+        lines += [_entry(row, name_width, short_width, width, colour) for row in members]
+    if known:
+        lines += ["", styled(KNOWN, "bold", colour)]
+        lines += textwrap.wrap(", ".join(known), width - 2, initial_indent="  ", subsequent_indent="  ")
+    return "\n".join(lines) + "\n"
+
+
+def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False) -> str:
+    """Everything that the table knows about each word."""
+    return "\n".join(_page(row, dialect, width, colour) for row in rows)
+
+
+def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
+    """A row as JSON shows it."""
+    names = (name for name in type(row).__slots__ if name not in ("simulated", "verb"))
+    return {"dialect": dialect, **{name: getattr(row, name) for name in names}, "simulated": row.simulated}
+
+
+def _entry(row: Keyword, name_width: int, short_width: int, width: int, colour: bool) -> str:
+    name = styled(row.name, "word", colour) + " " * (name_width - len(row.name))
+    short = f"{row.short:<{short_width}}  " if short_width else ""
+    room = max(20, width - name_width - len(short) - 12)
+    help_text = row.help if cells(row.help) <= room else row.help[: room - 1].rstrip() + "…"
+    return f"  {name}  {short}{row.unit:<7} {help_text}".rstrip()
+
+
+def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
+    width = min(width, 88)
+    title = f"{styled(row.name, 'bold', colour)} · {dialect_name(dialect)} {row.kind}"
+    lines = [title, "", *textwrap.wrap(row.help, width - 2, initial_indent="  ", subsequent_indent="  ")]
+    if not row.simulated:
+        lines += ["", f"  {styled('not simulated', 'warning', colour)}: the word is recognised, and a program that "
+                  "uses it is told so."]  # fmt: skip
+    facts = [(name, text) for name, text in _facts(row) if text]
+    label = max(len(name) for name, _ in facts)
+    lines.append("")
+    lines += [f"  {styled(name, 'dim', colour)}{' ' * (label - len(name))}  {text}" for name, text in facts]
+    if row.example:
+        lines += ["", *(f"    {styled(line, 'word', colour)}" for line in row.example.splitlines())]
+    return "\n".join(lines) + "\n"
+
+
+def _facts(row: Keyword) -> list[tuple[str, str]]:
+    default = "" if row.default is None else _figure(row.default)
+    source = f"{row.source} ({TRUST[row.trust]})" if row.source else TRUST[row.trust]
+    return [
+        ("short form", row.short),
+        ("use", ACCESS.get(row.access, row.access)),
+        ("for", INDEX.get(row.index, row.index)),
+        ("unit", UNITS.get(row.unit, row.unit)),
+        ("default", default),
+        ("range", _range(row)),
+        ("group", row.group),
+        ("known from", source),
+    ]
+
+
+def _range(row: Keyword) -> str:
+    if row.low is None and row.high is None:
+        return ""
+    if row.high is None:
+        return f"{row.low:g} or more"
+    return f"{row.high:g} or less" if row.low is None else f"{row.low:g} to {row.high:g}"
+
+
+def _figure(value: float | str) -> str:
+    return value if isinstance(value, str) else f"{value:.10g}"

@@ -1,0 +1,101 @@
+"""PVT moves for a person: their segments, the ways to choose velocities side by side, and what a stream did."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.profile.pvt_points import knots, segments
+from motionlang.views.grid import Column, decimals_of, grid
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.profile.curve import Profile
+
+WIDTH = 110
+MOST_ROWS = 40
+MOST_COLUMNS = 12
+NOISE = 1e-12
+"""A jump smaller than this part of the accelerations beside it is the arithmetic's, not the move's."""
+
+
+def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
+    """Each segment with its jerk and acceleration, and the jump of the acceleration where it begins."""
+    columns = (
+        Column("segment"),
+        Column("start", "ms"),
+        Column("time", "ms"),
+        Column("end", "counts"),
+        Column("end velocity", "counts/s"),
+        Column("acceleration", "counts/s²"),
+        Column("to", "counts/s²"),
+        Column("jerk", "counts/s³"),
+        Column("jump before", "counts/s²"),
+    )
+    marks, parts = knots(profile), segments(profile)
+    scale = max((abs(a) for s in parts for a in (s.acceleration, s.end_acceleration)), default=0.0)
+    cells = [
+        (
+            part.start_time * 1000.0,
+            part.duration * 1000.0,
+            marks[i + 1].position,
+            marks[i + 1].velocity,
+            part.acceleration,
+            part.end_acceleration,
+            part.jerk,
+            quiet(marks[i].jump, scale),
+        )
+        for i, part in enumerate(parts)
+    ]
+    shown = _figures(cells)
+    lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MOST_ROWS])], width=width)
+    if len(shown) > MOST_ROWS:
+        lines.append(f"… and {len(shown) - MOST_ROWS} more segments")
+    largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
+    lines.append("")
+    lines.append(
+        f"{len(parts)} segments, {figure(profile.duration * 1000.0)} ms; "
+        f"largest acceleration jump {figure(largest)} counts/s²"
+    )
+    return lines
+
+
+def comparison_lines(
+    rows: Sequence[tuple[str, Sequence[float], float]], accelerations: Sequence[float], width: int = WIDTH
+) -> list[str]:
+    """The ways to choose velocities: each with its largest acceleration jump and, of short moves, its velocities."""
+    scale = max(map(abs, accelerations), default=0.0)
+    inner = len(rows[0][1]) - 2
+    columns = [Column("velocities", align="<"), Column("largest jump", "counts/s²")]
+    count = inner if inner <= MOST_COLUMNS else 0
+    columns += [Column(f"v{n}", "counts/s", drop=n) for n in range(1, count + 1)]
+    jumps = _column([quiet(jump, scale) for _, _, jump in rows])
+    speeds = [_column([v[n] for _, v, _ in rows]) for n in range(1, count + 1)]
+    cells = [[name, jumps[i], *(column[i] for column in speeds)] for i, (name, _, _) in enumerate(rows)]
+    return grid(columns, cells, width=width)
+
+
+def quiet(value: float, scale: float) -> float:
+    """The value, or 0 where it is but the rounding of figures of size `scale`."""
+    return value if abs(value) > NOISE * scale else 0.0
+
+
+def pairs_lines(pairs: Sequence[tuple[str, str]]) -> list[str]:
+    """Names and values, lined up."""
+    width = max(len(name) for name, _ in pairs)
+    return [f"{name:<{width}}  {value}" for name, value in pairs]
+
+
+def figure(value: float, most: int = 4) -> str:
+    """A number with as many decimals as it needs, at most `most`."""
+    return f"{value:.{decimals_of([value], most)}f}"
+
+
+def _figures(rows: Sequence[Sequence[float]]) -> list[list[str]]:
+    columns = [_column(list(column)) for column in zip(*rows, strict=True)]
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def _column(values: Sequence[float]) -> list[str]:
+    decimals = decimals_of(values)
+    return [f"{value + 0.0:.{decimals}f}" for value in values]
