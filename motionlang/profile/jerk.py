@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import cbrt, inf, sqrt
 
 from motionlang.profile.approach import Ramps, approach
 from motionlang.profile.curve import Profile
@@ -47,9 +47,9 @@ def plan_jerk(
         last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
         slew = size / speed - 0.5 * (first + last)
         if slew < 0.0:
-            speed = peak_speed(0.0, size, (accel, accel_jerk), (decel, decel_jerk))
-            first, _ = ramp_to(speed, accel, accel_jerk)
-            last, _ = ramp_to(speed, decel, decel_jerk)
+            speed = peak_from_rest(size, accel, decel, accel_jerk, decel_jerk)
+            first = speed / accel + rise if speed >= accel * rise else 2.0 * sqrt(speed / accel_jerk)
+            last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
             slew = 0.0
         duration = first + slew + last
         if duration < inf:
@@ -85,6 +85,8 @@ def jerk_ramps(accel: float, decel: float, accel_jerk: float, decel_jerk: float)
         return ramp_to(a - b, decel, decel_jerk)
 
     def peak(u: float, size: float) -> float:
+        if u == 0.0:
+            return peak_from_rest(size, accel, decel, accel_jerk, decel_jerk)
         return peak_speed(u, size, (accel, accel_jerk), (decel, decel_jerk))
 
     return Ramps("scurve", up, down, peak)
@@ -101,10 +103,6 @@ def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:
 
 def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float, float]) -> float:
     """The speed at which ramps from u up and down to rest fill `size`; up and down are (accel, jerk)."""
-    if u == 0.0:
-        known = _closed_form(size, up, down)
-        if known >= 0.0:
-            return known
 
     def excess(v: float) -> tuple[float, float]:
         first, first_slope = _ramp_slope(v - u, *up)
@@ -117,12 +115,10 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
     return bracketed_root(excess, u, max(high, u), True)
 
 
-def _closed_form(size: float, up: tuple[float, float], down: tuple[float, float]) -> float:
-    """Peak speed from rest if both ramps reach their acceleration or neither does; -1.0 if only one does."""
-    accel, accel_jerk = up
-    decel, decel_jerk = down
+def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> float:
+    """The same from rest: in closed form if both ramps reach their acceleration, or neither does."""
     rise, fall = accel / accel_jerk, decel / decel_jerk
-    lower, upper = accel * rise, decel * fall
+    upper, lower = accel * rise, decel * fall
     if lower > upper:
         lower, upper = upper, lower
     per_square = 0.5 / accel + 0.5 / decel
@@ -130,8 +126,11 @@ def _closed_form(size: float, up: tuple[float, float], down: tuple[float, float]
     v = 2.0 * size / (sqrt(per_speed * per_speed + 4.0 * per_square * size) + per_speed)
     if v >= upper:
         return v
-    v = (size / (1.0 / sqrt(accel_jerk) + 1.0 / sqrt(decel_jerk))) ** (2.0 / 3.0)
-    return v if v <= lower else -1.0
+    v = cbrt(size / (1.0 / sqrt(accel_jerk) + 1.0 / sqrt(decel_jerk)))
+    v *= v
+    if v <= lower:
+        return v
+    return peak_speed(0.0, size, (accel, accel_jerk), (decel, decel_jerk))
 
 
 def _ramp_slope(change: float, accel: float, jerk: float) -> tuple[float, float]:

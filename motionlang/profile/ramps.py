@@ -43,11 +43,8 @@ def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> f
     return 0.5 * (v_from + v_to) * duration
 
 
-def expand(start: float, recipe: Recipe, names: tuple[str, ...] | None = None) -> Curve:
-    """Knots, pieces and phase marks (name, index of its first piece) of a recipe that begins at `start`.
-
-    `names` overrules the names the ramps would get from their velocities.
-    """
+def expand(start: float, recipe: Recipe) -> Curve:
+    """Knots, pieces and phase marks (name, index of its first piece) of a recipe that begins at `start`."""
     time = 0.0
     knots = [0.0]
     pieces: list[Piece] = []
@@ -57,7 +54,7 @@ def expand(start: float, recipe: Recipe, names: tuple[str, ...] | None = None) -
         if duration < MOMENT or time + duration == time:
             continue
         last = i + 4 == len(recipe)
-        marks.append((names[i // 3] if names else _name(v_from, v_to, last), len(pieces)))
+        marks.append((_name(v_from, v_to, last), len(pieces)))
         _add_ramp(knots, pieces, time, start, (v_from, duration, kind, v_to))
         time += duration
         knots[-1] = time

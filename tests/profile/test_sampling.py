@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.profile import Profile, plan, plan_jerk, plan_sinusoidal, plan_trapezoid, plan_velocity, table
@@ -79,7 +79,7 @@ def test_nothing_to_sample() -> None:
     assert sample_profile(plan_trapezoid(2.0, 2.0, 1.0, 1.0, 1.0), 3, 0.1).tolist() == [2.0, 2.0, 2.0]
 
 
-@quick
+@settings(quick, max_examples=40)
 @given(st.lists(moves(), min_size=24, max_size=40))
 def test_many_profiles_expanded_at_once_are_the_same_curve(many: list[Move]) -> None:
     profiles = [move.planned() for move in many]
