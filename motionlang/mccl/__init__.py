@@ -1,0 +1,63 @@
+"""MCCL, PMC's Motion Control Command Language. `DIALECT` is its one face; the rest is imported when it is used."""
+
+from __future__ import annotations
+
+from motionlang.lang.dialect import Dialect, Interactive
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.keyword import Table
+    from motionlang.lang.machine import Machine
+    from motionlang.lang.program import Program
+    from motionlang.source import Source
+
+
+class Mccl(Dialect):
+    """The dialect as the layers above see it."""
+
+    name = "mccl"
+    # PMC's own tools have one suffix a controller.
+    suffixes = (
+        ".mcl", ".mccl", ".dc2", ".stn", ".pc1", ".at1", ".at2", ".at3", ".pci1", ".pci3", ".mfx1",
+    )  # fmt: skip
+    first_axis = 1
+
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        """Never fails: a command that the board would answer with `?` is one that runs and is answered so."""
+        from motionlang.mccl.program import MacroFile
+
+        return MacroFile(source)
+
+    def check(self, source: Source) -> list[Diagnostic]:
+        from motionlang.mccl.check import check
+
+        return check(source)
+
+    def load(self, payload: bytes) -> Program:
+        raise NotImplementedError("MCCL programs are not cached: decoding is as quick")
+
+    def table(self) -> Table:
+        from motionlang.mccl.keywords import TABLE
+
+        return TABLE
+
+    def locate(self, source: Source, at: int) -> tuple[int, int, int]:
+        from motionlang.mccl.program import locate
+
+        return locate(source, at)
+
+    def interactive(self, machine: Machine) -> Interactive:
+        from motionlang.mccl.session import Session
+
+        return Session(machine)
+
+    def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
+        from motionlang.mccl.tokens import tokens
+
+        return tokens(text)
+
+
+DIALECT = Mccl()

@@ -1,0 +1,115 @@
+"""Velocity, acceleration and the shape of profiles."""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.actions.motion import run_in_velocity_mode
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.command import Command
+    from motionlang.mccl.task import Action, CommandTask
+
+
+def accel(task: CommandTask, command: Command) -> None:
+    both = not task.board.model.separate_decel
+    for axis in _configure(task, command, "accel", "uu/s2"):
+        if both:
+            value = task.board.controller.setting(axis, "accel")
+            task.board.controller.configure(axis, "decel", value)
+
+
+def decel(task: CommandTask, command: Command) -> None:
+    _only_where(task, command, task.board.model.separate_decel)
+    _configure(task, command, "decel", "uu/s2")
+
+
+def speed(task: CommandTask, command: Command) -> None:
+    _configure(task, command, "speed", "uu/s")
+    for axis in task.axes(command):
+        if axis.running:
+            run_in_velocity_mode(task, axis)
+
+
+def shape_trapezoid(task: CommandTask, command: Command) -> None:
+    _shape(task, command, "trapezoid")
+
+
+def shape_parabolic(task: CommandTask, command: Command) -> None:
+    _only_where(task, command, task.board.model.shapes)
+    _shape(task, command, "parabolic")
+
+
+def shape_scurve(task: CommandTask, command: Command) -> None:
+    """Without a number the sinusoidal S-curve, with n the one of ramp ratio n (TN1069: 0 < n < 0.5)."""
+    _only_where(task, command, task.board.model.shapes)
+    ramp = float(task.value(command))
+    if ramp == 0.0:
+        _shape(task, command, "sinusoidal")
+        return
+    if ramp >= 0.5:
+        raise Fault(
+            codes.PARAMETER,
+            f"PS accepts a ramp below 0.5, not {ramp:g}",
+            "PS alone is the sinusoidal S-curve",
+            "range",
+        )
+    for axis in task.axes(command):
+        task.board.controller.configure(axis.number, "ramp", ramp)
+    _shape(task, command, "scurve")
+
+
+def override(task: CommandTask, command: Command) -> None:
+    value = float(task.value(command)) if task.given(command) else 1.0
+    for axis in task.axes(command):
+        axis.vector.override = value
+
+
+def full_step(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        axis.half_steps = False
+
+
+def half_step(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        axis.half_steps = True
+
+
+def _configure(task: CommandTask, command: Command, name: str, unit: str) -> list[int]:
+    value = task.value(command)
+    controller = task.board.controller
+    done = []
+    for axis in task.axes(command):
+        controller.configure(axis.number, name, axis.rate(value, unit))
+        done.append(axis.number)
+    return done
+
+
+def _shape(task: CommandTask, command: Command, shape: str) -> None:
+    for axis in task.axes(command):
+        task.board.controller.configure(axis.number, "shape", shape)
+
+
+def _only_where(task: CommandTask, command: Command, there: bool) -> None:
+    if not there:
+        title = task.board.model.title
+        raise Fault(
+            codes.INVALID,
+            f"the {title} has no {command.name}",
+            "another model in the machine file has",
+            "not-simulated",
+        )
+
+
+ACTIONS: dict[str, Action] = {
+    "accel": accel,
+    "decel": decel,
+    "speed": speed,
+    "shape_trapezoid": shape_trapezoid,
+    "shape_parabolic": shape_parabolic,
+    "shape_scurve": shape_scurve,
+    "override": override,
+    "full_step": full_step,
+    "half_step": half_step,
+}

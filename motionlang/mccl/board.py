@@ -1,0 +1,218 @@
+"""The board: everything that outlives a line. Axes' units and modes, registers, macros, tasks, and the last error."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic
+from motionlang.mccl import codes
+from motionlang.mccl.axis import AxisState
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.flags import LOOKING_FOR_EDGE, LOOKING_FOR_INDEX
+from motionlang.mccl.models import DEFAULT, MODELS
+from motionlang.mccl.task import BackgroundTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.machine import Machine
+    from motionlang.mccl.line import Line
+    from motionlang.mccl.models import Model
+    from motionlang.mccl.task import CommandTask
+
+INFINITY = float("inf")
+MAX_DIAGNOSTICS = 200
+
+
+class Board:
+    """A PMC controller with its interpreter's state, built on a `Machine`.
+
+    `write` takes what the board sends; `complain` is told of every diagnostic with the offset it belongs to;
+    `diagnostics` False (a terminal session) keeps the `?` codes only.
+    """
+
+    def __init__(
+        self, machine: Machine, complain: Callable[[Diagnostic, CommandTask], None] | None = None
+    ) -> None:
+        self.machine = machine
+        self.controller = machine.controller
+        self.cost = machine.instruction_time
+        self.model = _model(machine.model)
+        self.write: Callable[[str], None] = machine.terminal.write
+        self.complain = complain
+        self._seen: set[tuple[int, str]] = set()
+        self.numbers = tuple(sorted(self.controller.axes))
+        self.axes = {number: AxisState(number, self.model) for number in self.numbers}
+        self.all_axes = tuple(self.axes.values())
+        self.tasks: list[CommandTask] = []
+        self.background: dict[int, BackgroundTask] = {}
+        self._last_task = 0
+        # Counts what comes from outside the program: a loop that only looks is woken by it.
+        self.disturbances = 0
+        self.controller.listeners.append(self._happened)
+        self.reset()
+
+    def reset(self) -> None:
+        """As at power-up: axes off, units counts and seconds, registers 0, no macros."""
+        self.registers: list[float | int] = [0] * self.model.registers
+        self.macros: dict[int, Line] = {}
+        self.time_unit = 1.0
+        self.hexadecimal = False
+        self.last_error = 0
+        self.prompt, self.echo = self.model.prompt, self.model.echo
+        self.xon, self.xoff = 17, 19
+        self.outputs = set(self.model.outputs)
+        self.low_true: set[int] = set()
+        for number in list(self.background):
+            self.end_task(number)
+        for axis in self.all_axes:
+            self.reset_axis(axis)
+
+    def reset_axis(self, axis: AxisState) -> None:
+        """One axis as at power-up: off, position 0, settings at their defaults."""
+        axis.reset()
+        number, controller = axis.number, self.controller
+        controller.disable(number)
+        controller.clear_faults(number)
+        for name, value in AXIS_SETTINGS.items():
+            controller.configure(number, name, value)
+        axis.apply_units()
+        controller.set_scale(number, 1.0)
+
+    def release(self, axis: AxisState) -> None:
+        """The axis is its own again: no master, no contour path, nothing looked for."""
+        axis.flags &= ~(LOOKING_FOR_INDEX | LOOKING_FOR_EDGE)
+
+    def _happened(self, what: str, number: int) -> None:
+        if what == "idle":
+            self.axes[number].rested = self.controller.clock.now
+
+    # ------------------------------------------------------------------------------------------------- asking
+
+    def axis(self, number: int) -> AxisState:
+        """An axis by its number."""
+        found = self.axes.get(number)
+        if found is None:
+            hint = f"the axes are {self.numbers[0]} to {self.numbers[-1]}"
+            raise Fault(codes.NOT_ASSIGNED, f"there is no axis {number}", hint, "axis")
+        return found
+
+    def seconds(self, value: float) -> float:
+        """A time in the unit of UT, in seconds."""
+        return value * self.time_unit
+
+    @property
+    def shared(self) -> bool:
+        """Whether several tasks take turns."""
+        return len(self.tasks) > 1
+
+    def next_wake(self, task: CommandTask) -> float:
+        """The earliest time at which another task may do something."""
+        time = INFINITY
+        for other in self.tasks:
+            if other is not task and not other.done:
+                if other.wait is None:
+                    return self.controller.clock.now
+                time = min(time, other.wait.due())
+        return time
+
+    # -------------------------------------------------------------------------------------------------- tasks
+
+    def foreground(self, task: CommandTask) -> None:
+        """The task that carries out what the host sends takes the place of the one before it."""
+        self.tasks = [task, *self.background.values()]
+
+    def start_task(self, macro: Line) -> int:
+        """Run a macro in the background; its number."""
+        scheduler = self.machine.scheduler
+        assert scheduler is not None, "background tasks need a scheduler"
+        self._last_task += 1
+        task = BackgroundTask(self._last_task, self, macro)
+        self.background[self._last_task] = task
+        self.tasks.append(task)
+        scheduler.start(task)
+        return self._last_task
+
+    def end_task(self, number: int) -> bool:
+        """End a background task; False when there is none of that number."""
+        task = self.background.get(number)
+        if task is None:
+            return False
+        task.abandon()
+        task.end()
+        return True
+
+    def ended(self, task: CommandTask) -> None:
+        """A task has ended by itself."""
+        if task in self.tasks:
+            self.tasks.remove(task)
+        for number, each in list(self.background.items()):
+            if each is task:
+                del self.background[number]
+
+    # ------------------------------------------------------------------------------------------------ talking
+
+    def reply(self, text: str) -> None:
+        """One line of an answer."""
+        self.write(text + "\n")
+
+    def tell(self, axis: int, text: str) -> None:
+        """A report of an axis or a channel: its number in two digits, a blank, the value."""
+        self.write(f"{axis:02d} {text}\n")
+
+    def whole(self, value: int) -> str:
+        """A whole number as DM or HM want it."""
+        return f"{value & 0xFFFFFFFF:X}" if self.hexadecimal else str(value)
+
+    def refused(self, task: CommandTask, trouble: Fault | Refusal) -> bool:
+        """Answer a command that could not be carried out; True when the rest of the line is to be left."""
+        if isinstance(trouble, Refusal):
+            if trouble.code == "limit":
+                raise trouble
+            if trouble.code == "disabled-axis":
+                # No code of the board means this: it keeps silent and nothing moves.
+                self.warn(task, trouble.code, trouble.message, "switch it on with MN first", "error")
+                return False
+            trouble = Fault(codes.PARAMETER, trouble.message, trouble.hint, trouble.code)
+        self.last_error = trouble.code
+        meaning = codes.MEANINGS.get(trouble.code, "")
+        self.warn(
+            task, trouble.kind, f"{trouble.message} (?{trouble.code}: {meaning})", trouble.hint, "error"
+        )
+        self.reply(f"?{trouble.code}")
+        return True
+
+    def forget_complaints(self) -> None:
+        """Let every place speak again: the text is a new one."""
+        self._seen.clear()
+
+    def warn(
+        self, task: CommandTask, code: str, message: str, hint: str = "", severity: str = "warning"
+    ) -> None:
+        """A diagnostic at the command that the task is at; each place speaks once."""
+        key = (task.at, message)
+        if self.complain is None or key in self._seen or len(self._seen) >= MAX_DIAGNOSTICS:
+            return
+        self._seen.add(key)
+        self.complain(Diagnostic(code, message, hint=hint, severity=severity), task)
+
+
+# What the controller's axes start with on this board; the rest is as the controller has it.
+AXIS_SETTINGS: dict[str, float | str] = {
+    "shape": "trapezoid",
+    "speed": 40_000.0,
+    "accel": 100_000.0,
+    "decel": 100_000.0,
+    # PMC's S-curve is given by its ramp ratio, not by a jerk.
+    "accel_jerk": INFINITY,
+    "decel_jerk": INFINITY,
+    "ramp": 0.1,
+}
+
+
+def _model(name: str) -> Model:
+    try:
+        return MODELS[name or DEFAULT]
+    except KeyError:
+        models = ", ".join(MODELS)
+        raise Refusal("machine-file", f"MCCL knows no model {name}", f"the models are {models}") from None

@@ -1,0 +1,46 @@
+"""The `?` codes of the controller, and the trouble that makes it answer with one."""
+
+from __future__ import annotations
+
+# From the table that the MX driver was written with (after PMC's manual).
+MEANINGS: dict[int, str] = {
+    0: "no error",
+    1: "unrecognised command",
+    2: "bad command format",
+    3: "I/O error",
+    4: "command string too long",
+    -1: "command parameter error",
+    -2: "command code invalid",
+    -3: "negative repeat count",
+    -4: "macro define command not first",
+    -5: "macro number out of range",
+    -6: "macro does not exist",
+    -7: "command cancelled by user",
+    -14: "no axis specified",
+    -15: "axis not assigned",
+    -16: "axis already assigned",
+    -17: "axis duplicate assigned",
+}
+
+UNRECOGNISED = 1
+FORMAT = 2
+TOO_LONG = 4
+PARAMETER = -1
+INVALID = -2
+NEGATIVE_REPEAT = -3
+DEFINE_NOT_FIRST = -4
+MACRO_RANGE = -5
+NO_MACRO = -6
+CANCELLED = -7
+NO_AXIS = -14
+NOT_ASSIGNED = -15
+ALREADY_ASSIGNED = -16
+ASSIGNED_TWICE = -17
+
+
+class Fault(Exception):
+    """A command that the controller answers with `?code`; `kind` is one of `errors.CODES`."""
+
+    def __init__(self, code: int, message: str, hint: str = "", kind: str = "command-error") -> None:
+        self.code, self.message, self.hint, self.kind = code, message, hint, kind
+        super().__init__(message)

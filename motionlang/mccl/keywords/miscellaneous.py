@@ -1,0 +1,37 @@
+"""The rest: how the controller talks, and words of which little but the name is known."""
+
+from __future__ import annotations
+
+from motionlang.mccl.keywords.row import FIRMWARE, MCAPI, Group
+
+_G = Group("miscellaneous")
+_row, _known = _G.row, _G.known
+
+ROWS = (
+    _row("DM", "command", "C", "none", "", "decimal", "Decimal replies.", "DM"),
+    _row("HM", "command", "C", "none", "", "hexadecimal", "Hexadecimal replies of whole numbers.", "HM,1TS"),
+    _row("EF", "command", "C", "none", "", "echo_off", "Echo off.", "EF", source=FIRMWARE, trust="manual"),
+    _row("EN", "command", "C", "none", "", "echo_on", "Echo on.", "EN"),
+    _row("PC", "command", "W", "none", "number", "prompt_character",
+         "Set the character code of the prompt; 0 for none.", "PC62", low=0, high=126),
+    _row("XN", "command", "W", "none", "number", "xon_code",
+         "Set the code that lets the controller send; 0 for none.",
+         "XN17", low=0, high=255, source=FIRMWARE, trust="manual"),
+    _row("XF", "command", "W", "none", "number", "xoff_code", "Set the code that stops the controller sending; 0 for "
+         "none.", "XF19", low=0, high=255, source=FIRMWARE, trust="manual"),
+    _known("DW", "command", "none", "Disable the watchdog; there is none here.", source=FIRMWARE, trust="manual"),
+    _known("FM", "command", "none", "Only the name is known, perhaps float mode."),
+    _known("OT", "command", "none", "Formatted text output; the form is not known."),
+    _known("FT", "command", "none", "Formatted text output; the form is not known."),
+    _known("FD", "command", "none", "Formatted text output; the form is not known."),
+    _known("CB", "command", "axis", "Position capture.", source=MCAPI),
+    _known("BC", "command", "axis", "Position compare.", source=MCAPI),
+    _known("LC", "command", "axis", "Position compare.", source=MCAPI),
+    _known("NC", "command", "axis", "Position compare.", source=MCAPI),
+    _known("OC", "command", "axis", "Position compare.", source=MCAPI),
+    _known("OP", "command", "axis", "Position compare.", source=MCAPI),
+    _known("YF", "command", "axis", "Digital filter on.", source=MCAPI),
+    _known("NF", "command", "axis", "Digital filter off.", source=MCAPI),
+    _known("ZF", "command", "axis", "Digital filter cleared.", source=MCAPI),
+    _known("FL", "command", "axis", "Digital filter coefficients loaded.", source=MCAPI),
+)  # fmt: skip

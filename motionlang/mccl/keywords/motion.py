@@ -1,0 +1,60 @@
+"""Switching on, moving, stopping, homing, points and recording."""
+
+from __future__ import annotations
+
+from motionlang.mccl.keywords.row import MCAPI, MX, SELF_TEST, Group
+
+_G = Group("motion", MCAPI)
+_row, _known = _G.row, _G.known
+
+ROWS = (
+    _row("MN", "command", "C", "axes", "", "motor_on",
+         "Motor on: target, optimal and actual position become one, faults are forgotten, user units take effect.",
+         "1MN", source=SELF_TEST, trust="code"),
+    _row("MF", "command", "C", "axes", "", "motor_off", "Motor off: motion ends, the output is 0 V.",
+         "1MF", source=SELF_TEST, trust="code"),
+    _row("MA", "move", "W", "axes", "uu", "move_to", "Move to a position.", "1MA1000"),
+    _row("MR", "move", "W", "axes", "uu", "move_by", "Move by a distance, counted from the present target.",
+         "1MR-500"),
+    _row("GH", "move", "C", "axes", "", "go_home", "Go home: move to position 0.", "1GH"),
+    _row("GO", "move", "W", "axes", "number", "go",
+         "Start: run in velocity mode, or release the contour paths that wait.", "1VM,1GO,1ST", source=MX,
+         trust="code"),
+    _row("DI", "setting", "W", "axes", "bool", "direction", "Direction of velocity mode: 0 positive, 1 negative.",
+         "1DI1", default=0, low=0, high=1),
+    _row("ST", "command", "C", "axes", "", "stop", "Stop at the programmed deceleration.", "1ST",
+         source=MX, trust="code"),
+    _row("AB", "command", "C", "axes", "", "abort", "Abort: stop at once, the motor stays on.", "1AB",
+         source=MX, trust="code"),
+    _row("DH", "command", "W", "axes", "uu", "define_home", "Define home: the present position becomes this one.",
+         "1DH0"),
+    _row("AH", "command", "W", "axes", "counts", "define_auxiliary",
+         "Give the present position of the auxiliary encoder a new value.", "1AH0"),
+    _row("FI", "command", "W", "axis", "uu", "find_index",
+         "Find the index mark: run at SV in the direction of DI; at the mark the position becomes this one.",
+         "1FI0"),
+    _row("FE", "command", "W", "axis", "uu", "find_edge",
+         "Find the edge of the coarse home switch: run at SV in the direction of DI; there the position becomes "
+         "this one.", "1FE0"),
+    _row("IA", "command", "W", "axis", "uu", "arm_index",
+         "Arm the index capture; complete it with WI, when the position at the mark becomes this one.", "1IA0"),
+    _row("EL", "command", "W", "axis", "uu", "arm_edge",
+         "Arm the capture of the home edge; complete it with WE, when the position at the edge becomes this one.",
+         "1EL0"),
+    _known("AF", "command", "axis", "Find the index of the auxiliary encoder."),
+    _row("LP", "command", "W", "axes", "number", "learn_position", "Learn the actual position as point n.",
+         "1LP1", low=0, high=255),
+    _row("LT", "command", "W", "axes", "number", "learn_target", "Learn the target as point n.",
+         "1LT1", low=0, high=255),
+    _row("MP", "move", "W", "axes", "number", "move_to_point", "Move to the learned point n.", "1LP1,1MP1",
+         low=0, high=255),
+    _row("RT", "command", "C", "axes", "", "reset", "Reset the axis, or without an axis the whole controller.",
+         "1RT"),
+    _row("PR", "command", "W", "axes", "number", "record",
+         "Record n points of the motion, one every millisecond, read out with DO, DR and DQ.", "1PR100",
+         low=0, high=10000),
+    _row("IP", "command", "W", "axes", "uu", "break_at", "Set a breakpoint at a position: status bit 10 shows it.",
+         "1IP500"),
+    _row("IR", "command", "W", "axes", "uu", "break_after",
+         "Set a breakpoint at a distance from the present position.", "1IR500"),
+)  # fmt: skip

@@ -1,0 +1,52 @@
+"""Setting up the trajectory."""
+
+from __future__ import annotations
+
+from motionlang.mccl.keywords.row import MCAPI, MX, TN1069, Group
+
+_G = Group("trajectory", MCAPI)
+_row, _known = _G.row, _G.known
+
+ROWS = (
+    _row("SA", "setting", "W", "axes", "uu/s2", "accel", "Set the acceleration.",
+         "1SA100000", default=100000, low=0, source=MX, trust="code"),
+    _row("DS", "setting", "W", "axes", "uu/s2", "decel", "Set the deceleration.", "1DS100000", default=100000, low=0),
+    _row("SV", "setting", "W", "axes", "uu/s", "speed",
+         "Set the velocity of moves; in velocity mode a running axis changes to it at once.",
+         "1SV40000", default=40000, low=0, source=MX, trust="code"),
+    _known("MV", "setting", "axes",
+         "Minimum velocity, at which a stepper starts and stops: profiles start from rest."),
+    _row("VO", "setting", "W", "axes", "number", "override",
+         "Velocity override of contour paths: the vector velocity is multiplied by it.",
+         "1VO0.5", default=1, low=0, high=10),
+    _row("PT", "setting", "C", "axes", "", "shape_trapezoid",
+         "Trapezoidal profile: constant acceleration, the fastest to velocity.", "1PT", source=TN1069,
+         trust="manual"),
+    _row("PS", "setting", "W", "axes", "number", "shape_scurve",
+         "S-curve: without a number the sinusoidal one; with n between 0 and 0.5 the trapezoidal one, whose "
+         "acceleration rises over the part n of the acceleration time.",
+         "1PS0.1", default=0, low=0, high=0.5, source=TN1069, trust="manual"),
+    _row("PP", "setting", "C", "axes", "", "shape_parabolic",
+         "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP",
+         source=TN1069, trust="manual"),
+    _row("SQ", "setting", "W", "axes", "number", "kept_torque",
+         "Set the torque limit, the largest output in volts.", "1SQ3.5", default=10, low=0, high=10),
+    _row("VV", "setting", "W", "axis", "uu/s", "vector_velocity",
+         "Vector velocity of contour paths, on the controlling axis.", "1VV20000", default=40000, low=0),
+    _row("VA", "setting", "W", "axis", "uu/s2", "vector_accel",
+         "Vector acceleration of contour paths, on the controlling axis.", "1VA100000", default=100000, low=0),
+    _row("VD", "setting", "W", "axis", "uu/s2", "vector_decel",
+         "Vector deceleration of contour paths, on the controlling axis.", "1VD100000", default=100000, low=0),
+    _known("HS", "setting", "axes", "High speed: servo loop at 4 kHz; profiles here are exact and have no rate."),
+    _known("MS", "setting", "axes", "Medium speed: servo loop at 2 kHz; profiles here are exact and have no rate."),
+    _known("LS", "setting", "axes", "Low speed: servo loop at 1 kHz; profiles here are exact and have no rate."),
+    _known("FC", "setting", "axes", "Full motor current (stepper)."),
+    _known("HC", "setting", "axes", "Half motor current (stepper)."),
+    _row("FS", "setting", "C", "axes", "", "full_step", "Full steps (stepper); shows in the status.", "1FS"),
+    _row("SH", "setting", "C", "axes", "", "half_step", "Half steps (stepper); shows in the status.", "1SH"),
+    _row("BD", "setting", "W", "axes", "uu", "backlash_distance", "Set the backlash of the mechanics.",
+         "1BD20", default=0, low=0),
+    _row("BN", "command", "C", "axes", "", "backlash_on",
+         "Compensate backlash: a move that reverses goes the backlash further on the motor.", "1BD20,1BN"),
+    _row("BF", "command", "C", "axes", "", "backlash_off", "Compensate backlash no longer.", "1BF"),
+)  # fmt: skip

@@ -1,0 +1,96 @@
+"""Loops that only look: they are left until something can change, and land where they would have been.
+
+A jump back that finds the accumulator as it was at the last one, with nothing done in between but reading, will find
+the same again until an event. The task then waits for the last whole pass before that event instead of running them.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.task import Wait
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.line import Line
+    from motionlang.mccl.task import CommandTask
+
+INFINITY = float("inf")
+
+
+class Poll:
+    """Watches one task's loops. `effects` counts what was done; `fresh_until` is how long what was read stays true."""
+
+    __slots__ = (
+        "_accumulator",
+        "_count",
+        "_done",
+        "_line",
+        "_pc",
+        "_task",
+        "effects",
+        "fresh_until",
+        "skipping",
+    )
+
+    def __init__(self, task: CommandTask) -> None:
+        self._task = task
+        self.effects = 0
+        self.fresh_until = INFINITY
+        self.skipping = True
+        self._line: Line | None = None
+        self._pc = self._count = self._done = 0
+        self._accumulator: float | int = 0
+
+    def read_until(self, time: float) -> None:
+        """Something was read that may change at `time` with no event to tell."""
+        if time < self.fresh_until:
+            self.fresh_until = time
+
+    def again(self) -> Wait | None:
+        """Called at each jump back: a wait, if nothing can come of another pass."""
+        task = self._task
+        same = (
+            self._line is task.line
+            and self._pc == task.pc
+            and self._done == self.effects
+            and self._accumulator == task.registers[0]
+        )
+        length, until = task.count - self._count, self.fresh_until
+        self._line, self._pc, self._done = task.line, task.pc, self.effects
+        self._accumulator, self._count = task.registers[0], task.count
+        self.fresh_until = INFINITY
+        if same and length > 0 and self.skipping:
+            return self._until_the_next_event(length, until)
+        return None
+
+    def _until_the_next_event(self, length: int, until: float) -> Wait | None:
+        task = self._task
+        board = task.board
+        clock = board.controller.clock
+        now = clock.now
+        event = min(until, clock.next_time(), board.next_wake(task))
+        if event == INFINITY:
+            return Wait(
+                now, lambda: False, lambda: INFINITY, "in a loop that only looks at what does not change"
+            )
+        passes = int((event - now) / (length * task.cost)) - 1
+        if passes <= 0:
+            return None
+        base, count = task.base, task.count + passes * length
+        before = board.disturbances
+        due = base + count * task.cost
+        if due >= event:
+            return None
+
+        def land(time: float) -> None:
+            # Woken early, by something nobody could foresee, the loop starts afresh where it is.
+            if time == due:
+                task.base, task.count = base, count
+            self._count = task.count
+
+        task.then = land
+        return Wait(
+            now,
+            lambda: clock.now >= due or board.disturbances != before,
+            lambda: due,
+            "in a loop that only looks",
+        )
