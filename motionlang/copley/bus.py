@@ -8,6 +8,7 @@ time, and nothing ever waits on a clock.
 from __future__ import annotations
 
 import itertools
+import threading
 from typing import TYPE_CHECKING
 
 import can
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from motionlang.copley.drive import Drive
 
 VIRTUAL = "virtual"
+NEWS_TIMEOUT = 0.05
+"""Seconds that a master waits for news of a real drive before it looks again."""
 _CHANNELS = itertools.count(1)
 
 
@@ -35,12 +38,42 @@ class LockstepNetwork(canopen.Network):
         self.owner.deliver()
 
 
+class RealBus:
+    """A bus with a real drive, or anyone else's, on its other end; frames come in by a thread of python-can."""
+
+    patience = 100
+
+    def __init__(self, node_id: int, interface: str, channel: str) -> None:
+        self.network = canopen.Network()
+        self.network.NOTIFIER_CYCLE = NEWS_TIMEOUT
+        self._news = threading.Event()
+        self.network.subscribe(0x180 + node_id, lambda *_: self._news.set())
+        self.network.connect(interface=interface, channel=channel)
+
+    def __enter__(self) -> RealBus:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def wait(self) -> None:
+        """Wait until the drive sends its buffer status, or a moment."""
+        self._news.wait(NEWS_TIMEOUT)
+        self._news.clear()
+
+    def close(self) -> None:
+        """Leave the bus."""
+        self.network.disconnect()
+
+
 class LockstepBus:
     """A bus with a simulated drive on one end; `network` is the master's end, `wait` lets virtual time pass.
 
     `step` is the time in microseconds that passes between two looks of the master at the bus. `frames` counts
     what was delivered.
     """
+
+    patience = 5000
 
     def __init__(
         self, drive: Drive, node_id: int = 1, step: int = 1000, interface: str = VIRTUAL, channel: str = ""

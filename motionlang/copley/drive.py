@@ -129,7 +129,8 @@ class Drive:
     def stop(self, why: str = "stopped by the master") -> None:
         """Abort the move in progress: brake to rest; the buffer keeps what it has."""
         if self.state == MOVING:
-            self._note(f"move aborted at {self.position:.10g}: {why}")
+            word = "aborted" if self.velocity else "ended"
+            self._note(f"move {word} at {self.position:.10g}: {why}")
             self._brake()
         elif self.state == WAITING:
             self.state = IDLE

@@ -31,8 +31,6 @@ SWITCH_ON = (0x06, 0x07, 0x0F)
 START, ENABLED = 0x1F, 0x0F
 CUBIC_MODE = -3
 MOVING_BIT = 0x1000
-SILENT_WAITS = 5000
-"""Looks at the bus in a row without any news after which the master gives up."""
 
 
 class StreamError(Exception):
@@ -42,7 +40,12 @@ class StreamError(Exception):
 class Bus(Protocol):
     """What the master needs: a canopen network, and a way to let time pass until something may be new."""
 
-    network: canopen.Network
+    @property
+    def network(self) -> canopen.Network: ...
+
+    @property
+    def patience(self) -> int:
+        """Waits in a row without any news of the drive after which the master gives up."""
 
     def wait(self) -> None: ...
 
@@ -211,7 +214,7 @@ class Master:
         self.bus.wait()
         self._check()
         silent = silent + 1 if self.news == before else 0
-        if silent > SILENT_WAITS:
+        if silent > self.bus.patience:
             raise StreamError("the drive does not take points any more")
         return silent
 

@@ -242,7 +242,7 @@ class ObjectServer:
         halted = bool(value & 0x100)
         ready = self.power == _ENABLED and self.values[0x6060, 0] == INTERPOLATED_POSITION
         if self.power != _ENABLED or halted or (before & 0x10 and not value & 0x10):
-            self.drive.stop("control word")
+            self.drive.stop("by the control word")
         elif ready and value & 0x10 and not before & 0x10:
             self.drive.start()
 

@@ -160,10 +160,7 @@ class _Motion:
             for k, span in zip(path, [*spans, 0], strict=True)
         ]
         made = PieceTable([0.0], [plan_points(points)])
-        count, step = self.steps * FINER + 1, MILLISECOND / FINER
-        error = np.abs(made.sample(0.0, step, count) - self.table.sample(self.begin, step, count))
-        where = int(error.argmax())
-        return Fit(points, float(error[where]), where * step)
+        return Fit(points, *_largest(self.table, self.begin, made, 0.0, self.steps))
 
 
 def _shortest_path(motion: _Motion, tolerance: float) -> list[int]:
@@ -217,3 +214,42 @@ def _promising(
         keep = seen <= tolerance
         first, length, score = first[keep], length[keep], np.maximum(score, seen)[keep]
     return first, length, score
+
+
+def motion_error(
+    starts: Sequence[float],
+    profiles: Sequence[Profile],
+    points: Sequence[Point],
+    begin: float = 0.0,
+    place: float = 0.0,
+) -> tuple[float, float]:
+    """The largest difference (counts) of the motion of `points` from a history, and when after `begin`.
+
+    `place` is where the motor stands before the points, which counts for relative ones.
+    """
+    made = PieceTable([0.0], [plan_points(points, place)])
+    steps = round(sum(point.time for point in points) / MILLISECOND)
+    return _largest(PieceTable(starts, profiles), begin, made, 0.0, steps)
+
+
+def track_error(
+    starts: Sequence[float],
+    profiles: Sequence[Profile],
+    other_starts: Sequence[float],
+    other_profiles: Sequence[Profile],
+    begin: float,
+    end: float,
+) -> float:
+    """The largest difference (counts) between two histories from `begin` to `end`."""
+    steps = max(1, ceil((end - begin) / MILLISECOND))
+    tables = PieceTable(starts, profiles), PieceTable(other_starts, other_profiles)
+    return _largest(tables[0], begin, tables[1], begin, steps)[0]
+
+
+def _largest(
+    table: PieceTable, begin: float, other: PieceTable, other_begin: float, steps: int
+) -> tuple[float, float]:
+    count, step = steps * FINER + 1, MILLISECOND / FINER
+    error = np.abs(table.sample(begin, step, count) - other.sample(other_begin, step, count))
+    where = int(error.argmax())
+    return float(error[where]), where * step

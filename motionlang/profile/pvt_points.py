@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 LONGEST = 0.255
 """The longest segment a Copley drive takes: the time field has eight bits of milliseconds."""
 
+MOST_POINTS = 1_000_000
+
 
 @dataclass(frozen=True, slots=True)
 class Point:
@@ -144,6 +146,9 @@ def split_long(points: Sequence[Point], longest: float = LONGEST, grid: float = 
     take them.
     """
     moving = until_end(absolute(points))
+    duration = sum(point.time for point in moving)
+    if not duration <= MOST_POINTS * longest:
+        raise ValueError(f"a move of {duration:.3g} s takes more than {MOST_POINTS} points")
     profile, made = plan_points(moving), list[Point]()
     for i, point in enumerate(moving):
         count = -int(-point.time // longest) if point.time else 1

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from motionlang.profile.curve import Profile
 
-WIDTH = 110
+WIDTH = 120
 MOST_ROWS = 40
 MOST_COLUMNS = 12
 NOISE = 1e-12
@@ -54,7 +54,7 @@ def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
     largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
     lines.append("")
     lines.append(
-        f"{len(parts)} segments, {figure(profile.duration * 1000.0)} ms; "
+        f"{len(parts)} segment{'s' if len(parts) > 1 else ''}, {figure(profile.duration * 1000.0)} ms; "
         f"largest acceleration jump {figure(largest)} counts/s²"
     )
     return lines
@@ -69,8 +69,8 @@ def comparison_lines(
     columns = [Column("velocities", align="<"), Column("largest jump", "counts/s²")]
     count = inner if inner <= MOST_COLUMNS else 0
     columns += [Column(f"v{n}", "counts/s", drop=n) for n in range(1, count + 1)]
-    jumps = _column([quiet(jump, scale) for _, _, jump in rows])
-    speeds = [_column([v[n] for _, v, _ in rows]) for n in range(1, count + 1)]
+    jumps = _column([quiet(jump, scale) for _, _, jump in rows], 1)
+    speeds = [_column([v[n] for _, v, _ in rows], 2) for n in range(1, count + 1)]
     cells = [[name, jumps[i], *(column[i] for column in speeds)] for i, (name, _, _) in enumerate(rows)]
     return grid(columns, cells, width=width)
 
@@ -96,6 +96,6 @@ def _figures(rows: Sequence[Sequence[float]]) -> list[list[str]]:
     return [list(row) for row in zip(*columns, strict=True)]
 
 
-def _column(values: Sequence[float]) -> list[str]:
-    decimals = decimals_of(values)
+def _column(values: Sequence[float], most: int = 4) -> list[str]:
+    decimals = decimals_of(values, most)
     return [f"{value + 0.0:.{decimals}f}" for value in values]

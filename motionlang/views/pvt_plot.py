@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -23,7 +23,7 @@ QUANTITIES = (("Position", "counts"), ("Velocity", "counts/s"), ("Acceleration",
 LINE, MARK, GRID = "#1f5fae", "#d01c1f", "#d9dfe5"
 MOST_MARKS = 400
 POINTS = 2000
-SIZE, DPI = (8.0, 7.5), 120
+SIZE, NARROW, DPI = (8.0, 7.5), 4.2, 120
 
 
 def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str) -> None:
@@ -34,12 +34,13 @@ def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str
     from motionlang.views.plot import STYLE
 
     kind = os.path.splitext(path)[1].lower()[1:]
-    with rc_context(STYLE), replacing(path) as file:
-        width = SIZE[0] if len(profiles) == 1 else 5.2 * len(profiles)
+    with rc_context(cast("Any", STYLE)), replacing(path) as file:
+        width = SIZE[0] if len(profiles) == 1 else NARROW * len(profiles)
         picture = Figure(figsize=(width, SIZE[1]), layout="constrained")
         grid = picture.subplots(3, len(profiles), sharex="col", sharey="row", squeeze=False)
         for column, (profile, title) in enumerate(zip(profiles, titles, strict=True)):
             _draw(list(grid[:, column]), profile, title, leftmost=column == 0)
+        picture.align_ylabels()
         _save(picture, file, kind)
 
 
