@@ -1,0 +1,129 @@
+"""The demanded track as the trajectory generator sees it: one point for every trajectory cycle.
+
+At the beginning of cycle i the generator gives the point for its end, from the profile that is in force at that
+moment: a move started inside a cycle shows one point later, as on the real controllers. The loop interpolates
+between the points in straight lines (TN1069).
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from motionlang.profile import Profile
+
+SHORT = 200
+"""Below this many points plain floats are quicker than making a table of the pieces."""
+_JUMP = 1e-6
+_AT_ONCE = 1e-9
+
+
+class Demanded(Protocol):
+    """A history of motion: `starts[i]` is when `profiles[i]` began. An `Axis` is one."""
+
+    @property
+    def starts(self) -> Sequence[float]:
+        """Times in seconds, rising."""
+
+    @property
+    def profiles(self) -> Sequence[Profile]:
+        """What began then; the last one goes on for ever."""
+
+
+class Track:
+    """A history of motion that stands alone: `Track([0.0], [profile])`."""
+
+    __slots__ = ("profiles", "starts")
+
+    def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
+        if not profiles or len(starts) != len(profiles):
+            raise ValueError("a track needs one start for each profile, and at least one profile")
+        self.starts, self.profiles = list(starts), list(profiles)
+
+    @property
+    def end(self) -> float:
+        """When the last profile is done, seconds."""
+        return self.starts[-1] + self.profiles[-1].duration
+
+
+class Generator:
+    """Points of a track, cycle by cycle; `period` is the trajectory cycle in seconds.
+
+    A track jumps where the program gives a position another name (POS = 0, DH): the motor does not move then, so
+    the jump is kept in `offset` (counts to add to the track) and taken out of the points.
+    """
+
+    __slots__ = ("offsets", "period", "track")
+
+    def __init__(self, track: Demanded, period: float) -> None:
+        self.track, self.period = track, period
+        self.offsets = [0.0]
+
+    def in_force(self, cycle: int) -> int:
+        """The number of the profile that makes the point for the end of `cycle`."""
+        time = (cycle + _AT_ONCE) * self.period
+        return max(bisect_right(self.track.starts, time) - 1, 0)
+
+    def offset(self, profile: int) -> float:
+        """Counts to add to the track while `profile` is in force."""
+        starts, profiles = self.track.starts, self.track.profiles
+        while len(self.offsets) <= profile:
+            k = len(self.offsets)
+            before, after = profiles[k - 1], profiles[k]
+            gap = after.start - before.position(starts[k] - starts[k - 1])
+            real = abs(gap) > _JUMP + 1e-12 * abs(after.start)
+            self.offsets.append(self.offsets[-1] - gap if real else self.offsets[-1])
+        return self.offsets[profile]
+
+    def rebase(self, cycle: int, position: float) -> None:
+        """From now on the track's own position in `cycle` is `position`: the loop has been closed there."""
+        k = self.in_force(cycle)
+        self.offset(k)
+        track = self.track
+        here = track.profiles[k].position(cycle * self.period - track.starts[k])
+        self.offsets[k:] = [position - here]
+
+    def first(self, cycle: int = 0) -> float:
+        """The point at the beginning of `cycle`, before anything has moved."""
+        k = self.in_force(cycle)
+        return self.offset(k) + self.track.profiles[k].position(cycle * self.period - self.track.starts[k])
+
+    def points(
+        self, cycle: int, count: int, known: Sequence[float] = ()
+    ) -> Sequence[float] | NDArray[np.float64]:
+        """`known`, then the points at the ends of `count` cycles from `cycle` on; many of them as an array."""
+        if count > SHORT:
+            import numpy as np
+
+            return np.concatenate((known, self.table(cycle, count)))
+        return [*known, *(self._point(i) for i in range(cycle, cycle + count))]
+
+    def _point(self, cycle: int) -> float:
+        k = self.in_force(cycle)
+        time = (cycle + 1) * self.period - self.track.starts[k]
+        return self.track.profiles[k].position(time) + self.offset(k)
+
+    def table(self, cycle: int, count: int) -> NDArray[np.float64]:
+        """The same points by NumPy."""
+        import numpy as np
+
+        from motionlang.profile.sample import PieceTable
+
+        first, last = self.in_force(cycle), self.in_force(cycle + count - 1)
+        starts = np.array(self.track.starts[first : last + 1])
+        table = PieceTable(starts.tolist(), self.track.profiles[first : last + 1])
+        self.offset(last)
+        owner = np.maximum(np.searchsorted(starts, table.origins, "right") - 1, 0)
+        table.columns[0] += np.array(self.offsets[first : last + 1])[owner]
+        made = table.sample((cycle + 1) * self.period, self.period, count)
+        # What begins inside a cycle does not show at the end of that cycle yet.
+        begun = starts[1:] / self.period - cycle
+        for i in np.floor(begun[np.abs(begun - np.rint(begun)) > _AT_ONCE]).astype(int).tolist():
+            made[i] = self._point(cycle + i)
+        return made

@@ -1,0 +1,231 @@
+"""A stretch of servo samples, from trajectory points to columns: by blocks where that is quicker, else by steps."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from motionlang.controller.servo.steps import MEMORY, empty_columns, stepper
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from motionlang.controller.servo.loop import Loop
+    from motionlang.controller.servo.plant import Drive, Motor
+    from motionlang.controller.servo.steps import State
+
+    Array = NDArray[np.float64]
+    Floats = Sequence[float] | Array
+
+LONG = 1000
+"""Samples from which NumPy pays."""
+_STILL = 1e-9
+_ROUNDING = 1e-15
+_TOTAL = MEMORY.index("total") - len(MEMORY)
+_WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
+
+
+class Stretch:
+    """What a number of samples were: the columns in the order asked for, and the points they ran between."""
+
+    __slots__ = ("columns", "offset", "part", "points", "ratio")
+
+    def __init__(self, points: Floats, part: int, ratio: int, columns: Sequence[Floats]) -> None:
+        self.points, self.part, self.ratio, self.columns = points, part, ratio, columns
+        self.offset = 0.0
+
+    def demand(self, count: int) -> Array:
+        """The demanded positions of the first `count` samples, interpolated."""
+        import numpy as np
+
+        from motionlang.controller.servo.lifted import interpolated
+
+        every = interpolated(np.asarray(self.points, dtype=np.float64), self.ratio)
+        return every[self.part : self.part + count]
+
+    def last_demand(self, count: int) -> float:
+        """The demanded position of sample `count` - 1."""
+        cycle, k = divmod(self.part + count - 1, self.ratio)
+        here, there = float(self.points[cycle]), float(self.points[cycle + 1])
+        return here + k * ((there - here) / self.ratio)
+
+
+def run_stretch(
+    loop: Loop,
+    plant: Motor | Drive,
+    columns: tuple[str, ...],
+    points: Floats,
+    part: int,
+    count: int,
+    state: State,
+) -> tuple[Stretch, State]:
+    """Run `count` samples, the first being number `part` of its trajectory cycle.
+
+    `points` are the trajectory points: the one before the first cycle, its beginning, and the end of every cycle.
+    """
+    if count < LONG:
+        return _run_short(loop, plant, columns, points, part, count, state)
+    return _run_long(loop, plant, columns, points, part, count, state)
+
+
+def _run_short(
+    loop: Loop,
+    plant: Motor | Drive,
+    columns: tuple[str, ...],
+    points: Floats,
+    part: int,
+    count: int,
+    state: State,
+) -> tuple[Stretch, State]:
+    ratio = loop.ratio
+    demand: list[float] = []
+    feed: list[float] = []
+    acting: list[bool] = []
+    for before, here, there in zip(points, points[1:], points[2:], strict=False):
+        slope = (there - here) / ratio
+        demand.extend(here + k * slope for k in range(ratio))
+        feed.append(_feed(loop, here - before, there - here))
+        acting.append(_acts(loop.integral_mode, before, here, there))
+    out = empty_columns(columns)
+    demand = demand[part : part + count]
+    for begin, end, integrating, clears in _spans(loop, acting, part, count):
+        state = _cleared(state) if clears else state
+        step = stepper(loop, plant, columns, integrating)
+        steady = [feed[(part + i) // ratio] for i in range(begin, end)] if loop.has_feed_forward else ()
+        state = step(demand[begin:end], steady, state, out)
+    return Stretch(points[1:], part, ratio, out), state
+
+
+def _run_long(
+    loop: Loop,
+    plant: Motor | Drive,
+    columns: tuple[str, ...],
+    points: Floats,
+    part: int,
+    count: int,
+    state: State,
+) -> tuple[Stretch, State]:
+    import numpy as np
+
+    at = np.asarray(points, dtype=np.float64)
+    run = _LongRun(loop, plant, columns, at[1:], _feeds(loop, np.diff(at)), part, count)
+    if loop.integral_mode in ("always", "never") or not loop.has_integral:
+        return run.made, run.span(0, count, True, state)
+    near = at.tolist()
+    acting = [_acts(loop.integral_mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
+    for begin, end, integrating, clears in _spans(loop, acting, part, count):
+        state = run.span(begin, end, integrating, _cleared(state) if clears else state)
+    return run.made, state
+
+
+class _LongRun:
+    """The arrays of one long stretch while it is being filled, span by span."""
+
+    def __init__(
+        self,
+        loop: Loop,
+        plant: Motor | Drive,
+        columns: tuple[str, ...],
+        points: Array,
+        feed: Array,
+        part: int,
+        count: int,
+    ) -> None:
+        import numpy as np
+
+        self.loop, self.plant, self.columns = loop, plant, columns
+        self.points, self.feed, self.part = points, feed, part
+        self.out = [np.empty(count) for _ in columns]
+        self.made = Stretch(points, part, loop.ratio, self.out)
+
+    def span(self, begin: int, end: int, integrating: bool, state: State) -> State:
+        """Samples `begin` to `end`, all with the integral acting or all without."""
+        from motionlang.controller.servo.lifted import WORTHWHILE, lift
+
+        blocks = lift(self.loop, self.plant, self.columns, integrating)
+        if blocks is None:
+            return self._steps(begin, end, integrating, state)
+        ratio = self.loop.ratio
+        while begin < end and ((self.part + begin) % ratio or state[_WAIT]):
+            state = self._steps(begin, begin + 1, integrating, state)
+            begin += 1
+        count = (end - begin) // blocks.steps
+        if count >= WORTHWHILE:
+            first, past = (self.part + begin) // ratio, begin + count * blocks.steps
+            last = first + count * blocks.cycles
+            out = [column[begin:past] for column in self.out]
+            state = blocks.run(self.points[first : last + 1], self.feed[first:last], state, out)
+            begin = past
+        return self._steps(begin, end, integrating, state)
+
+    def _steps(self, begin: int, end: int, integrating: bool, state: State) -> State:
+        import numpy as np
+
+        from motionlang.controller.servo.lifted import interpolated
+
+        if begin == end:
+            return state
+        ratio = self.loop.ratio
+        first, past = (self.part + begin) // ratio, -(-(self.part + end) // ratio)
+        inside = slice(self.part + begin - first * ratio, self.part + end - first * ratio)
+        demand = interpolated(self.points[first : past + 1], ratio)[inside].tolist()
+        steady = np.repeat(self.feed[first:past], ratio)[inside].tolist()
+        made = empty_columns(self.columns)
+        state = stepper(self.loop, self.plant, self.columns, integrating)(demand, steady, state, made)
+        for column, values in zip(self.out, made, strict=True):
+            column[begin:end] = values
+        return state
+
+
+# ------------------------------------------------------------------------------------- what the demand decides
+
+
+def _feed(loop: Loop, last: float, speed: float) -> float:
+    """Feed-forward volts of a cycle that moves `speed` counts after one that moved `last`."""
+    if not loop.has_feed_forward:
+        return 0.0
+    rate = loop.trajectory_rate
+    gain = loop.decel_ff if (speed - last) * (speed + last) < 0.0 else loop.accel_ff
+    return (loop.velocity_ff * rate) * speed + gain * rate * rate * (speed - last)
+
+
+def _feeds(loop: Loop, speed: Array) -> Array:
+    import numpy as np
+
+    if not loop.has_feed_forward:
+        return np.zeros(0)
+    rate, last, now = loop.trajectory_rate, speed[:-1], speed[1:]
+    change = now - last
+    gain = np.where(change * (now + last) < 0.0, loop.decel_ff, loop.accel_ff)
+    made: Array = (loop.velocity_ff * rate) * now + gain * rate * rate * change
+    return made
+
+
+def _acts(mode: str, before: float, here: float, there: float) -> bool:
+    """Whether the integral acts in a cycle, by `loop.INTEGRAL_MODES`."""
+    if mode in ("always", "never"):
+        return True
+    change = there - 2.0 * here + before if mode == "steady" else there - here
+    return abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here)
+
+
+def _spans(loop: Loop, acting: Sequence[bool], part: int, count: int) -> list[tuple[int, int, bool, bool]]:
+    """Runs of samples with one answer: begin, end, whether the integral acts, whether it is cleared first."""
+    ratio = loop.ratio
+    turns = [i for i in range(1, len(acting)) if acting[i] != acting[i - 1]]
+    edges = [0, *(min(max(i * ratio - part, 0), count) for i in turns), count]
+    found = []
+    for (begin, end), i in zip(pairwise(edges), [0, *turns], strict=True):
+        clears = loop.integral_mode == "zeroed" and not acting[i]
+        if end > begin:
+            found.append((begin, end, acting[i], clears))
+    return found
+
+
+def _cleared(state: State) -> State:
+    made = list(state)
+    made[_TOTAL] = 0.0
+    return tuple(made)
