@@ -115,7 +115,11 @@ def stream(args: argparse.Namespace) -> int:
     """Stream the move to a drive and print what came of it."""
     from motionlang.cli_pvt_stream import run_stream
 
-    return run_stream(args, _checked(args, strict=True))
+    move = _checked(args, strict=True)
+    status = run_stream(args, move)
+    if args.plot:
+        _draw([_planned(move.points, args.start)], [move.name], args.plot)
+    return status
 
 
 # ------------------------------------------------------------------------------------------------ arguments
@@ -138,14 +142,13 @@ def _add_input(parser: argparse.ArgumentParser) -> None:
     add("--accel", type=_positive, metavar="A", help="its largest acceleration, counts/s2")
     add("--speed", type=_positive, metavar="V", help="its largest velocity, counts/s")
     add("--velocities", choices=["given", *METHODS], help="choose the velocities anew")
-    add("--sweeps", type=_count, default=1, metavar="N", help="how often refine goes through the points")
+    add("--sweeps", type=_count, metavar="N", help="how often refine goes through the points")
     add("--linear", action="store_true", help="leave out the velocities: linear interpolation")
     add("--start", type=_number, metavar="COUNTS", help="where the motor stands before the move")
     add("--axis", type=int, metavar="N", help="of a program: the axis to fit")
     add(
         "--tolerance",
         type=_positive,
-        default=1.0,
         metavar="COUNTS",
         help="of a program: how closely to fit it",
     )

@@ -22,6 +22,24 @@ if TYPE_CHECKING:
 
 GRID = 0.001
 MOST_TOLD = 20
+TOLERANCE = 1.0
+NAMES = {
+    "table": "a file of points",
+    "program": "a program",
+    "positions": "--positions",
+    "scurve": "--scurve",
+}
+# Each option and the kinds of input that it says something about.
+SERVES: dict[str, tuple[str, ...]] = {
+    "time": ("positions", "scurve", "table"),
+    "jerk": ("scurve",),
+    "accel": ("scurve",),
+    "speed": ("scurve",),
+    "velocities": ("positions", "scurve", "table"),
+    "axis": ("program",),
+    "tolerance": ("program",),
+    "dialect": ("program",),
+}
 
 
 @dataclass(slots=True)
@@ -50,14 +68,15 @@ def read_move(args: argparse.Namespace) -> Move:
     given = [name for name in ("file", "positions", "scurve") if getattr(args, name) is not None]
     if len(given) != 1:
         raise UsageError("give one of: a file of points or a program, --positions, --scurve")
+    _refuse_strangers(args, given[0])
     if args.positions is not None:
         move = _from_positions(args)
     elif args.scurve is not None:
         move = _from_scurve(args)
     else:
         move = _from_file(args)
-    if args.velocities and move.track is None:
-        move.points = _with_velocities(move.points, args.velocities, args.sweeps)
+    if args.velocities:
+        move.points = _with_velocities(move.points, args.velocities, args.sweeps or 1)
     if args.linear:
         move.points = [replace(point, velocity=None) for point in move.points]
     return move
@@ -65,6 +84,24 @@ def read_move(args: argparse.Namespace) -> Move:
 
 class UsageError(Exception):
     """The command line contradicts itself."""
+
+
+def _refuse_strangers(args: argparse.Namespace, source: str) -> None:
+    """Refuse an option that would do nothing."""
+    if source == "file":
+        source = "program" if _is_program(args.file) else "table"
+    for option, sources in SERVES.items():
+        if getattr(args, option) is not None and source not in sources:
+            homes = " or ".join(NAMES[name] for name in sources)
+            raise UsageError(f"--{option} has nothing to do here: it goes with {homes}")
+    if args.sweeps is not None and args.velocities != "refine":
+        raise UsageError("--sweeps has nothing to do here: it goes with --velocities refine")
+    if args.linear and args.velocities:
+        raise UsageError("--linear leaves out the velocities that --velocities chooses")
+
+
+def _is_program(file: str) -> bool:
+    return os.path.splitext(file)[1].lower() not in (".csv", ".txt", "")
 
 
 def diagnose(move: Move, start: float | None, *, strict: bool) -> list[Diagnostic]:
@@ -91,7 +128,7 @@ def _from_positions(args: argparse.Namespace) -> Move:
     if len(times) != len(args.positions) - 1:
         raise UsageError(f"{len(args.positions)} positions need 1 or {len(args.positions) - 1} times")
     spans = [time / 1000.0 for time in times]
-    velocities = _velocities(args.positions, spans, args.velocities or "exact", args.sweeps)
+    velocities = _velocities(args.positions, spans, args.velocities or "exact", args.sweeps or 1)
     return Move("points", points_from(args.positions, velocities, spans))
 
 
@@ -110,7 +147,9 @@ def _from_scurve(args: argparse.Namespace) -> Move:
             points = scurve(args.scurve, args.time[0] / 1000.0)
         else:
             points = split_long(limited_scurve(args.scurve, args.jerk, *limits, grid=GRID))
-    except (ValueError, ArithmeticError) as problem:
+    except ArithmeticError:
+        raise ProgramError([Diagnostic("range", "the limits leave no move of finite figures")]) from None
+    except ValueError as problem:
         raise ProgramError([Diagnostic("range", str(problem))]) from None
     return Move(f"S-curve, {args.scurve:g} counts", points)
 
@@ -118,8 +157,7 @@ def _from_scurve(args: argparse.Namespace) -> Move:
 def _from_file(args: argparse.Namespace) -> Move:
     from motionlang.source import Source
 
-    suffix = os.path.splitext(args.file)[1].lower()
-    if suffix not in (".csv", ".txt", ""):
+    if _is_program(args.file):
         return _from_program(args)
     from motionlang.copley.table import read_points
 
@@ -135,8 +173,10 @@ def _from_file(args: argparse.Namespace) -> Move:
         points = [replace(p, time=args.time[0] / 1000.0) for p in points[:-1]] + [
             replace(points[-1], time=0.0)
         ]
+    elif args.time is not None:
+        raise UsageError(f"{source.name} has its own times: --time has nothing to do here")
     if "velocity" not in table.has and not args.velocities:
-        points = _with_velocities(points, "exact", args.sweeps)
+        points = _with_velocities(points, "exact", args.sweeps or 1)
     return Move(source.name, points, source, table.lines)
 
 
@@ -167,10 +207,11 @@ def _from_program(args: argparse.Namespace) -> Move:
     axis = axes[number]
     track = Track(axis.starts, axis.profiles, *_span(axis.starts, axis.profiles))
     parts = track.starts, track.profiles
+    tolerance = TOLERANCE if args.tolerance is None else args.tolerance
     try:
-        fit = fit_track(*parts, args.tolerance, track.begin, track.end)
+        fit = fit_track(*parts, tolerance, track.begin, track.end)
     except OutOfTolerance as problem:
-        least = least_tolerance(*parts, args.tolerance, track.begin, track.end)
+        least = least_tolerance(*parts, tolerance, track.begin, track.end)
         hint = f"a tolerance of {least:.3g} counts can be met" if least else "the motion jumps there"
         raise ProgramError([Diagnostic("range", str(problem), hint=hint)]) from None
     except ValueError as problem:

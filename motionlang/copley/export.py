@@ -98,7 +98,8 @@ def _serial(points: Sequence[WirePoint]) -> Export:
 
 def _read_back(messages: Sequence[bytes]) -> list[WirePoint]:
     """The points in the messages, an initial position worked into the point that counts from it."""
-    points, initial = list[WirePoint](), None
+    points: list[WirePoint] = []
+    initial = None
     for message in messages:
         content = packet.decode(message)
         assert isinstance(content, packet.Packet)

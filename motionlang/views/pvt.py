@@ -54,7 +54,7 @@ def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
     largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
     lines.append("")
     lines.append(
-        f"{len(parts)} segment{'s' if len(parts) > 1 else ''}, {figure(profile.duration * 1000.0)} ms; "
+        f"{len(parts)} segment{'' if len(parts) == 1 else 's'}, {figure(profile.duration * 1000.0)} ms; "
         f"largest acceleration jump {figure(largest)} counts/s²"
     )
     return lines
