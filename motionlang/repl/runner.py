@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.lang.task import Task, Wait, wait_until
+from motionlang.lang.task import Task, Wait, wait_idle, wait_until
 from motionlang.lang.trouble import explain
 from motionlang.run import ONE_SHIFT
 from motionlang.source import Source
@@ -38,8 +38,10 @@ class Runner:
         poll: Callable[[float], None],
     ) -> None:
         self.dialect, self.machine = dialect, machine
-        self._interactive = dialect.interactive(machine)
         self._tell, self._poll = tell, poll
+        # A scheduler a command; background tasks move on from one to the next.
+        self._scheduler = self._schedule(_Passing(wait_until(machine.controller, 0.0, 0.0)), ())
+        self._interactive = dialect.interactive(machine)
 
     def is_complete(self, text: str) -> bool:
         """Whether `text` leaves no block open."""
@@ -66,13 +68,19 @@ class Runner:
     def settle(self) -> bool:
         """Let the motion that is under way end; False when it never does, or something went wrong on the way."""
         controller = self.machine.controller
-        task = _Passing(wait_until(controller, 0.0, 0.0))
-        scheduler = Scheduler(controller, task, self._poll)
-        return self._guard(scheduler, NOWHERE, scheduler.settle)
+        return self._run(_Passing(wait_idle(controller, controller.clock.now, controller.axes)), NOWHERE)
+
+    def _schedule(self, task: Task, background: Iterable[Task]) -> Scheduler:
+        scheduler = self.machine.scheduler = Scheduler(self.machine.controller, task, self._poll)
+        for each in background:
+            scheduler.start(each)
+        return scheduler
 
     def _run(self, task: Task, source: Source) -> bool:
+        before = self._scheduler
+        background = [each for each in before.tasks if each is not before.parent and not each.done]
+        scheduler = self._scheduler = self._schedule(task, background)
         clock = self.machine.controller.clock
-        scheduler = Scheduler(self.machine.controller, task, self._poll)
         end = clock.now + ONE_SHIFT
 
         def run() -> bool:
@@ -89,22 +97,24 @@ class Runner:
         try:
             return work()
         except (Interrupted, KeyboardInterrupt):
-            message = "the command was ended from the keyboard"
-            self._tell_at(scheduler.current, source, "interrupted", message)
+            self._tell_at(scheduler, source, "interrupted", "the command was ended from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
-            self._tell_at(stuck.task, source, "never", message, "start a move first")
+            hint = "stop the axis that jogs" if source is NOWHERE else "start a move first"
+            self._tell_at(scheduler, source, "never", message, hint)
         except Exception as error:
             self._explain(error, scheduler.current, source)
         return False
 
-    def _tell_at(self, task: Task, source: Source, code: str, message: str, hint: str = "") -> None:
-        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, task.at)
+    def _tell_at(self, scheduler: Scheduler, source: Source, code: str, message: str, hint: str = "") -> None:
+        """Tell of trouble where the command stands."""
+        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, scheduler.parent.at)
         self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
 
     def _explain(self, error: Exception, task: Task | None, source: Source) -> None:
         """Tell what went wrong; our own mistakes go on upwards."""
-        diagnostic = explain(self.dialect, source, None if source is NOWHERE else task, error)
+        foreground = source is not NOWHERE and task is self._scheduler.parent
+        diagnostic = explain(self.dialect, source, task if foreground else None, error)
         if diagnostic is None:
             raise error
         self._tell([diagnostic], source)
