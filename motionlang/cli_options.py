@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 import math
+import re
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from motionlang import __version__
 from motionlang.cli_run import PLOTS, RATE, REPORTS, TRACES, Options
-from motionlang.lang.machine import KEYS, check_setting
+from motionlang.errors import nearest
+from motionlang.lang.machine_file import KEYS, check_setting
 from motionlang.run import ONE_SHIFT, dialects
 
 if TYPE_CHECKING:
@@ -80,6 +82,27 @@ class _Parser(argparse.ArgumentParser):
     def __init__(self, **options: object) -> None:
         options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
         super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""
+        self.exit(2, f"{self.prog}: error: {message}\n  hint: {self._hint(message)}\n")
+
+    def _hint(self, message: str) -> str:
+        wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
+        if wrong is not None:
+            near = nearest(wrong[1] or wrong[2], self._words())
+            if near is not None:
+                return f"did you mean {near}?"
+        return f"{self.prog} --help explains the command line"
+
+    def _words(self) -> list[str]:
+        """Every option and every choice, those of the commands too."""
+        words: list[str] = []
+        for action in self._actions:
+            words += [*action.option_strings, *map(str, action.choices or ())]
+            if isinstance(action, argparse._SubParsersAction):
+                words += [word for parser in action.choices.values() for word in parser._words()]
+        return words
 
 
 if TYPE_CHECKING:
@@ -153,7 +176,9 @@ def _add_machine(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_dialect(parser: argparse.ArgumentParser) -> None:
+def _add_dialect(
+    parser: argparse.ArgumentParser, what: str = "the language, where the suffix does not say it"
+) -> None:
     parser.add_argument(
         "--dialect", choices=dialects(), help="the language, where the suffix does not say it"
     )
@@ -199,21 +224,20 @@ def _set_values(
         if "." not in name:
             overrides[name] = _value(text)
             continue
-        value = _setting(name, text)
+        value = _setting(text)
         problem = check_setting(name, value)
         if problem is not None:
             parser.error(f"--set {pair}: {problem[0]}; {problem[1]}")
         settings[name] = value
 
 
-def _setting(name: str, text: str) -> object:
-    """A machine key's value as the kind of its key, left a text where it is not of that kind."""
-    kind = KEYS[name][0] if name in KEYS else str
-    if kind is bool:
-        return {"true": True, "false": False}.get(text.lower(), text)
+def _setting(text: str) -> object:
+    """A machine key's value as the machine file would have it; a bare word is a text."""
+    import tomllib
+
     try:
-        return kind(text)
-    except ValueError:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
         return text
 
 
@@ -320,7 +344,7 @@ def _add_keywords(commands: Commands) -> None:
     parser.add_argument(
         "name", metavar="NAME", nargs="?", help="the word to explain, by its name or its short form"
     )
-    _add_dialect(parser)
+    _add_dialect(parser, "one language; both without it")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 

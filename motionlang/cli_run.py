@@ -170,7 +170,7 @@ def refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source |
 def read_machine_file(options: Options, settings: dict[str, object]) -> int:
     """Put the machine file's settings below those of `--set`."""
     from motionlang.errors import ProgramError
-    from motionlang.lang.machine import read_machine
+    from motionlang.lang.machine_file import read_machine
 
     assert options.machine is not None
     try:

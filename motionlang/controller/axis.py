@@ -49,7 +49,9 @@ class Axis:
         "enabled",
         "error_decel",
         "faults",
+        "home",
         "index",
+        "index_every",
         "limits",
         "live_speed",
         "move",
@@ -91,6 +93,9 @@ class Axis:
         self.profiles: list[Profile] = [hold(0.0)]
         self.watches: list[Watch] = []
         self.limits: list[Limit] = []
+        # The home switch, and the distance between the encoder's index marks in user units (0: it has none).
+        self.home = False
+        self.index_every = 0.0
 
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""

@@ -54,7 +54,7 @@ class Controller:
         self.outputs = Channels(self.clock)
         self.analogue_inputs = Channels(self.clock)
         self.analogue_outputs = Channels(self.clock)
-        # Told of ("idle", axis), ("fault", axis) and ("started", axis) as they happen.
+        # Told of ("idle", axis), ("fault", axis) and ("scale", axis) as they happen.
         self.listeners: list[Callable[[str, int], None]] = []
 
     # ------------------------------------------------------------------------------------------- settings
@@ -80,6 +80,7 @@ class Controller:
         """Set the door between user units and counts."""
         scale = self.axes[axis].scale
         scale.counts, scale.rate, scale.zero = counts, rate, zero
+        self._tell("scale", axis)
 
     # ---------------------------------------------------------------------------------------- on and off
 

@@ -1,0 +1,180 @@
+"""The world the controller is wired to: switches on the axes, inputs and faults by time or by position.
+
+Lengths here are user units, as the machine file has them; they become counts with the scale that the program sets,
+and are placed anew when it sets another one.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.controller.limit import Limit
+from motionlang.controller.region import Region
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from motionlang.controller.controller import Controller
+
+    Entry = Mapping[str, object]
+    Settings = Mapping[str, object]
+    Pair = Sequence[float]
+
+INFINITY = float("inf")
+# What a machine file may inject, and the fault bit and action that it makes.
+FAULTS: dict[str, tuple[int, str]] = {
+    "following-error": (FOLLOWING_ERROR, "off"),
+    "error-input": (ERROR_INPUT, "error-stop"),
+    "forward-limit": (LIMIT_FORWARD, "abort"),
+    "reverse-limit": (LIMIT_REVERSE, "abort"),
+}
+
+
+class World:
+    """Everything that happens to a controller from outside.
+
+    `driven` are the digital inputs that something in the world sets: a wait on another one can never end.
+    """
+
+    def __init__(self, controller: Controller, settings: Settings) -> None:
+        self._controller = controller
+        self._settings = settings
+        # Regions in user units: (region, low, high), placed again whenever the scale changes.
+        self._regions: list[tuple[Region, float, float]] = []
+        self._limits: list[tuple[Limit, float]] = []
+        self.driven: set[int] = set()
+        for axis in controller.axes:
+            self._wire_axis(axis)
+        for entry in _entries(settings, "input"):
+            self._wire_channel(entry, controller.inputs.__setitem__)
+        for entry in _entries(settings, "analogue"):
+            self._wire_channel(entry, controller.analogue_inputs.__setitem__)
+        for entry in _entries(settings, "fault"):
+            self._wire_fault(entry)
+        controller.listeners.append(self._heard)
+
+    def _wire_axis(self, axis: int) -> None:
+        """Travel limits and the home switch, each with the input channel that shows it, if it has one."""
+        get = self._settings.get
+        self._controller.axes[axis].index_every = get(f"axis.{axis}.index_every", 0.0)  # type: ignore[assignment]
+        travel: Pair | None = get(f"axis.{axis}.travel")  # type: ignore[assignment]
+        if travel is not None:
+            low, high = travel
+            self._wire_limit(axis, -1, LIMIT_REVERSE, low, get(f"axis.{axis}.reverse_input"))
+            self._wire_limit(axis, +1, LIMIT_FORWARD, high, get(f"axis.{axis}.forward_input"))
+        switch: Pair | None = get(f"axis.{axis}.home_switch")  # type: ignore[assignment]
+        if switch is not None:
+            low, high = switch
+            channel = get(f"axis.{axis}.home_input")
+            self._wire_region(axis, low, high, self._home_change(axis, channel))
+
+    def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
+        def change(inside: bool) -> None:
+            self._controller.axes[axis].home = inside
+            if channel is not None:
+                self._controller.inputs[channel] = int(inside)  # type: ignore[index]
+
+        if channel is not None:
+            self.driven.add(channel)  # type: ignore[arg-type]
+        return change
+
+    def _wire_limit(self, axis: int, sign: int, bit: int, position: float, channel: object) -> None:
+        limit = Limit(self._controller, axis, sign, bit, "abort", physical=True)
+        self._controller.axes[axis].limits.append(limit)
+        position -= self._start(axis)
+        self._limits.append((limit, position))
+        limit.place(position * self._scale(axis))
+        if channel is not None:
+            position += self._start(axis)
+            low, high = (position, INFINITY) if sign > 0 else (-INFINITY, position)
+            self.driven.add(channel)  # type: ignore[arg-type]
+            self._wire_region(axis, low, high, self._channel_change(channel))
+
+    def _channel_change(self, channel: object) -> Callable[[bool], None]:
+        def change(inside: bool) -> None:
+            self._controller.inputs[channel] = int(inside)  # type: ignore[index]
+
+        return change
+
+    def _wire_channel(self, entry: Entry, put: Callable[[int, float], None]) -> None:
+        """One `[[input]]` or `[[analogue]]`: by time, with an optional length, or by position."""
+        channel, value = _number(entry, "channel"), entry.get("value", 1)
+        self.driven.add(int(channel))
+
+        def change(active: bool) -> None:
+            put(int(channel), value if active else 0)  # type: ignore[arg-type]
+
+        if "axis" in entry:
+            low, high = _span(entry)
+            self._wire_region(int(_number(entry, "axis")), low, high, change)
+            return
+        at = _number(entry, "at", 0.0)
+        self._at(at, lambda: change(True))
+        if "for" in entry:
+            self._at(at + _number(entry, "for"), lambda: change(False))
+
+    def _wire_fault(self, entry: Entry) -> None:
+        axis = int(_number(entry, "axis"))
+        bit, action = FAULTS[str(entry["kind"])]
+
+        def happen(active: bool = True) -> None:
+            if active:
+                self._controller.fault(axis, bit, action)
+
+        if "above" in entry or "below" in entry:
+            low, high = _span(entry)
+            self._wire_region(axis, low, high, happen)
+        else:
+            self._at(_number(entry, "at", 0.0), happen)
+
+    def _at(self, time: float, call: Callable[[], None]) -> None:
+        """Now, for what is true from the beginning; an event otherwise."""
+        if time <= self._controller.clock.now:
+            call()
+        else:
+            self._controller.clock.at(time, call)
+
+    def _wire_region(self, axis: int, low: float, high: float, change: Callable[[bool], None]) -> None:
+        scale = self._scale(axis)
+        low, high = low - self._start(axis), high - self._start(axis)
+        region = Region(self._controller, axis, low * scale, high * scale, change)
+        self._regions.append((region, low, high))
+
+    def _start(self, axis: int) -> float:
+        """Where the machine stood at power-up, which is where its counts begin."""
+        return self._settings.get(f"axis.{axis}.start", 0.0)  # type: ignore[return-value]
+
+    def _scale(self, axis: int) -> float:
+        return self._controller.axes[axis].scale.counts
+
+    def _heard(self, what: str, axis: int) -> None:
+        """A new scale puts every switch of the axis at its new count."""
+        if what != "scale":
+            return
+        scale = self._scale(axis)
+        for region, low, high in self._regions:
+            if region.axis == axis:
+                region.place(low * scale, high * scale)
+        for limit, position in self._limits:
+            if limit.axis == axis:
+                limit.place(position * scale)
+
+
+def _entries(settings: Settings, name: str) -> Sequence[Entry]:
+    return settings.get(name, ())  # type: ignore[return-value]
+
+
+def _number(entry: Entry, key: str, default: float | None = None) -> float:
+    value = entry.get(key, default)
+    assert value is not None, f"the machine file was read without its check of {key}"
+    return value  # type: ignore[return-value]
+
+
+def _span(entry: Entry) -> tuple[float, float]:
+    """The region that `above`, `below` or `between` names."""
+    if "between" in entry:
+        between: Pair = entry["between"]  # type: ignore[assignment]
+        return between[0], between[1]
+    if "above" in entry:
+        return _number(entry, "above"), INFINITY
+    return -INFINITY, _number(entry, "below")

@@ -1,0 +1,223 @@
+"""The machine file: its whole vocabulary, read and checked.
+
+`machine.toml` has plain keys (`controller.axes`), keys of an axis (`axis.0.travel`, `N` in the table) and tables of
+things that happen (`[[input]]`). Every key has a default; one that does not exist, or a value of the wrong kind, is a
+diagnostic with its line.
+"""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic, ProgramError, nearest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from motionlang.source import Source
+
+MAX_AXES = 64
+# key -> (kind, help). A pair is two numbers, the first not above the second.
+KEYS: dict[str, tuple[str, str]] = {
+    "controller.model": ("text", "The model to behave like; empty for the dialect's own default."),
+    "controller.axes": ("count", f"The number of axes, 1 to {MAX_AXES}."),
+    "controller.instruction_time": ("time", "What one statement costs, 1e-9 to 1 second of machine time."),
+    "axis.N.travel": ("pair", "The positions of the two limit switches, in user units."),
+    "axis.N.forward_input": ("channel", "The input that shows the forward limit switch."),
+    "axis.N.reverse_input": ("channel", "The input that shows the reverse limit switch."),
+    "axis.N.home_switch": ("pair", "From where to where the home switch is active, in user units."),
+    "axis.N.home_input": ("channel", "The input that shows the home switch."),
+    "axis.N.index_every": ("positive", "The distance between index marks of the encoder, in user units."),
+    "axis.N.start": (
+        "number",
+        "Where the machine stands at power-up, measured from its own zero, in user units.",
+    ),
+}
+# Tables of things that happen: table -> key -> (kind, help).
+_WHEN = {
+    "at": ("time", "The machine time at which it happens, in seconds."),
+    "axis": ("channel", "The axis whose position decides."),
+    "above": ("number", "Active from this position on, in user units."),
+    "below": ("number", "Active up to this position, in user units."),
+    "between": ("pair", "Active from the first position to the second, in user units."),
+}
+TABLES: dict[str, dict[str, tuple[str, str]]] = {
+    "input": {
+        "channel": ("channel", "The digital input."),
+        "value": ("number", "The value while active, 1 unless given."),
+        "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
+        **_WHEN,
+    },
+    "analogue": {
+        "channel": ("channel", "The analogue input."),
+        "value": ("number", "The value in percent."),
+        "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
+        **_WHEN,
+    },
+    "fault": {
+        "axis": ("channel", "The axis that suffers it."),
+        "kind": ("fault", "following-error, error-input, forward-limit or reverse-limit."),
+        **{key: _WHEN[key] for key in ("at", "above", "below")},
+    },
+    "key": {"at": _WHEN["at"], "text": ("text", "Keys that the operator presses, for INKEY.")},
+    "answer": {"text": ("text", "What the operator types at the next INPUT.")},
+    "comms": {
+        "at": _WHEN["at"],
+        "element": ("channel", "The element of the comms array that the host writes."),
+        "value": ("number", "The value."),
+    },
+    "netdata": {
+        "at": _WHEN["at"],
+        "element": ("channel", "The NetData location that the host writes."),
+        "value": ("number", "The value."),
+    },
+}
+REQUIRED = {
+    "input": ("channel",),
+    "analogue": ("channel", "value"),
+    "fault": ("axis", "kind"),
+    "key": ("text",),
+    "answer": ("text",),
+    "comms": ("element", "value"),
+    "netdata": ("element", "value"),
+}
+FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit")
+
+
+def read_machine(source: Source) -> dict[str, object]:
+    """The settings of a machine file by their dotted keys, tables as lists; ProgramError with every mistake."""
+    import tomllib
+
+    try:
+        tree = tomllib.loads(source.text)
+    except tomllib.TOMLDecodeError as error:
+        raise ProgramError([_toml_mistake(error)]) from None
+    settings: dict[str, object] = {}
+    mistakes: list[Diagnostic] = []
+    for key, value in _flatten(tree):
+        problems = list(_problems(key, value))
+        mistakes.extend(_located(source, key, *problem) for problem in problems)
+        if not problems:
+            settings[key] = value
+    if mistakes:
+        raise ProgramError(mistakes)
+    return settings
+
+
+def check_setting(key: str, value: object) -> tuple[str, str] | None:
+    """What is wrong with one plain setting, and a hint; None when nothing is."""
+    row = KEYS.get(_generic(key))
+    if row is None:
+        near = nearest(_generic(key), (*KEYS, *TABLES))
+        words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
+        return f"there is no key {key}", words
+    problem = _kind_problem(row[0], value)
+    if problem is None and key == "controller.axes" and not 1 <= value <= MAX_AXES:  # type: ignore[operator]
+        problem = f"must be 1 to {MAX_AXES}"
+    if problem is None and key == "controller.instruction_time" and not 1e-9 <= value <= 1.0:  # type: ignore[operator]
+        problem = "must be 1e-9 to 1 second"
+    return None if problem is None else (f"{key} {problem}, not {value!r}", row[1])
+
+
+def _problems(key: str, value: object) -> Iterator[tuple[str, str, str]]:
+    """Message, hint and the name to look for, of each mistake in one key or table."""
+    if key not in TABLES:
+        problem = check_setting(key, value)
+        if problem is not None:
+            yield (*problem, key)
+        return
+    if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
+        yield f"{key} is a table of entries", f"write [[{key}]] above each", key
+        return
+    for entry in value:
+        yield from _entry_problems(key, entry)
+
+
+def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    rows = TABLES[table]
+    for name, value in entry.items():
+        if name not in rows:
+            near = nearest(name, rows)
+            words = f"did you mean {near}?" if near else f"its keys are {', '.join(rows)}"
+            yield f"[[{table}]] has no key {name}", words, name
+            continue
+        problem = _kind_problem(rows[name][0], value)
+        if problem is not None:
+            yield f"{name} of [[{table}]] {problem}, not {value!r}", rows[name][1], name
+    for name in REQUIRED[table]:
+        if name not in entry:
+            yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
+    where = [name for name in ("above", "below", "between") if name in entry]
+    if len(where) > 1 or (where and "at" in entry):
+        yield (
+            f"[[{table}]] is active by time or by one position",
+            "give at, or one of above, below, between",
+            where[0],
+        )
+    if where and table != "fault" and "axis" not in entry:
+        yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+
+
+def _kind_problem(kind: str, value: object) -> str | None:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    finite = number and abs(value) < 1e300  # type: ignore[arg-type]
+    whole = number and isinstance(value, int)
+    tests = {
+        "text": (isinstance(value, str), "must be a text"),
+        "count": (whole, "must be a whole number"),
+        "channel": (whole and 0 <= value < 1000, "must be a whole number from 0 to 999"),  # type: ignore[operator]
+        "number": (finite, "must be a number"),
+        "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
+        "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
+        "pair": (_is_pair(value), "must be two numbers, the lower first"),
+        "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
+    }
+    fits, words = tests[kind]
+    return None if fits else words
+
+
+def _is_pair(value: object) -> bool:
+    if not isinstance(value, list) or len(value) != 2:
+        return False
+    return all(_kind_problem("number", each) is None for each in value) and value[0] <= value[1]
+
+
+def _generic(key: str) -> str:
+    """`axis.3.travel` as the table has it."""
+    parts = key.split(".")
+    if parts[0] == "axis" and len(parts) > 2 and parts[1].isdigit():
+        parts[1] = "N"
+    return ".".join(parts)
+
+
+def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
+    for key, value in tree.items():
+        if isinstance(value, dict):
+            yield from _flatten(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value
+
+
+def _located(source: Source, key: str, message: str, hint: str, name: str) -> Diagnostic:
+    """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it."""
+    section, _, last = key.rpartition(".")
+    here = ""
+    for number, line in enumerate(source.text.split("\n"), 1):
+        text = line.strip()
+        if text.startswith("["):
+            here = text.strip("[] ")
+            if text.replace(" ", "") == name:
+                return Diagnostic("machine-file", message, number, 1, length=len(text), hint=hint)
+        word = text.split("=")[0].strip()
+        if (word == key and not here) or (here == section and word == last) or (here == key and word == name):
+            column = len(line) - len(line.lstrip()) + 1
+            return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
+    return Diagnostic("machine-file", message, hint=hint)
+
+
+def _toml_mistake(error: Exception) -> Diagnostic:
+    import re
+
+    text = str(error)
+    place = re.search(r"\(at line (\d+), column (\d+)\)", text)
+    line, column = (int(place[1]), int(place[2])) if place else (0, 0)
+    return Diagnostic("machine-file", text.split(" (at ")[0], line, column, hint="the machine file is TOML")

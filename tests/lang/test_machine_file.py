@@ -1,0 +1,88 @@
+"""The machine file: what it accepts, and every mistake with its line."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.errors import ProgramError
+from motionlang.lang.machine_file import read_machine
+from motionlang.source import Source
+
+
+def read(text: str) -> dict[str, object]:
+    return read_machine(Source("machine.toml", text))
+
+
+def mistakes(text: str) -> list[tuple[int, int, str, str]]:
+    with pytest.raises(ProgramError) as error:
+        read(text)
+    return [(d.line, d.column, d.message, d.hint) for d in error.value.diagnostics]
+
+
+def test_keys_and_tables() -> None:
+    settings = read(
+        """
+[controller]
+axes = 4
+instruction_time = 5e-6
+[axis.0]
+travel = [-5, 250.0]
+[[input]]
+channel = 3
+at = 1.5
+[[input]]
+channel = 4
+axis = 0
+above = 100.0
+"""
+    )
+    assert settings["controller.axes"] == 4
+    assert settings["axis.0.travel"] == [-5, 250.0]
+    assert settings["input"] == [{"channel": 3, "at": 1.5}, {"channel": 4, "axis": 0, "above": 100.0}]
+
+
+def test_an_empty_file_is_all_defaults() -> None:
+    assert read("") == {}
+
+
+def test_a_misspelt_key_is_told_with_its_line_and_a_suggestion() -> None:
+    assert mistakes("[axis.0]\n  travl = [0, 1]\n") == [
+        (2, 3, "there is no key axis.0.travl", "did you mean axis.N.travel?")
+    ]
+
+
+def test_every_mistake_is_told_in_one_pass() -> None:
+    found = mistakes(
+        """[controller]
+axes = 0
+instruction_time = "fast"
+[[input]]
+channel = -1
+whne = 3
+[[fault]]
+axis = 0
+kind = "fire"
+"""
+    )
+    assert [(line, message.split(",")[0]) for line, _, message, _ in found] == [
+        (2, "controller.axes must be 1 to 64"),
+        (3, "controller.instruction_time must be a time"),
+        (5, "channel of [[input]] must be a whole number from 0 to 999"),
+        (6, "[[input]] has no key whne"),
+        (9, "kind of [[fault]] must be one of following-error"),
+    ]
+
+
+def test_a_missing_key_and_a_contradiction() -> None:
+    found = mistakes("[[input]]\nat = 1\nabove = 3\n")
+    assert {message for _, _, message, _ in found} == {
+        "[[input]] needs channel",
+        "[[input]] is active by time or by one position",
+        "[[input]] needs the axis whose position decides",
+    }
+
+
+def test_text_that_is_not_toml() -> None:
+    ((line, column, message, hint),) = mistakes("axes = = 3\n")
+    assert (line, column, hint) == (1, 8, "the machine file is TOML")
+    assert message
