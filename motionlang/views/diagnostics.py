@@ -113,7 +113,7 @@ def _window(line: str, at: int, length: int, room: int) -> tuple[str, int, int]:
     after = _widened(line[at : at + room], cells(before))
     marked = cells(_widened(line[at : at + max(length, 1)][:room], cells(before)))
     cut_right = len(line) > at + room
-    if cells(before) + cells(after) + cut_right > room:
+    if cells(before) + max(cells(after), 1) + cut_right > room:
         if first or cells(before) + min(marked, room // 2) > room - 1:
             before = "…" + _last(before, room // 2)
         left = room - cells(before)
