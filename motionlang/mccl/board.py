@@ -121,6 +121,7 @@ class Board:
     def foreground(self, task: CommandTask) -> None:
         """The task that carries out what the host sends takes the place of the one before it."""
         self.tasks = [task, *self.background.values()]
+        self.disturbances += 1
 
     def start_task(self, macro: Line) -> int:
         """Run a macro in the background; its number."""

@@ -39,7 +39,9 @@ class Command:
 
     @property
     def number(self) -> int | None:
-        """The parameter where it is a number that is known before the program runs."""
+        """The parameter where it is a whole number that is known before the program runs."""
         if self.kind == NONE:
             return 0
-        return int(self.value) if self.kind == NUMBER else None
+        if self.kind != NUMBER or self.value != int(self.value):
+            return None
+        return int(self.value)

@@ -146,8 +146,6 @@ def _number(rest: str, row: Keyword) -> float | int:
 
 def checked(value: float | int, row: Keyword) -> float | int:
     """The value, if the command accepts it."""
-    if row.access == "C":
-        return value
     low, high = row.low, row.high
     if low is None and high is None and -1e15 <= value <= 1e15:
         return value

@@ -1,0 +1,48 @@
+"""Whatever bytes are a program file: answers, never a traceback, never a hang."""
+
+from __future__ import annotations
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang import run
+from motionlang.mccl import DIALECT
+from motionlang.mccl.keywords import TABLE
+from motionlang.source import Source
+
+names = st.sampled_from([row.name for row in TABLE])
+numbers = st.one_of(
+    st.integers(-3, 40).map(str),
+    st.floats(allow_nan=True, allow_infinity=True).map(str),
+    st.sampled_from(["", "@0", "@9999", "0.1", "-1", "1e400", '"STATUS"', "1000000000000"]),
+)
+commands = st.builds("{}{}{}".format, st.sampled_from(["", "1", "2", "99"]), names, numbers)
+programs = st.lists(st.lists(commands, min_size=1, max_size=8).map(",".join), max_size=8).map("\n".join)
+
+
+def survives(source: Source) -> None:
+    """The file is checked, run for a moment of machine time, and coloured."""
+    result = run(source, dialect="mccl", until=0.02)
+    assert result.status in ("ended", "until", "fault")
+    assert isinstance(result.report, dict)
+    for diagnostic in [*DIALECT.check(source), *result.diagnostics]:
+        assert diagnostic.message
+    assert "".join(text for _, text, _ in DIALECT.tokens(source.text)) == source.text
+
+
+@settings(derandomize=True, max_examples=150, deadline=None)
+@given(st.binary(max_size=200))
+def test_any_bytes(data: bytes) -> None:
+    survives(Source.from_bytes("any.mcl", data))
+
+
+@settings(derandomize=True, max_examples=250, deadline=None)
+@given(programs)
+def test_any_commands(text: str) -> None:
+    survives(Source("any.mcl", "MN\n" + text))
+
+
+def test_a_line_of_a_megabyte() -> None:
+    result = run(Source("long.mcl", "1TP," * 250_000 + "\n1TP\n"), dialect="mccl")
+    assert result.output == ["?4", "01 0"]
+    assert len(result.diagnostics) == 1
