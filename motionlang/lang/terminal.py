@@ -34,6 +34,11 @@ class Terminal:
         *whole, self._open = (self._open + text).split("\n")
         self.lines.extend(whole)
 
+    def forget(self) -> None:
+        """Drop what was printed: a session has shown it, and each of its commands may print as much as a run."""
+        self.lines.clear()
+        self._size = len(self._open)
+
     def close(self) -> None:
         """End a line that was left open."""
         if self._open:
