@@ -17,15 +17,22 @@ def main(
     """
     import sys
 
+    from motionlang.controller.faults import Refusal
+    from motionlang.errors import Diagnostic
     from motionlang.repl.commands import load_file
     from motionlang.repl.session import Session
     from motionlang.run import dialect, dialect_of
+    from motionlang.views.diagnostics import render
     from motionlang.views.terminal import is_terminal, wants_colour
 
     language = (dialect(dialect_name) if dialect_name else dialect_of(file or "")) or dialect("mint")
     at_terminal = is_terminal(sys.stdin) and is_terminal(sys.stdout)
     complain = _show if at_terminal else _complain
-    session = Session(language, machine_settings, overrides, show=_show, complain=complain)
+    try:
+        session = Session(language, machine_settings, overrides, show=_show, complain=complain)
+    except Refusal as refusal:
+        _complain(render(Diagnostic(refusal.code, refusal.message, hint=refusal.hint)))
+        return 1
     session.colour = wants_colour(sys.stdout if at_terminal else sys.stderr)
     if file is not None:
         load_file(session, file)
@@ -39,7 +46,11 @@ def main(
 
 
 def _show(text: str) -> None:
-    print(text, end="", flush=True)
+    import sys
+
+    from motionlang.views.terminal import draws, plain
+
+    print(text if draws(sys.stdout) else plain(text), end="", flush=True)
 
 
 def _complain(text: str) -> None:

@@ -10,7 +10,10 @@ from motionlang.errors import Diagnostic, nearest
 from motionlang.repl import status
 from motionlang.run import ONE_SHIFT, Run, dialect_of
 from motionlang.source import Source
+from motionlang.views.chart import velocity_chart
 from motionlang.views.files import reason
+from motionlang.views.keywords import page
+from motionlang.views.table import render
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -71,7 +74,7 @@ def _help_on(session: Session, word: str) -> None:
     if command is not None:
         session.say(f"{command.usage}\n  {command.help}\n")
     elif row is not None:
-        session.say(row.help + "\n")
+        session.say(page([row], session.dialect.name, width=session.width, colour=session.colour))
     else:
         near = nearest(word, session.dialect.table().names())
         _wrong(session, "unknown-word", f"{word} is no keyword", f"did you mean {near}?" if near else "")
@@ -100,19 +103,50 @@ def _run(session: Session, argument: str) -> None:
 def _settle(session: Session, _: str) -> None:
     if session.runner.settle():
         _time(session, "")
-    elif endless := status.moving(session.machine):
-        names = ", ".join(map(str, endless))
-        session.remark(f"-- axis {names} will not come to rest by itself\n")
+
+
+def _live(session: Session, argument: str) -> None:
+    if session.live is None:
+        _wrong(session, "not-simulated", "only a prompt at a terminal can be live", ".run S lets time pass")
+    elif argument.lower() in ("on", "off"):
+        session.live = argument.lower() == "on"
+    else:
+        _wrong(session, "range", f".live is on or off, not {argument}")
+
+
+def _report(session: Session, _: str) -> None:
+    session.say(render(_so_far(session), width=session.width, colour=session.colour))
 
 
 def _plot(session: Session, path: str) -> None:
+    if not path:
+        _chart(session)
+    elif path.lower().endswith((".png", ".svg")):
+        _picture(session, expanduser(path))
+    else:
+        _wrong(session, "file", f"{path} is neither a .png nor a .svg file")
+
+
+def _chart(session: Session) -> None:
+    controller = session.machine.controller
+    for number in sorted({move.axis for move in controller.moves}):
+        lines = velocity_chart(
+            controller.axes[number],
+            controller.clock.now,
+            width=session.width,
+            height=6,
+            colour=session.colour,
+        )
+        session.say("\n".join([f"velocity of axis {number}, uu/s", *lines]) + "\n")
+    if not controller.moves:
+        session.say("no axis has moved\n")
+
+
+def _picture(session: Session, path: str) -> None:
     from motionlang.views.plot import write_plot
 
-    if not path.lower().endswith((".png", ".svg")):
-        _wrong(session, "file", f"{path} is neither a .png nor a .svg file")
-        return
     try:
-        write_plot(_so_far(session), expanduser(path))
+        write_plot(_so_far(session), path)
     except ImportError:
         _wrong(session, "file", "a picture needs matplotlib", "pip install motionlang[plot]")
     except OSError as error:
@@ -120,7 +154,7 @@ def _plot(session: Session, path: str) -> None:
 
 
 def _so_far(session: Session) -> Run:
-    run = Run(Source("input", ""), session.dialect, session.machine)
+    run = Run(Source("session", ""), session.dialect, session.machine)
     run.time = session.machine.controller.clock.now
     return run
 
@@ -143,15 +177,6 @@ def load_file(session: Session, path: str) -> None:
         session.load(source)
 
 
-def _live(session: Session, argument: str) -> None:
-    if session.live is None:
-        _wrong(session, "not-simulated", "only a prompt at a terminal can be live", ".run S lets time pass")
-    elif argument.lower() in ("on", "off"):
-        session.live = argument.lower() == "on"
-    else:
-        _wrong(session, "range", f".live is on or off, not {argument}")
-
-
 def _reset(session: Session, _: str) -> None:
     session.reset()
 
@@ -169,7 +194,8 @@ COMMANDS: dict[str, Command] = {
         Command("run", "S", "Let S seconds of machine time pass.", _run),
         Command("settle", "", "Let the motion that is under way end.", _settle),
         Command("live", "on|off", "Let machine time follow the clock on the wall.", _live),
-        Command("plot", "FILE", "The motion so far as a picture: .png or .svg.", _plot),
+        Command("report", "", "Every move so far: distance, duration, peak speed, phases.", _report),
+        Command("plot", "[FILE]", "The velocities so far as a chart, or all as a .png or .svg file.", _plot),
         Command("load", "FILE", "Run a program; its names and the machine live on.", load_file),
         Command("reset", "", "Power-up: machine time zero, no names, no moves.", _reset),
         Command("quit", "", "Leave, as Ctrl-D does.", _quit),

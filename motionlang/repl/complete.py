@@ -13,7 +13,7 @@ from motionlang.lang.keyword import Keyword
 from motionlang.repl.commands import COMMANDS, is_command
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")
-_PROSE = ("comment", "string")
+_PROSE = ("comment", "string", "text")
 
 
 def candidates(dialect: Dialect, text: str) -> list[tuple[str, int, str]]:

@@ -15,11 +15,14 @@ from motionlang.repl.commands import is_command
 STYLE = Style.from_dict(
     {
         "prompt": "bold",
-        "command": "ansimagenta",
+        "dotted": "ansimagenta",
         "move": "ansicyan bold",
         "keyword": "ansicyan",
         "not-simulated": "ansired",
         "control": "ansiblue bold",
+        "unknown": "ansired underline",
+        "axis": "bold",
+        "register": "ansimagenta",
         "number": "ansigreen",
         "string": "ansiyellow",
         "comment": "ansibrightblack italic",
@@ -32,7 +35,7 @@ STYLE = Style.from_dict(
 def styled(dialect: Dialect, text: str) -> StyleAndTextTuples:
     """`text` in pieces, each with its style; nothing of it is left out."""
     if is_command(text):
-        return [("class:command", text)]
+        return [("class:dotted", text)]
     pieces: StyleAndTextTuples = []
     at = 0
     for kind, piece, offset in dialect.tokens(text):
@@ -67,5 +70,15 @@ def _style(dialect: Dialect, kind: str, text: str) -> str:
     return _STYLES.get(kind, "")
 
 
-_WORDS = ("word", "name", "keyword")
-_STYLES = {kind: f"class:{kind}" for kind in ("control", "number", "string", "comment")}
+_WORDS = ("word", "command", "not-simulated")
+_STYLES = {
+    "control": "class:control",
+    "number": "class:number",
+    "axis": "class:axis",
+    "register": "class:register",
+    "string": "class:string",
+    "text": "class:string",
+    "comment": "class:comment",
+    "bad": "class:unknown",
+    "unknown": "class:unknown",
+}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
@@ -19,6 +20,7 @@ from motionlang.repl.history import history
 from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
+from motionlang.views.terminal import width_of
 
 # How often the bottom bar follows in live mode, seconds.
 REFRESH = 0.1
@@ -45,6 +47,7 @@ def converse(session: Session) -> int:
             break
         with interrupts:
             live.begin()
+            session.width = width_of(sys.stdout)
             session.feed(text)
             live.end()
     return 0

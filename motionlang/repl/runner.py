@@ -92,10 +92,19 @@ class Runner:
 
         return self._guard(scheduler, source, run)
 
+    def _pass_on(self, source: Source) -> None:
+        """Tell what the machine has complained of without ending the command."""
+        complaints, self.machine.diagnostics = self.machine.diagnostics, []
+        if complaints:
+            self._tell(complaints, source)
+
     def _guard(self, scheduler: Scheduler, source: Source, work: Callable[[], bool]) -> bool:
         """Do `work`; whatever goes wrong is told, and the machine lives on."""
         try:
-            return work()
+            try:
+                return work()
+            finally:
+                self._pass_on(source)
         except (Interrupted, KeyboardInterrupt):
             self._tell_at(scheduler, source, "interrupted", "the command was ended from the keyboard")
         except Stuck as stuck:

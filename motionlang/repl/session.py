@@ -17,6 +17,7 @@ from motionlang.repl.runner import Interrupted, Runner
 from motionlang.repl.status import moving
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
+from motionlang.views.terminal import WIDTH
 
 Show = Callable[[str], None]
 
@@ -46,7 +47,7 @@ class Session:
         self.dialect = dialect
         self.interrupted: Callable[[], bool] = lambda: False
         self.pace: Callable[[float], None] | None = None
-        self.colour = False
+        self.colour, self.width = False, WIDTH
         self.failed = self.over = False
         # Whether machine time follows the wall; None where nobody sits before a clock.
         self.live: bool | None = None
@@ -94,6 +95,8 @@ class Session:
 
     def _line(self, line: str) -> None:
         if is_command(line):
+            # Typed lines are counted, these too: the numbers of a piped session are those of its file.
+            (self._block or self._lines).append("")
             obey(self, line.strip())
             return
         self._block.append(line)
@@ -113,15 +116,15 @@ class Session:
     def load(self, source: Source) -> bool:
         """Execute a whole program, keeping its names as far as the dialect can; False when something went wrong."""
         fine = self.execute(source)
-        # A number up to here may now mean a line of the program or of the session.
-        self._lines.extend([""] * (source.text.count("\n") + 1 - len(self._lines)))
-        self._ambiguous = len(self._lines)
+        # A number up to here may mean a line of the program or of the session.
+        self._ambiguous = max(len(self._lines), source.text.count("\n") + 1)
         return fine
 
     def execute(self, source: Source) -> bool:
         """Execute a source; False when something went wrong."""
         fine = self.runner.execute(source)
         self.machine.terminal.close()
+        self.machine.terminal.forget()
         axes = moving(self.machine)
         if axes and not self._remarked:
             self._remarked = True
@@ -150,10 +153,11 @@ class Session:
 
     def trouble(self, diagnostics: list[Diagnostic], source: Source | None = None) -> None:
         """Show what went wrong."""
-        self.failed = True
         self.machine.terminal.close()
         for diagnostic in diagnostics:
-            self.remark(render(diagnostic, self._origin(diagnostic, source), colour=self.colour))
+            self.failed = self.failed or diagnostic.severity == "error"
+            origin = self._origin(diagnostic, source)
+            self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:
         """The text that a diagnostic's line is a line of: an earlier one for what was left in a move buffer."""
