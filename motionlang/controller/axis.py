@@ -52,6 +52,7 @@ class Axis:
         "home",
         "index",
         "index_every",
+        "index_origin",
         "limits",
         "live_speed",
         "move",
@@ -96,6 +97,7 @@ class Axis:
         # The home switch, and the distance between the encoder's index marks in user units (0: it has none).
         self.home = False
         self.index_every = 0.0
+        self.index_origin = 0.0  # one of the marks, in counts of the machine
 
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""

@@ -54,7 +54,7 @@ class Controller:
         self.outputs = Channels(self.clock)
         self.analogue_inputs = Channels(self.clock)
         self.analogue_outputs = Channels(self.clock)
-        # Told of ("idle", axis), ("fault", axis) and ("scale", axis) as they happen.
+        # Told of ("idle", axis), ("fault", axis), ("scale", axis) and ("home", axis) as they happen.
         self.listeners: list[Callable[[str, int], None]] = []
 
     # ------------------------------------------------------------------------------------------- settings
@@ -80,7 +80,7 @@ class Controller:
         """Set the door between user units and counts."""
         scale = self.axes[axis].scale
         scale.counts, scale.rate, scale.zero = counts, rate, zero
-        self._tell("scale", axis)
+        self.tell("scale", axis)
 
     # ---------------------------------------------------------------------------------------- on and off
 
@@ -208,7 +208,7 @@ class Controller:
         elif action == "off":
             self.disable(axis)
         if action != "ignore":
-            self._tell("fault", axis)
+            self.tell("fault", axis)
 
     def heading(self, axis: int) -> int:
         """+1 while the axis moves forward, -1 in reverse, 0 at rest: where the present profile is going."""
@@ -393,10 +393,11 @@ class Controller:
         self._follow(a, hold(a.profiles[-1].end))
         self._next(a)
         if a.move is None:
-            self._tell("idle", a.index)
+            self.tell("idle", a.index)
 
-    def _tell(self, what: str, axis: int) -> None:
-        for listener in self.listeners:
+    def tell(self, what: str, axis: int) -> None:
+        """Let the listeners know; a listener may leave while it is told."""
+        for listener in tuple(self.listeners):
             listener(what, axis)
 
     def _next(self, a: Axis) -> None:
@@ -437,4 +438,4 @@ class Controller:
         self._end_move(a, ended)
         a.target = a.position(self.clock.now)
         self._follow(a, hold(a.target))
-        self._tell("idle", a.index)
+        self.tell("idle", a.index)

@@ -57,6 +57,7 @@ class World:
         """Travel limits and the home switch, each with the input channel that shows it, if it has one."""
         get = self._settings.get
         self._controller.axes[axis].index_every = get(f"axis.{axis}.index_every", 0.0)  # type: ignore[assignment]
+        self._controller.axes[axis].index_origin = -self._start(axis) * self._scale(axis)
         travel: Pair | None = get(f"axis.{axis}.travel")  # type: ignore[assignment]
         if travel is not None:
             low, high = travel
@@ -71,6 +72,7 @@ class World:
     def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
         def change(inside: bool) -> None:
             self._controller.axes[axis].home = inside
+            self._controller.tell("home", axis)
             if channel is not None:
                 self._controller.inputs[channel] = int(inside)  # type: ignore[index]
 
@@ -152,6 +154,7 @@ class World:
         if what != "scale":
             return
         scale = self._scale(axis)
+        self._controller.axes[axis].index_origin = -self._start(axis) * scale
         for region, low, high in self._regions:
             if region.axis == axis:
                 region.place(low * scale, high * scale)
