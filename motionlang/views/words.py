@@ -12,6 +12,7 @@ _OUTCOMES = {
     "until": "still running at {}, where --until ended it",
     "fault": "stopped by an error at {}",
     "interrupted": "interrupted at {}",
+    "open": "{} so far",  # a session, which has no end before its user leaves
 }
 
 
