@@ -155,7 +155,7 @@ def _picture(session: Session, path: str) -> None:
 
 def _so_far(session: Session) -> Run:
     run = Run(Source("session", ""), session.dialect, session.machine)
-    run.time = session.machine.controller.clock.now
+    run.status, run.time = "open", session.machine.controller.clock.now
     return run
 
 

@@ -11,6 +11,7 @@ from motionlang.lang.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait, wait_idle, wait_until
 from motionlang.lang.trouble import explain
+from motionlang.repl.status import moving
 from motionlang.run import ONE_SHIFT
 from motionlang.source import Source
 
@@ -68,7 +69,7 @@ class Runner:
     def settle(self) -> bool:
         """Let the motion that is under way end; False when it never does, or something went wrong on the way."""
         controller = self.machine.controller
-        return self._run(_Passing(wait_idle(controller, controller.clock.now, controller.axes)), NOWHERE)
+        return self._run(_Passing(wait_idle(controller, controller.clock.now, moving(self.machine))), NOWHERE)
 
     def _schedule(self, task: Task, background: Iterable[Task]) -> Scheduler:
         scheduler = self.machine.scheduler = Scheduler(self.machine.controller, task, self._poll)
