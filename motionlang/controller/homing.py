@@ -132,16 +132,9 @@ class Homing:
     def _at_rest(self) -> None:
         """Stopped: past the switch or on it after the search, or at the end."""
         if self.state == "on-switch":
-            self._back_off() if self._axis.home else self._return()
-        elif self.state == "stopping":
+            self._back_off()  # also where the stop ran over the whole switch: it comes back over it
+        elif self.state != "done":
             self.cancel()
-        elif self.state in ("search", "back-off", "index"):
-            self.cancel()
-
-    def _return(self) -> None:
-        """The stop ran over the whole switch: come back to it from the other side."""
-        self.state = "back-off"
-        self._jog(-self._direction * self.back_off_speed)
 
 
 def next_index(controller: Controller, axis: int, direction: int) -> float:
