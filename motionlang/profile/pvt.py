@@ -59,7 +59,7 @@ def pvt_piece(p0: float, v0: float, p1: float, v1: float | None, time: float) ->
     if v1 is None:
         return (p0, step, 0.0, 0.0, 0.0, 0.0, 0.0)
     b2 = (3.0 * step - 2.0 * v0 - v1) / time
-    b3 = (v0 + v1 - 2.0 * step) / time**2
+    b3 = (v0 + v1 - 2.0 * step) / time / time
     if not abs(b2) + abs(b3) < inf:
         raise too_large()
     return (p0, v0, b2, b3, 0.0, 0.0, 0.0)
