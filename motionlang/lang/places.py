@@ -40,7 +40,8 @@ class Places:
 
     def column(self, at: int) -> int:
         """The column of a token."""
-        return self.source.place(self.span(at)[0])[1]
+        start = self.span(at)[0]
+        return start - self.source.text.rfind("\n", 0, start)
 
     def length(self, at: int) -> int:
         """The number of characters of a token."""

@@ -156,7 +156,6 @@ class Tables:
         classes: dict[str, str],
         rules: Iterable[Rule],
         rows: Iterable[str],
-        start: int,
         finish: int,
     ) -> None:
         self.token, self.continued = token, continued
@@ -164,26 +163,28 @@ class Tables:
         self.kinds = {*literals.values(), *classes, END}
         self.rules = tuple(rules)
         self.states = [State(self, number, row) for number, row in enumerate(rows)]
-        self.start, self.finish = self.states[start], self.states[finish]
+        self.start, self.finish = self.states[0], self.states[finish]
         self.finish[END] = self.finish  # the end of the text is shifted like any token
 
     def continues(self, text: str) -> bool:
         """May the text have lines that go on in the next one? The pattern that knows of them is slower."""
-        return "\\" in text or "_\n" in text or "_ " in text
+        return "\\" in text or text.endswith("_") or any(mark in text for mark in ("_\n", "_ ", "_\t", "_'"))
 
     def pattern(self, text: str) -> re.Pattern[str]:
         """What cuts up a text."""
         return re.compile(self.continued if self.continues(text) else self.token, re.ASCII)
 
+    def end(self, text: str) -> str:
+        """What ends the last line of a text, even if that would go on in a next one."""
+        return "\n\n" if self.continues(text) else "" if text.endswith("\n") else "\n"
+
     def matches(self, text: str) -> Iterator[re.Match[str]]:
         """The tokens one by one; the text of each is group 1."""
-        return self.pattern(text).finditer(text if text.endswith("\n") else text + "\n")
+        return self.pattern(text).finditer(text + self.end(text))
 
     def texts(self, text: str) -> list[str]:
         """The tokens of a text, with an empty one for its end; the last line need not be ended."""
-        texts: list[str] = self.pattern(text).findall(text if text.endswith("\n") else text + "\n")
-        if texts and "\n" not in texts[-1]:
-            texts.append("\n")
+        texts: list[str] = self.pattern(text).findall(text + self.end(text))
         texts.append("")
         return texts
 

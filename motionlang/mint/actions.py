@@ -96,7 +96,7 @@ ACTIONS: dict[str, str] = {
     "minus": 'Unary(v0, "-", v1)',
     "plus": 'Unary(v0, "+", v1)',
     "complement": 'Unary(v0, "~", v1)',
-    "number": "Number(v0, number(T[v0]))",
+    "number": "literal(v0, T[v0])",
     "string": "String(v0, string(T[v0]))",
     "character": "Number(v0, ord(string(T[v0])))",
 }

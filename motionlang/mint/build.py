@@ -25,24 +25,30 @@ from motionlang.mint.nodes import (
 )
 
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
+INFINITE = float("inf")
 ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 
 class Misuse(Exception):
-    """The grammar has a place for it, the language has not: the token `at`, and what to say about it."""
-
-    def __init__(self, at: int, message: str, hint: str) -> None:
-        super().__init__(message)
-        self.at, self.message, self.hint = at, message, hint
+    """The grammar has a place for it, the language has not; `motionlang.mint.syntax` says what and where."""
 
 
 def number(text: str) -> float:
-    """The value of a literal: `12`, `1.5e-3`, `0x1F`, `0b101`."""
-    if text.isdigit():
-        return int(text)
+    """The value of a literal, `12`, `1.5e-3`, `0x1F`, `0b101`; infinite where no number is so large."""
     if text[1:2] in ("x", "X", "b", "B"):
         return int(text, 0)
-    return float(text)
+    try:
+        return int(text) if text.isdigit() else float(text)
+    except ValueError:  # more digits than Python converts
+        return INFINITE
+
+
+def literal(at: int, text: str) -> Number:
+    """A literal number, which must be finite."""
+    value = number(text)
+    if value == INFINITE:
+        raise Misuse
+    return Number(at, value)
 
 
 def string(text: str) -> str:
@@ -63,7 +69,7 @@ def string(text: str) -> str:
 def dotted(at: int, text: str) -> Name:
     """`REMOTEOUT.1.2`: a keyword with its channels."""
     name, *channels = text.split(".")
-    return Name(at, name, [Number(at, int(each)) for each in channels], True)
+    return Name(at, name, [literal(at, each) for each in channels], True)
 
 
 def body(values: list[object]) -> list[Stmt]:
@@ -118,11 +124,7 @@ def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
 def counted(loop: For, following: int | None, texts: list[str]) -> For:
     """A `For`, and the variable after its `Next`, which must be its own."""
     if following is not None and texts[following].lower() != loop.variable.name.lower():
-        raise Misuse(
-            following,
-            f"`Next {texts[following]}` ends the `For` of `{loop.variable.name}`",
-            f"write Next {loop.variable.name}",
-        )
+        raise Misuse
     return loop
 
 

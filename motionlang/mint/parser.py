@@ -28,10 +28,10 @@ def parse(source: Source) -> Module:
     texts = TABLES.texts(source.text)
     try:
         module: Module = TABLES.parse(texts)
-    except (Stuck, TooDeep, Misuse) as trouble:
+    except (Stuck, TooDeep, Misuse):
         from motionlang.mint.syntax import diagnose  # only a mistake pays for this import
 
-        raise diagnose(source, trouble if isinstance(trouble, Misuse) else None) from None
+        raise diagnose(source) from None
     module.places = Places(source, TABLES, texts)
     if not _short(module.places):
         from motionlang.mint.depth import check_depth

@@ -14,7 +14,7 @@ from motionlang.lang.tables import DEEPEST, END
 from motionlang.lang.tables_stack import empty, expected, feed, feed_all
 from motionlang.mint import wording
 from motionlang.mint.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_line
-from motionlang.mint.build import Misuse
+from motionlang.mint.build import INFINITE, number
 from motionlang.mint.tables import TABLES
 
 TYPE_CHECKING = False
@@ -25,12 +25,10 @@ if TYPE_CHECKING:
 MOST = 100  # nobody reads more, and binary rubbish has one a line
 
 
-def diagnose(source: Source, misuse: Misuse | None = None) -> ProgramError:
+def diagnose(source: Source) -> ProgramError:
     """Every mistake of a text that cannot be parsed."""
     reader = _Reader(source)
     reader.read()
-    if misuse and not reader.diagnostics:
-        reader.report("syntax", misuse.message, misuse.at, misuse.hint)
     return ProgramError(reader.diagnostics)
 
 
@@ -46,7 +44,7 @@ def unfinished(texts: list[str]) -> bool:
 
 
 class _Reader:
-    """Goes through the tokens once; `top` is the stack, `mark` where the statement began."""
+    """Goes through the tokens once; `top` is the stack, `mark` the stack where the statement began."""
 
     def __init__(self, source: Source) -> None:
         self.texts = TABLES.texts(source.text)
@@ -56,23 +54,32 @@ class _Reader:
         self.top = empty(TABLES)
         self.line = self.mark = self.top
         self.start = 0  # the token at which the statement began
+        self.spent: dict[int, int] = {}  # an opener, and the inner one that its closer was spent on
 
     def read(self) -> None:
+        """Find the mistakes, up to as many as are of use."""
         at = 0
         while at < len(self.kinds) and len(self.diagnostics) < MOST:
+            closer = self._closer(at, at + 1) if at == self.start else ""
+            if closer:
+                self._watch_columns(closer)
             self.top, fits = feed(self.top, self.kinds[at], at)
+            if fits:
+                self._check(at)
             at = self._after(at) if fits else self._mistake(at)
-            if self.top.depth > DEEPEST and not self._all_right(at):
+            if self.top.depth > DEEPEST and (blocks := opened_blocks(self.mark)):
+                hint = "move the inner ones into a Sub"
+                self.report("syntax", "blocks are nested too deeply", blocks[0].at, hint)
                 return
 
     def report(self, code: str, message: str, at: int, hint: str = "", last: int | None = None) -> None:
         """Write down a mistake at a token, or from one token to another of the same line."""
         start, end = self.places.span(at)
-        line, column = self.places.source.place(start)
         if last is not None:
             end = self.places.span(last)[1]
-        length = 1 if self.kinds[at] in ("_NL", END) else end - start
-        self.diagnostics.append(Diagnostic(code, message, line, column, length=max(1, length), hint=hint))
+        length = 1 if self.kinds[at] in ("_NL", END) else max(1, end - start)
+        line, column = self.places.line(at), self.places.column(at)
+        self.diagnostics.append(Diagnostic(code, message, line, column, length=length, hint=hint))
 
     def _after(self, at: int) -> int:
         """The token `at` is in its place; note where lines and statements begin."""
@@ -83,13 +90,29 @@ class _Reader:
             self.mark, self.start = self.top, at + 1
         return at + 1
 
-    def _all_right(self, at: int) -> bool:
-        """Blocks nested too deeply end the reading: what follows would only repeat it."""
-        block = next(iter(opened_blocks(self.mark)), None)
-        if block is None:
-            return True
-        self.report("syntax", "blocks are nested too deeply", block.at, "move the inner ones into a Sub")
-        return False
+    def _check(self, at: int) -> None:
+        """What the grammar accepts and the language does not; `motionlang.mint.build` raises Misuse for it."""
+        text = self.texts[at]
+        if self.kinds[at] == "NUMBER" and number(text) == INFINITE:
+            self.report("syntax", f"{wording.found('', text)} is too large for a number", at)
+        if self.kinds[at - 1] == "NEXT" and at - 1 == self.start and self.kinds[at] not in ("_NL", "COLON"):
+            variable = self.texts[opened_blocks(self.mark)[0].at + 1]
+            if variable.lower() != text.lower():
+                message = f"`Next {text}` ends the `For` of `{variable}`"
+                self.report("syntax", message, at, f"write Next {variable}")
+
+    def _watch_columns(self, closer: str) -> None:
+        """A closer that stands under an outer opener and closes an inner one: if one is missing, it is the inner's."""
+        inner, *outer = opened_blocks(self.mark) or [None]
+        if inner is None or inner.kind != closer or self._under(inner):
+            return
+        meant = next((block for block in outer if block.kind == closer and self._under(block)), None)
+        if meant:
+            self.spent.setdefault(meant.at, inner.at)
+
+    def _under(self, block: Block) -> bool:
+        """Does the statement stand under the opener of a block?"""
+        return self.places.column(self.start) == self.places.column(block.at)
 
     # ------------------------------------------------------------------------------------------- mistakes
 
@@ -98,54 +121,58 @@ class _Reader:
         blocks = opened_blocks(self.mark)
         if self.kinds[at] == END:
             return self._file_ends(at, blocks)
-        closer = self._closer(at)
-        if closer:
-            inline = any(block.inline for block in blocks)
-            return self._closes_inline(at) if inline else self._closes(closer, at, blocks)
+        first = at - 1 if self.kinds[at - 1] == "END" and self.kinds[at] in OPENERS else at
+        closer = self._closer(first, at)
+        if closer and first == self.start and not any(block.inline for block in blocks):
+            return self._closes(closer, at, blocks)
+        if closer and self.kinds[at] != "ELSE" and self._inline(first, blocks):
+            return self._closes_inline(first, at)
         if self._declares(at) and blocks and not blocks[0].inline:
             return self._declared_inside(blocks)
         return self._wrong(at)
 
-    def _closer(self, at: int) -> str:
-        """The kind of block that the statement up to `at` wants to close, "" for none."""
-        first = self.kinds[self.start]
-        if at == self.start:
-            return CLOSERS.get(first, "")
-        if first == "END" and at == self.start + 1 and self.kinds[at] in OPENERS:
-            return self.kinds[at]
-        return ""
+    def _closer(self, first: int, last: int) -> str:
+        """The kind of block that the tokens from `first` to `last` close or go on with, "" for none."""
+        if self.kinds[first] == "END" and self.kinds[last : last + 1] and self.kinds[last] in OPENERS:
+            return self.kinds[last]
+        return CLOSERS.get(self.kinds[first], "")
+
+    def _inline(self, first: int, blocks: list[Block]) -> bool:
+        """Does the statement at `first` belong to an If of one line?"""
+        return self.kinds[first - 1] in ("THEN", "ELSE") or any(block.inline for block in blocks)
 
     def _closes(self, closer: str, at: int, blocks: list[Block]) -> int:
-        """A closer that does not fit: the blocks inside the one it closes are still open, or there is none."""
+        """A closer that does not fit: blocks inside the one it closes are still open, or there is none."""
         place = next((i for i, block in enumerate(blocks) if block.kind == closer), None)
         words = " ".join(self.texts[self.start : at + 1])
+        name = OPENERS[closer]
         if place:
             for block in blocks[:place]:
                 self._missing(block)
             if self._close(blocks[:place]):
                 return self.start
-        if blocks and place is None and self._same_column(blocks[0]):
-            name = OPENERS[blocks[0].kind]
-            end = closing(blocks[0].kind)
-            self.report("stray-end", f"`{words}` does not close `{name}`", self.start, f"write {end}", at)
-            self._close(blocks[:1])
-        elif place == 0:
+        if place is not None:
             self.report("syntax", f"`{words}` cannot stand here", self.start, last=at)
+        elif blocks and self._under(blocks[0]):
+            message = f"`{words}` does not close `{OPENERS[blocks[0].kind]}`"
+            self.report("stray-end", message, self.start, f"write {closing(blocks[0].kind)}", at)
+            self._close(blocks[:1])
         else:
-            hint = f"remove it, or add the {OPENERS[closer]} it belongs to"
-            self.report("stray-end", f"`{words}` without {_article(OPENERS[closer])}", self.start, hint, at)
+            message = f"`{words}` without {_article(name)}"
+            self.report("stray-end", message, self.start, f"remove it, or add the {name} it belongs to", at)
         return self._skip(at)
 
-    def _closes_inline(self, at: int) -> int:
+    def _closes_inline(self, first: int, at: int) -> int:
         """A closer in an If of one line, which ends with its line."""
-        words = " ".join(self.texts[self.start : at + 1])
+        words = " ".join(self.texts[first : at + 1])
         message = f"`{words}` cannot stand in an If of one line"
-        self.report("stray-end", message, self.start, "remove it, or give each part a line of its own", at)
+        self.report("stray-end", message, first, "remove it, or give each part a line of its own", at)
         return self._skip(at)
 
-    def _same_column(self, block: Block) -> bool:
-        """Does the statement stand under the opener, as if it were to close it?"""
-        return self.places.column(self.start) == self.places.column(block.at)
+    def _declares(self, at: int) -> bool:
+        """Does the statement begin a Sub or the like?"""
+        named = self.kinds[self.start + 1 : self.start + 2] in (["NAME"], ["_NL"])
+        return self.kinds[self.start] in DECLARATIONS and named and at <= self.start + 1
 
     def _declared_inside(self, blocks: list[Block]) -> int:
         """A `Sub` or the like begins where blocks are open: they should have ended before."""
@@ -153,14 +180,9 @@ class _Reader:
         while blocks and feed_all(self.mark, kinds, self.start) is None:
             self._missing(blocks[0])
             if not self._close(blocks[:1]):
-                break
+                return self._skip(self.start)
             blocks = blocks[1:]
         return self.start
-
-    def _declares(self, at: int) -> bool:
-        first = self.kinds[self.start]
-        named = self.kinds[self.start + 1 : self.start + 2] in (["NAME"], ["_NL"])
-        return first in DECLARATIONS and named and at <= self.start + 1
 
     def _file_ends(self, at: int, blocks: list[Block]) -> int:
         for block in blocks:
@@ -168,8 +190,12 @@ class _Reader:
         return at + 1
 
     def _missing(self, block: Block) -> None:
-        name, end = OPENERS[block.kind], closing(block.kind)
-        self.report("missing-end", f"`{name}` is never closed", block.at, f"add {end}")
+        at = block.at
+        while at in self.spent:
+            at = self.spent.pop(at)
+        self.report(
+            "missing-end", f"`{OPENERS[block.kind]}` is never closed", at, f"add {closing(block.kind)}"
+        )
 
     def _close(self, blocks: list[Block]) -> bool:
         """Close blocks, from the innermost, as if their ends stood before the statement."""

@@ -8,23 +8,6 @@ from motionlang.mint.tables import SPELLINGS
 VALUE = {"NUMBER", "STRING"}  # where both may stand, any value may
 STATEMENT = {"PAUSE", "DIM", "GOTO"}  # likewise
 SEPARATORS = {"_NL", "COLON"}
-OPERATORS = {
-    *(
-        "AND",
-        "OR",
-        "XOR",
-        "MOD",
-        "PLUS",
-        "MINUS",
-        "STAR",
-        "DIVIDE",
-        "SHIFT",
-        "CIRCUMFLEX",
-        "VBAR",
-        "AMPERSAND",
-    ),
-    *("COMPARE", "EQUAL"),
-}
 FEW = 3  # more things than this are no help
 
 # A token that does not fit, the token before it, and what the writer probably meant.
@@ -109,7 +92,6 @@ def _things(kinds: set[str]) -> list[str]:
         things.append("a name")
         left = {kind for kind in left if not kind.isalpha() or kind in ("AS",)}
         left -= {"LPAR", "LSQB"}
-    left -= OPERATORS if left - OPERATORS else set()
     if "THEN" in left:
         left.discard("DO")  # v4's word for the same
     if "END" in left:
