@@ -47,7 +47,7 @@ _NEWLINE = _table([b"%03d\n" % i for i in range(1000)])
 def decimals_for(resolution: float) -> int:
     """The fewest decimals that still show a thousandth of `resolution`, within `DECIMALS`."""
     for decimals in DECIMALS:
-        if 10.0**-decimals <= abs(resolution) / 1000.0:
+        if 10.0**-decimals <= abs(resolution) / 1000.0 * (1.0 + 1e-9):
             return decimals
     return DECIMALS[-1]
 

@@ -29,7 +29,7 @@ def outline(trace: Trace, axis: int, quantity: str, bins: int = GRID) -> tuple[A
     piece, inside = _points(trace, axis, bins)
     table = trace.table(axis)
     values = _evaluate(table.columns[:, piece], inside, ORDERS[quantity])
-    times = table.origins[piece] + inside
+    times = np.maximum.accumulate(table.origins[piece] + inside)
     trace.to_user(axis, quantity, values)
     if len(times) > 8 * bins and trace.end > 0.0:
         return _extremes(times, values, trace.end, bins)

@@ -1,0 +1,63 @@
+"""CSV text by tables of digits, against Python's own formatting."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.views.csv import BLOCK, DECIMALS, Formatter, decimals_for
+
+
+def lines(columns: list[list[float]], decimals: list[int]) -> list[str]:
+    arrays = [np.array(column) for column in columns]
+    return b"".join(Formatter(decimals).lines(arrays)).decode("ascii").splitlines()
+
+
+def test_numbers_of_every_length() -> None:
+    numbers = [0.0, 1.0, 12.5, -7.25, 9999.999999, 10_000.0, 99_999_999.0, 1e8, -123_456_789.0625, 1e-6, -1e-6]
+    assert lines([numbers], [6]) == [f"{x:.6f}" for x in numbers]
+
+
+def test_columns_have_their_own_decimals() -> None:
+    assert lines([[1.0, -2.0], [0.5, 1 / 3], [2 / 3, 1e-9]], [6, 9, 12]) == [
+        "1.000000,0.500000000,0.666666666667",
+        "-2.000000,0.333333333,0.000000001000",
+    ]
+
+
+def test_rounding_carries_into_the_whole_part() -> None:
+    assert lines([[9999.9999996, 0.9999996, -0.9999996]], [6]) == ["10000.000000", "1.000000", "-1.000000"]
+
+
+def test_there_is_no_negative_zero() -> None:
+    assert lines([[-0.0, -1e-9]], [6]) == ["0.000000", "0.000000"]
+
+
+def test_what_fixed_point_cannot_hold_goes_the_slow_way() -> None:
+    assert lines([[float("nan"), float("inf"), 1e300, -1.5]], [6]) == [f"{x:.6f}" for x in (
+        float("nan"), float("inf"), 1e300, -1.5)]  # fmt: skip
+
+
+def test_blocks_join_without_a_seam() -> None:
+    count = 2 * BLOCK + 17
+    numbers = [k / 8 for k in range(count)]
+    assert lines([numbers], [6]) == [f"{x:.6f}" for x in numbers]
+
+
+@pytest.mark.parametrize(("resolution", "decimals"), [(1.0, 6), (1 / 1200, 9), (1e-6, 9), (1e-9, 12), (1e-15, 12)])
+def test_a_thousandth_of_a_count_is_shown(resolution: float, decimals: int) -> None:
+    assert decimals_for(resolution) == decimals
+
+
+@settings(max_examples=300, derandomize=True)
+@given(
+    st.lists(st.floats(-9e5, 9e5).map(lambda x: round(x, 9)), min_size=1, max_size=30),
+    st.sampled_from(DECIMALS),
+)
+def test_every_number_reads_back_within_half_a_digit(numbers: list[float], decimals: int) -> None:
+    for text, number in zip(lines([numbers, numbers[::-1]], [decimals, 6]), numbers, strict=True):
+        first = text.split(",")[0]
+        assert len(first.partition(".")[2]) == decimals
+        assert abs(float(first) - number) <= 0.5000001 * 10.0**-decimals + 1e-10

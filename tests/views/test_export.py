@@ -1,0 +1,102 @@
+"""Traces as files: what is in them, that they are whole or not there, that the same run gives the same bytes."""
+
+from __future__ import annotations
+
+import csv
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from motionlang.controller import trace as trace_module
+from motionlang.views.export import write_trace
+from motionlang.views.files import replacing, unwritable
+from tests.views.runs import ballscrew, pick
+
+NAMES = ["time_s", "axis0_position_uu", "axis0_velocity_uu_per_s", "axis0_acceleration_uu_per_s2"]
+
+
+def test_csv_has_names_with_units_and_a_row_a_sample(tmp_path: Path) -> None:
+    path = tmp_path / "ballscrew.csv"
+    assert write_trace(ballscrew().trace, str(path), 10.0) == 12
+    rows = path.read_text().splitlines()
+    assert rows[0].split(",") == NAMES
+    assert rows[1] == "0.000000000,0.000000000,0.000000000,0.000000000"
+    assert rows[6] == "0.500000000,99.987500000,250.000000000,0.000000000"
+    assert rows[-1] == "1.000050000,200.000000000,0.000000000,0.000000000"
+
+
+@pytest.mark.parametrize("rate", [100.0, 1000.0, 777.7])
+def test_both_formats_hold_the_samples(tmp_path: Path, rate: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trace_module, "ROWS", 193)
+    trace = pick().trace
+    samples = trace.sample(rate)
+    write_trace(trace, str(tmp_path / "pick.csv"), rate)
+    write_trace(trace, str(tmp_path / "pick.npz"), rate)
+    with (tmp_path / "pick.csv").open(newline="") as file:
+        head, *rows = csv.reader(file)
+    table = np.array(rows, dtype=float)
+    with np.load(tmp_path / "pick.npz") as archive:
+        assert list(archive) == head
+        for k, name in enumerate(head):
+            np.testing.assert_array_equal(archive[name], samples[name])
+            np.testing.assert_allclose(table[:, k], samples[name], rtol=0, atol=5.1e-10)
+
+
+def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
+    for suffix in (".csv", ".npz"):
+        one, two = tmp_path / f"one{suffix}", tmp_path / f"two{suffix}"
+        write_trace(pick().trace, str(one))
+        write_trace(pick().trace, str(two))
+        assert one.read_bytes() == two.read_bytes()
+
+
+def test_progress_goes_from_nothing_to_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trace_module, "ROWS", 100)
+    for suffix in (".csv", ".npz"):
+        parts: list[float] = []
+        write_trace(ballscrew().trace, str(tmp_path / f"x{suffix}"), 1000.0, parts.append)
+        assert parts == sorted(parts)
+        assert parts[-1] == 1.0
+
+
+def test_a_failure_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path: Path) -> None:
+    path = tmp_path / "pick.csv"
+    path.write_text("old")
+
+    def fail(part: float) -> None:
+        raise OSError(28, "No space left on device")
+
+    with pytest.raises(OSError, match="No space left"):
+        write_trace(ballscrew().trace, str(path), 1000.0, fail)
+    assert path.read_text() == "old"
+    assert os.listdir(tmp_path) == ["pick.csv"]
+
+
+def test_ctrl_c_leaves_nothing_either(tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt), replacing(str(tmp_path / "x")) as file:
+        file.write(b"half")
+        raise KeyboardInterrupt
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_link_is_followed_and_stays(tmp_path: Path) -> None:
+    (tmp_path / "real.csv").write_text("")
+    (tmp_path / "link.csv").symlink_to("real.csv")
+    with replacing(str(tmp_path / "link.csv")) as file:
+        file.write(b"new")
+    assert (tmp_path / "link.csv").is_symlink()
+    assert (tmp_path / "real.csv").read_text() == "new"
+
+
+def test_a_device_is_written_to_directly() -> None:
+    with pytest.raises(OSError, match="No space left"), replacing("/dev/full") as file:
+        file.write(b"x")
+    assert os.path.exists("/dev/full")
+
+
+def test_what_cannot_be_written_is_known_before(tmp_path: Path) -> None:
+    assert unwritable(str(tmp_path / "x.csv")) is None
+    assert unwritable(str(tmp_path)) == f"{tmp_path} is a folder"
+    assert unwritable(str(tmp_path / "no" / "x.csv")) == f"there is no folder {tmp_path / 'no'}"

@@ -1,0 +1,72 @@
+"""Pictures: the same bytes for the same run, every text where it belongs, nothing left open."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from motionlang.views import plot
+from motionlang.views.plot import write_plot
+from tests.views.runs import Run, ballscrew, ended, new_run, pick, shift
+
+matplotlib = pytest.importorskip("matplotlib")
+
+
+@pytest.fixture
+def texts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the svg have its texts as texts."""
+    monkeypatch.setitem(plot.STYLE, "svg.fonttype", "none")
+
+
+def drawn(run: Run, folder: Path) -> list[str]:
+    write_plot(run, str(folder / "x.svg"))
+    return re.findall(r"<text[^>]*>([^<]*)</text>", (folder / "x.svg").read_text(encoding="utf-8"))
+
+
+@pytest.mark.usefixtures("texts")
+def test_the_ballscrew_exercise_says_what_it_shows(tmp_path: Path) -> None:
+    found = drawn(ballscrew(), tmp_path)
+    for text in ("ballscrew.mnt", "Mint  ·  ended after 1.00005 s", "MOVER · line 5", "time (s)",
+                 "peak 250 uu/s", "peak 1250 uu/s²", "accel", "slew", "decel"):  # fmt: skip
+        assert text in found
+    assert "stop" not in found
+
+
+@pytest.mark.usefixtures("texts")
+def test_every_axis_has_its_panels_and_every_move_its_line(tmp_path: Path) -> None:
+    found = drawn(pick(), tmp_path)
+    assert [text for text in found if text.startswith("axis ")] == ["axis 0", "axis 1", "axis 2"]
+    assert [text for text in found if " · line " in text] == [
+        "MOVER · line 5", "MOVEA · line 12", "MOVER · line 6", "JOG · line 14", "MOVER · line 8"]  # fmt: skip
+    assert "stop" in found
+
+
+@pytest.mark.usefixtures("texts")
+def test_many_moves_are_neither_named_nor_shaded(tmp_path: Path) -> None:
+    found = drawn(shift(900), tmp_path)
+    assert "time (min)" in found
+    assert not any("line" in text or text in ("accel", "slew", "decel") for text in found)
+
+
+@pytest.mark.usefixtures("texts")
+def test_a_name_with_any_letters_in_it(tmp_path: Path) -> None:
+    run, controller = new_run("$x^{$\x1b漢.mnt")
+    controller.move_by(0, 10.0, "$M_{", 1)
+    controller.clock.advance(1.0)
+    found = drawn(ended(run), tmp_path)
+    assert "$x^{$␛漢.mnt" in found
+
+
+def test_a_run_without_motion_or_time_is_drawn_too(tmp_path: Path) -> None:
+    run, _ = new_run("hello.mnt")
+    write_plot(ended(run), str(tmp_path / "x.png"))
+    assert (tmp_path / "x.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg"])
+def test_the_same_run_gives_the_same_bytes(tmp_path: Path, suffix: str) -> None:
+    for name in ("one", "two"):
+        write_plot(pick(), str(tmp_path / f"{name}{suffix}"))
+    assert (tmp_path / f"one{suffix}").read_bytes() == (tmp_path / f"two{suffix}").read_bytes()

@@ -1,0 +1,131 @@
+"""The report as data: what a program that reads it may rely on."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from motionlang.errors import Diagnostic
+from motionlang.report import SCHEMA, build, failure, text
+from tests.views.runs import ballscrew, ended, new_run, pick, shift
+
+
+def test_the_ballscrew_exercise_field_by_field() -> None:
+    assert build(ballscrew()) == {
+        "schema": "motionlang.report/1",
+        "program": "ballscrew.mnt",
+        "dialect": "mint",
+        "status": "ended",
+        "time": 1.00005,
+        "output": [],
+        "moves": [
+            {
+                "axis": 0,
+                "command": "MOVER",
+                "line": 5,
+                "profile": "trapezoid",
+                "start_time": 5e-05,
+                "duration": 1.0,
+                "start": 0.0,
+                "end": 200.0,
+                "distance": 200.0,
+                "peak_speed": 250.0,
+                "phases": [
+                    {"name": "accel", "duration": 0.2, "distance": 25.0},
+                    {"name": "slew", "duration": pytest.approx(0.6, rel=1e-15), "distance": 150.0},
+                    {"name": "decel", "duration": 0.2, "distance": 25.0},
+                ],
+            }
+        ],
+        "axes": [
+            {"axis": 0, "position": 200.0, "counts": 240000.0, "scale": 1200.0, "enabled": True, "error": 0}
+        ],
+        "diagnostics": [],
+        "not_counted": [],
+    }
+
+
+@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+def test_the_text_reads_back_as_the_same_data(make: type) -> None:
+    run = make()
+    assert json.loads(text(run)) == build(run)
+
+
+def test_a_move_is_a_line() -> None:
+    assert [line[:11] for line in text(shift(7)).splitlines() if line.startswith("  ")] == ['  {"axis": 0'[:11]] * 7
+
+
+def test_what_was_cut_short_says_so() -> None:
+    moves = build(pick())["moves"]
+    assert isinstance(moves, list)
+    assert [(m["command"], m["axis"], m.get("ended")) for m in moves] == [
+        ("MOVER", 0, None),
+        ("MOVER", 1, None),
+        ("MOVER", 2, "stop"),
+        ("MOVEA", 0, None),
+        ("JOG", 1, "end-of-run"),
+    ]
+    stopped, jog = moves[2], moves[4]
+    assert [phase["name"] for phase in stopped["phases"]] == ["accel", "slew", "stop"]
+    assert jog["duration"] == pytest.approx(1.4)
+    assert jog["end"] == pytest.approx(jog["start"] + jog["distance"])
+    assert jog["peak_speed"] == pytest.approx(50_000 / 1200)
+
+
+def test_a_phase_that_does_not_occur_is_left_out() -> None:
+    run, controller = new_run()
+    controller.move_by(0, 100.0, "MOVER", 1)  # too short for a slew
+    controller.clock.advance(1.0)
+    controller.move_by(0, 0.0, "MOVER", 2)  # no distance at all
+    controller.clock.advance(2.0)
+    moves = build(ended(run))["moves"]
+    assert isinstance(moves, list)
+    assert [[phase["name"] for phase in move["phases"]] for move in moves] == [["accel", "decel"], []]
+    assert moves[1]["duration"] == 0.0
+
+
+def test_a_move_keeps_the_scale_it_was_made_in() -> None:
+    run, controller = new_run()
+    controller.set_scale(0, 10.0, zero=50.0)
+    controller.move_by(0, 1000.0, "MR", 1)
+    controller.clock.advance(5.0)
+    controller.set_scale(0, -2.0)
+    report = build(ended(run))
+    moves, axes = report["moves"], report["axes"]
+    assert isinstance(moves, list)
+    assert isinstance(axes, list)
+    assert (moves[0]["start"], moves[0]["end"], moves[0]["distance"]) == (-5.0, 95.0, 100.0)
+    assert axes[0]["position"] == -500.0
+
+
+def test_only_axes_that_the_program_touched_are_listed() -> None:
+    run, controller = new_run(axes=8)
+    controller.set_scale(3, 100.0)
+    controller.define_position(5, 70.0)
+    axes = build(ended(run))["axes"]
+    assert isinstance(axes, list)
+    assert [axis["axis"] for axis in axes] == [3, 5]
+
+
+def test_no_figure_is_ever_nan_or_infinite() -> None:
+    run, controller = new_run()
+    controller.set_scale(0, 1e-306)
+    controller.move_by(0, 1e6, "MOVER", 1)
+    controller.clock.advance(100.0)
+    document = text(ended(run))
+    assert json.loads(document, parse_constant=pytest.fail)["moves"][0]["distance"] is None
+
+
+def test_a_run_that_never_began() -> None:
+    document = json.loads(failure("pick.mnt", "", [Diagnostic("file", "pick.mnt cannot be read: no such file")]))
+    assert (document["schema"], document["status"], document["moves"]) == (SCHEMA, "fault", [])
+    assert document["diagnostics"][0]["code"] == "file"
+    assert document.keys() == build(ballscrew()).keys()
+
+
+def test_the_document_is_plain_ascii() -> None:
+    run, _ = new_run("Grüße.mnt")
+    run.machine.terminal.write("µ\ud800\x1b\n")
+    assert text(ended(run)).isascii()
+    assert json.loads(text(run))["output"] == ["µ\ud800\x1b"]
