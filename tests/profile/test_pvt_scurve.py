@@ -6,12 +6,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.profile import plan_jerk
+from motionlang.profile import Profile, plan_jerk
 from motionlang.profile.pvt_points import knots, plan_points, segments
 from motionlang.profile.pvt_scurve import limited_scurve, scurve, scurve_time
 
 distances = st.floats(1.0, 1e6) | st.floats(-1e6, -1.0)
 jerks, accels, speeds = st.floats(1e3, 1e7), st.floats(1e2, 1e6), st.floats(1e1, 1e5)
+
+
+def largest_jerk(profile: Profile) -> float:
+    """The largest jerk, less what the rounding of the positions can make of a third difference."""
+    noise = 1e-15 * abs(profile.distance) / min(s.duration for s in segments(profile)) ** 3
+    return max(abs(s.jerk) for s in segments(profile)) - 12 * noise
 
 
 def test_the_example_of_the_note() -> None:
@@ -44,8 +50,7 @@ def test_limits_are_kept_and_met(distance: float, jerk: float, accel: float, spe
     assert profile.duration == pytest.approx(oracle.duration, rel=1e-6)
     assert profile.peak_speed == pytest.approx(oracle.peak_speed, rel=1e-6)
     assert profile.end == distance
-    largest = max(abs(s.jerk) for s in segments(profile))
-    assert largest <= jerk * (1 + 1e-4)  # third differences of positions: the last digits are lost
+    assert largest_jerk(profile) <= jerk * (1 + 1e-6)
 
 
 @given(distances, jerks, accels, speeds)
@@ -56,8 +61,9 @@ def test_whole_milliseconds_keep_every_limit(
     assert all(abs(p.time * 1000 - round(p.time * 1000)) < 1e-6 for p in points)
     profile = plan_points(points)
     assert profile.peak_speed <= speed * (1 + 1e-9)
-    assert profile.peak_acceleration <= accel * (1 + 1e-6)
-    assert max(abs(s.jerk) for s in segments(profile)) <= jerk * (1 + 1e-4)
+    shortest = min(s.duration for s in segments(profile))
+    assert profile.peak_acceleration <= accel * (1 + 1e-6) + 1e-14 * abs(distance) / shortest**2
+    assert largest_jerk(profile) <= jerk * (1 + 1e-5)
     assert profile.end == distance
 
 
