@@ -1,0 +1,67 @@
+"""Mint, the motion language of Baldor and ABB controllers; `DIALECT` is its face to everything above."""
+
+from __future__ import annotations
+
+from motionlang.lang.dialect import Dialect
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.dialect import Interactive
+    from motionlang.lang.keyword import Table
+    from motionlang.lang.machine import Machine
+    from motionlang.lang.program import Program
+    from motionlang.source import Source
+
+
+class Mint(Dialect):
+    """Axes count from 0; every method imports what it needs, so that a cached run brings in no compiler."""
+
+    name = "mint"
+    suffixes = (".mnt", ".mntx", ".prg")
+    first_axis = 0
+
+    def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
+        from motionlang.mint.compiler import compile_source
+
+        return compile_source(source, settings)[0]
+
+    def check(self, source: Source) -> list[Diagnostic]:
+        from motionlang.errors import ProgramError
+        from motionlang.mint.compiler import compile_source
+
+        try:
+            return compile_source(source)[1]
+        except ProgramError as error:
+            return error.diagnostics
+
+    def load(self, payload: bytes) -> Program:
+        from motionlang.mint.runtime import load
+
+        return load(payload)
+
+    def table(self) -> Table:
+        from motionlang.mint.keywords import table
+
+        return table()
+
+    def locate(self, source: Source, at: int) -> tuple[int, int, int]:
+        from motionlang.mint.parser import parse
+
+        module = parse(source)
+        return module.line(at), module.column(at), module.length(at)
+
+    def interactive(self, machine: Machine) -> Interactive:
+        from motionlang.mint.interactive import MintInteractive
+
+        return MintInteractive(machine)
+
+    def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
+        from motionlang.mint.parser import tokens
+
+        return tokens(text)
+
+
+DIALECT = Mint()

@@ -1,0 +1,190 @@
+"""The Python text of one function as it grows, and how virtual time is written into it.
+
+`t` is machine time at the begin of a basic block and `H` the next moment at which something else wants to happen.
+Statements cost `dt` each; their costs are kept in `pending` and written as one constant per block, `dN` = N * dt.
+What takes note of time runs at `u = t + dN`, after everything that is due until then.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint import ranges
+from motionlang.mint.symbols import FLOAT, INTEGER, TIME, Function, Symbol
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.mint import nodes
+    from motionlang.mint.names import Names
+    from motionlang.mint.problems import Problems
+
+Spec = tuple[object, ...]
+Line = tuple[str, int]
+
+
+class Value:
+    """An expression in Python: its text, its Mint type, what is known of it, its value where that is known."""
+
+    __slots__ = ("const", "range", "text", "type")
+
+    def __init__(
+        self, text: str, type: str, range: ranges.Range = ranges.FLOAT, const: float | str | None = None
+    ) -> None:
+        self.text, self.type, self.range, self.const = text, type, range, const
+
+    @property
+    def is_number(self) -> bool:
+        return self.type in (INTEGER, FLOAT, TIME)
+
+
+class Whole:
+    """What all functions of a program share: names, problems, and the run-time objects the text refers to.
+
+    `specs[n]` tells the runtime what `kN` is; `costs` are the N for which the text uses `dN`.
+    """
+
+    __slots__ = ("axes", "costs", "line", "names", "problems", "spec_names", "specs", "table", "typed")
+
+    def __init__(self, table: Table, problems: Problems, names: Names, axes: range) -> None:
+        self.table, self.problems, self.names, self.axes = table, problems, names, axes
+        self.typed = names.typed
+        self.specs: list[Spec] = []
+        self.spec_names: dict[Spec, str] = {}
+        self.costs: set[int] = set()
+        self.line = problems.line
+
+    def use(self, *spec: object) -> str:
+        """The name, in the generated text, of what `spec` describes."""
+        name = self.spec_names.get(spec)
+        if name is None:
+            name = self.spec_names[spec] = f"k{len(self.specs)}"
+            self.specs.append(spec)
+        return name
+
+    def operation(self, how: str, row: Keyword) -> str:
+        """The name of a keyword's operation: "read", "write", "load" or "do"."""
+        return self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high)
+
+
+class Body:
+    """One function being written."""
+
+    __slots__ = (
+        "analysed",
+        "at",
+        "calls",
+        "facts",
+        "function",
+        "indent",
+        "lines",
+        "loops",
+        "noted",
+        "observes",
+        "outside",
+        "pending",
+        "scope",
+        "temps",
+        "waits",
+        "whole",
+    )
+
+    def __init__(self, whole: Whole, function: Function, indent: int) -> None:
+        self.whole, self.function, self.scope = whole, function, function.scope
+        self.lines: list[Line] = []
+        self.indent = indent
+        self.at = function.at
+        self.pending = 0
+        self.temps = 0
+        # Names of outer functions that this one assigns to.
+        self.outside: set[str] = set()
+        self.loops: list[tuple[str, str]] = []
+        self.facts: dict[int, ranges.Range] = {}
+        self.analysed: set[Symbol] = set()
+        # Of the statement being written: does it take note of time, does it call a sub that may wait?
+        self.observes = self.calls = False
+        # Of the function so far: was `t` used as an absolute time; does it hold a `yield`?
+        self.noted = self.waits = False
+
+    # -------------------------------------------------------------------------------------------- lines
+
+    def emit(self, text: str) -> None:
+        self.lines.append((" " * self.indent + text, self.at))
+
+    def temp(self) -> str:
+        self.temps += 1
+        return f"w{self.temps}"
+
+    def cost(self, count: int) -> str:
+        self.whole.costs.add(count)
+        return f"d{count}"
+
+    # --------------------------------------------------------------------------------------------- time
+
+    def begin(self) -> None:
+        """A statement begins: nothing is known of it yet."""
+        self.observes = self.calls = False
+
+    def flush(self) -> None:
+        """Bring `t` up to date."""
+        if self.pending:
+            self.emit(f"t += {self.cost(self.pending)}")
+            self.pending = 0
+
+    def horizon(self) -> None:
+        """Let others run when their time has come; `t` is up to date."""
+        self.emit("if t >= H: t, H = yield t")
+        self.waits = self.noted = True
+
+    def settle(self) -> None:
+        """Before a statement that takes note of time: let everything happen that is due until then."""
+        if self.calls:
+            self.flush()
+            self.noted = True
+        if not self.observes:
+            return
+        self.noted = self.waits = True
+        if self.pending:
+            cost = self.cost(self.pending)
+            self.emit(f"u = t + {cost}")
+            self.emit(f"if u >= H: u, H = yield u; t = u - {cost}")
+            self.emit("C.now = u")
+        else:
+            self.horizon()
+            self.emit("C.now = t")
+
+    def now(self) -> str:
+        """The name that holds the present time after `settle`."""
+        return "u" if self.pending else "t"
+
+    def wait(self, expression: str) -> None:
+        """Give way until a `Wait` is over."""
+        self.flush()
+        self.emit(f"t, H = yield {expression}")
+        self.waits = self.noted = True
+
+    def events(self) -> None:
+        """After something that may have made an event: it may be nearer than the horizon."""
+        self.emit("if C.horizon < H: H = C.horizon")
+
+    # ------------------------------------------------------------------------------------------- errors
+
+    def problem(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
+        self.whole.problems.add(code, message, node.at, hint)
+
+    def warn(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
+        self.whole.problems.add(code, message, node.at, hint, "warning")
+
+    # ---------------------------------------------------------------------------------------- variables
+
+    def use_outside(self, symbol: Symbol) -> None:
+        """Note that the function assigns to a variable that lives outside it."""
+        if symbol.home is not self.function or (self.whole.typed and self.scope is self.whole.names.module):
+            self.outside.add(symbol.python)
+
+    def range_of(self, symbol: Symbol, node: nodes.Node) -> ranges.Range:
+        """What is known of a variable where `node` reads it."""
+        fact = self.facts.get(id(node))
+        if fact is not None:
+            return fact
+        if symbol.type.name == INTEGER:
+            return ranges.INTEGER
+        return ranges.ANY if symbol in self.analysed else ranges.FLOAT

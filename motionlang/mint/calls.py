@@ -1,0 +1,90 @@
+"""Calls of subs and functions: arguments by value and by reference."""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes, ranges
+from motionlang.mint.body import Value
+from motionlang.mint.expressions import converted, place, unknown, value
+from motionlang.mint.symbols import FLOAT, INTEGER, RECORD, Symbol
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.body import Body
+
+_NOTHING = Value("0", FLOAT, ranges.ANY)
+
+
+def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
+    """The call of a sub, as a value (`wanted`) or as a statement."""
+    callee = symbol.home
+    if wanted and callee.result is None:
+        b.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
+        return _NOTHING
+    args = node.args or []
+    if len(args) != len(callee.parameters):
+        count = len(callee.parameters)
+        b.problem("values", f"{symbol.name} takes {count} value{'s' * (count != 1)}, {len(args)} given", node)
+        return _NOTHING
+    texts = [_argument(b, arg, parameter) for arg, parameter in zip(args, callee.parameters, strict=True)]
+    text = f"{symbol.python}({', '.join(texts)})"
+    b.calls = True
+    if not callee.plain:
+        b.waits = True
+        text = f"(yield from {text})"
+    known = ranges.INTEGER if symbol.type.name == INTEGER else ranges.FLOAT
+    return Value(text, str(symbol.type), known)
+
+
+def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
+    if parameter.is_array:
+        return _array(b, node, parameter)
+    if parameter.by_ref:
+        return _reference(b, node, parameter)
+    found = value(b, node)
+    if parameter.type.name == RECORD:
+        if found.type != str(parameter.type):
+            b.problem("type", f"{parameter.name} must be a {parameter.type}", node)
+        return f"{b.whole.use('env', 'copy')}({found.text})"
+    text = converted(b, found, parameter.type, node)
+    return f"[{text}]" if parameter.boxed else text
+
+
+def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
+    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    if symbol is None or not symbol.is_array or len(symbol.dimensions) != 1:
+        b.problem("type", f"{parameter.name} must be given an array with one subscript", node)
+        return "[0]"
+    if str(symbol.type) != str(parameter.type):
+        b.problem("type", f"{parameter.name} is an array of {parameter.type}, {symbol.name} one of {symbol.type}", node)
+    return symbol.python
+
+
+def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
+    """A list and a place in it, which the sub reads and writes."""
+    if type(node) is nodes.Name or type(node) is nodes.Member:
+        symbol = b.scope.find(node.name) if type(node) is nodes.Name else None
+        if symbol is not None and symbol.kind in ("variable", "parameter") or type(node) is nodes.Member:
+            text, kind, _ = place(b, node)
+            if str(kind) != str(parameter.type):
+                b.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
+                          f"not {kind}", node)  # fmt: skip
+            return _pair(text)
+        if symbol is None and type(node) is nodes.Name and b.whole.table.get(node.name) is None:
+            unknown(b, node)
+            return "[0], 0"
+    found = value(b, node)  # anything else is a value of its own, which the sub may change
+    return f"[{converted(b, found, parameter.type, node)}], 0"
+
+
+def _pair(text: str) -> str:
+    """`name[place]` as the two arguments `name, place`."""
+    if not text.endswith("]"):
+        return f"[{text}], 0"
+    depth = 0
+    for at in range(len(text) - 1, 0, -1):
+        depth += (text[at] == "]") - (text[at] == "[")
+        if depth == 0:
+            break
+    return f"{text[:at]}, {text[at + 1 : -1]}"
+
+

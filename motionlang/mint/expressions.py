@@ -1,0 +1,380 @@
+"""Expressions: from a node to a `Value`, with the checks that are not known to be needless."""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes, ranges
+from motionlang.mint.body import Value
+from motionlang.mint.fold import binary as fold_binary
+from motionlang.mint.fold import unary as fold_unary
+from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, STRING, TIME, Symbol, Type
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.body import Body
+
+_COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+_BITS = {"&": "&", "|": "|", "Xor": "^"}
+_NOTHING = Value("0", FLOAT, ranges.ANY)
+
+
+def value(b: Body, node: nodes.Expr) -> Value:
+    """The value of any expression; a mistake is noted and something harmless returned."""
+    return _VALUES[type(node)](b, node)
+
+
+def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
+    """The value of an expression that must be a number."""
+    found = value(b, node)
+    if found.type not in NUMERIC:
+        b.problem("type", f"{what} is needed here, not {_article(found.type)}", node)
+        return _NOTHING
+    return found
+
+
+def condition(b: Body, node: nodes.Expr) -> str:
+    """The text of a condition: only its truth counts."""
+    if type(node) is nodes.Binary and node.op in ("And", "Or"):
+        return f"({condition(b, node.left)} {node.op.lower()} {condition(b, node.right)})"
+    if type(node) is nodes.Unary and node.op == "Not":
+        return f"(not {condition(b, node.operand)})"
+    return number(b, node, "a condition").text
+
+
+def literal(known: float | str) -> Value:
+    """A value that is known beforehand."""
+    if isinstance(known, str):
+        return Value(repr(known), STRING, ranges.ANY, known)
+    kind = INTEGER if type(known) is int and ranges.INT_LOW <= known <= ranges.INT_HIGH else FLOAT
+    if known != known or known in (ranges.INFINITY, -ranges.INFINITY):
+        return Value(f"float('{known}')", FLOAT)
+    if type(known) is int and abs(known) > ranges.EXACT:
+        known = float(known)
+    text = repr(known) if known >= 0 else f"({known!r})"
+    return Value(text, kind, ranges.constant(known), known)
+
+
+def as_float(found: Value) -> str:
+    """The text of a number that must be a Python float."""
+    if type(found.const) is int:
+        return literal(float(found.const)).text
+    return found.text if found.range[2] == "f" else f"({found.text} + 0.0)"
+
+
+def as_integer(b: Body, found: Value) -> str:
+    """The text of a number that must be a Python int of 32 bits; a fraction is cut off."""
+    if found.const is not None and found.type != STRING and ranges.INT_LOW <= found.const <= ranges.INT_HIGH:  # type: ignore[operator]
+        return literal(int(found.const)).text
+    if found.type in (INTEGER, TIME) or ranges.fits_integer(found.range):
+        return found.text
+    return f"{b.whole.use('fn', 'integer')}({found.text})"
+
+
+def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:
+    """The text of a value for a variable of a type; `exact`: a Float must be a Python float."""
+    if type.name == INTEGER and found.is_number:
+        return as_integer(b, found)
+    if type.name == FLOAT and found.is_number:
+        return as_float(found) if exact else found.text
+    if type.name == STRING and found.type == STRING:
+        if type.size is None or (isinstance(found.const, str) and len(found.const) <= type.size):
+            return found.text
+        return f"{b.whole.use('fn', 'fit')}({found.text}, {type.size})"
+    if type.name == TIME and found.is_number:
+        return f"{b.whole.use('env', 'since')}({found.text})"
+    hint = ""
+    if type.name == STRING and found.is_number:
+        hint = "Str makes a text of a number"
+    elif found.type == STRING:
+        hint = "Val makes a number of a text"
+    b.problem("type", f"{_article(found.type)} cannot be given to {_article(str(type))}", node, hint)
+    return "0"
+
+
+def _article(type: str) -> str:
+    return f"an {type}" if type[:1] in "AEIOaeio" else f"a {type}"
+
+
+# ------------------------------------------------------------------------------------------------- literals
+
+
+def _number(b: Body, node: nodes.Number) -> Value:
+    if node.value in (ranges.INFINITY, -ranges.INFINITY):
+        b.problem("overflow", "the number is too large", node)
+        return _NOTHING
+    return literal(node.value)
+
+
+def _string(b: Body, node: nodes.String) -> Value:
+    return literal(node.value)
+
+
+# ---------------------------------------------------------------------------------------------------- names
+
+
+def _name(b: Body, node: nodes.Name) -> Value:
+    symbol = b.scope.find(node.name)
+    if symbol is not None:
+        if symbol.kind == "const" and node.args is None:
+            assert symbol.const is not None
+            return literal(symbol.const)
+        if symbol.kind == "define" and node.args is None:
+            return value(b, symbol.node)  # type: ignore[arg-type]
+        if symbol.kind == "sub":
+            from motionlang.mint.calls import call
+
+            return call(b, node, symbol, wanted=True)
+        if symbol.kind in ("variable", "parameter"):
+            return load(b, node, symbol)
+        b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
+        return _NOTHING
+    result = b.function.result
+    if result is not None and result.name.lower() == node.name.lower() and node.args is None:
+        return load(b, node, result)
+    row = b.whole.table.get(node.name)
+    if row is None:
+        unknown(b, node)
+        return _NOTHING
+    from motionlang.mint.keyword_use import read
+
+    return read(b, node, row)
+
+
+def unknown(b: Body, node: nodes.Name) -> None:
+    """Note a word that is neither declared nor a keyword."""
+    words = [*b.scope.all_names(), *b.whole.table.names()]
+    otherwise = "" if node.args is not None else "a variable must be declared or assigned to before it is read"
+    b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise)
+
+
+def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:
+    """Where a variable, an element or a member lives: Python text that can be read and assigned to."""
+    if type(node) is nodes.Member:
+        return _member_place(b, node)
+    assert type(node) is nodes.Name
+    symbol = b.scope.find(node.name)
+    assert symbol is not None
+    if not symbol.is_array:
+        if node.args is not None:
+            b.problem("type", f"{symbol.name} is not an array", node)
+        text = symbol.python
+        if symbol.by_ref:
+            text = f"{text}[{text}_k]"
+        elif symbol.boxed:
+            text = f"{text}[0]"
+        return text, symbol.type, symbol
+    return element(b, node, symbol.python, symbol.name, symbol.dimensions, node.args), symbol.type, None
+
+
+def element(
+    b: Body, node: nodes.Node, text: str, name: str, sizes: tuple[int, ...], args: list[nodes.Expr] | None
+) -> str:
+    """The text of an array's element, its subscripts checked where they are not known to be right."""
+    if args is None:
+        b.problem("index", f"{name} is an array and needs a subscript", node)
+        return f"{text}[1]"
+    if len(args) != len(sizes):
+        b.problem("index", f"{name} has {_count(len(sizes), 'subscript')}, {len(args)} are given", node)
+        return f"{text}[1]"
+    parts = [_subscript(b, arg, text, size) for arg, size in zip(args, sizes, strict=True)]
+    flat = parts[0]
+    for part, size in zip(parts[1:], sizes[1:], strict=True):
+        flat = f"({flat} - 1) * {size} + {part}"
+    return f"{text}[{flat}]"
+
+
+def _subscript(b: Body, node: nodes.Expr, array: str, size: int) -> str:
+    found = number(b, node, "a subscript")
+    if found.const is not None and size:
+        if not 1 <= found.const <= size:  # type: ignore[operator]
+            b.problem("index", f"there is no element {found.const}: the subscript must be 1 to {size}", node,
+                      "the first element of an array has the subscript 1")  # fmt: skip
+        return as_integer(b, found)
+    low, high, kind = found.range
+    if kind == "i" and size and low >= 1 and high <= size:
+        return found.text
+    count = str(size) if size else f"len({array}) - 1"
+    return f"{b.whole.use('fn', 'subscript')}({found.text}, {count})"
+
+
+def _count(count: int, what: str) -> str:
+    return f"1 {what}" if count == 1 else f"{count} {what}s"
+
+
+def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
+    """The value of a variable or an element."""
+    if symbol.is_array and node.args is None:
+        b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
+        return _NOTHING
+    text, type, scalar = place(b, node) if symbol is not b.function.result else (symbol.python, symbol.type, symbol)
+    return _loaded(b, text, type, b.range_of(scalar, node) if scalar is not None else None)
+
+
+def _loaded(b: Body, text: str, type: Type, known: ranges.Range | None) -> Value:
+    if type.name == TIME:
+        b.observes = True
+        return Value(f"{b.whole.use('env', 'elapsed')}({text})", INTEGER, ranges.INTEGER)
+    if known is None:
+        known = ranges.INTEGER if type.name == INTEGER else ranges.FLOAT
+    return Value(text, str(type) if type.name == RECORD else type.name, known)
+
+
+def _member(b: Body, node: nodes.Member) -> Value:
+    text, type, _ = _member_place(b, node)
+    return _loaded(b, text, type, None)
+
+
+def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None]:
+    wrong = ("[0][0]", Type(FLOAT), None)
+    if type(node.value) is nodes.Name and b.scope.find(node.value.name) is None:
+        unknown(b, node.value)
+        return wrong
+    if type(node.value) not in (nodes.Name, nodes.Member):
+        b.problem("type", "only a variable has members", node)
+        return wrong
+    owner, kind, _ = place(b, node.value)  # type: ignore[arg-type]
+    if kind.record is None:
+        b.problem("type", f"{_article(str(kind))} has no members", node, "declare the variable with a Type of yours")
+        return wrong
+    member = kind.record.members.get(node.field.lower())
+    if member is None:
+        b.whole.problems.unknown(f"{kind.record.name} has no member {node.field}", node.field,
+                                 kind.record.members, node.at)  # fmt: skip
+        return wrong
+    position, type_, sizes = member
+    text = f"{owner}[{position}]"
+    if sizes:
+        text = element(b, node, text, node.field, sizes, node.args)
+    elif node.args is not None:
+        b.problem("type", f"{node.field} is not an array", node)
+    return text, type_, None
+
+
+# ------------------------------------------------------------------------------------------------ operators
+
+
+def _unary(b: Body, node: nodes.Unary) -> Value:
+    if node.op == "Not":
+        inner = condition(b, node.operand)
+        return Value(f"(not {inner})", INTEGER, ranges.BOOL)
+    found = number(b, node.operand)
+    if found.const is not None:
+        known = fold_unary(node.op, found.const)
+        if known is not None:
+            return literal(known)
+    if node.op == "+":
+        return found
+    if node.op == "~":
+        return Value(f"(~{as_integer(b, found)})", INTEGER, ranges.INTEGER)
+    if found.type == FLOAT:
+        low, high, kind = found.range
+        return Value(f"(-{found.text})", FLOAT, (-high, -low, kind))
+    return _arithmetic(b, "-", literal(0), found)
+
+
+def _binary(b: Body, node: nodes.Binary) -> Value:
+    op = node.op
+    if op in ("And", "Or"):
+        left, right = condition(b, node.left), condition(b, node.right)
+        return Value(f"(1 if {left} {op.lower()} {right} else 0)", INTEGER, ranges.BOOL)
+    left_value, right_value = value(b, node.left), value(b, node.right)
+    if STRING in (left_value.type, right_value.type):
+        return _text(b, node, left_value, right_value)
+    for side, found in ((node.left, left_value), (node.right, right_value)):
+        if not found.is_number:
+            b.problem("type", f"{op} needs numbers, not {_article(found.type)}", side)
+            return _NOTHING
+    if left_value.const is not None and right_value.const is not None:
+        known = fold_binary(op, left_value.const, right_value.const)
+        if known is not None:
+            return literal(known)
+        if op in ("/", "\\", "Mod") and right_value.const == 0:
+            b.problem("division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does")
+            return _NOTHING
+    return _operate(b, op, left_value, right_value)
+
+
+def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
+    if op in ("+", "-", "*"):
+        return _arithmetic(b, op, left, right)
+    if op in _COMPARISONS:
+        return Value(f"({left.text} {_COMPARISONS[op]} {right.text})", INTEGER, ranges.BOOL)
+    if op == "/":
+        return Value(f"({left.text} / {right.text})", FLOAT, ranges.FLOAT)
+    if op == "^":
+        return Value(f"{b.whole.use('fn', 'power')}({left.text}, {right.text})", FLOAT, ranges.FLOAT)
+    if op == "\\":
+        return _quotient(b, left, right)
+    if op == "Mod":
+        return _remainder(b, left, right)
+    if op in _BITS:
+        known = ranges.INTEGER
+        if op == "&" and min(left.range[0], right.range[0]) >= 0:
+            known = (0, min(left.range[1], right.range[1], ranges.INT_HIGH), "i")
+        return Value(f"({as_integer(b, left)} {_BITS[op]} {as_integer(b, right)})", INTEGER, known)
+    shift = b.whole.use("fn", "shift_left" if op == "<<" else "shift_right")
+    return Value(f"{shift}({left.text}, {right.text})", INTEGER, ranges.INTEGER)
+
+
+def _arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
+    integer = left.type != FLOAT and right.type != FLOAT
+    known, how = ranges.arithmetic(op, integer, left.range, right.range)
+    kind = INTEGER if integer else FLOAT
+    if how == ranges.COERCED:
+        if right.const is not None:
+            return Value(f"({left.text} {op} {as_float(right)})", kind, known)
+        return Value(f"({as_float(left)} {op} {right.text})", kind, known)
+    text = f"{left.text} {op} {right.text}"
+    if how == ranges.CHECKED:
+        over = b.whole.use("fn", "overflow")
+        return Value(f"(z if {ranges.INT_LOW} <= (z := {text}) <= {ranges.INT_HIGH} else {over}(z))", kind, known)
+    return Value(f"({text})", kind, known)
+
+
+def _quotient(b: Body, left: Value, right: Value) -> Value:
+    a, c = left.range, right.range
+    if ranges.fits_integer(a) and ranges.fits_integer(c):
+        if a[0] >= 0 and c[0] > 0:
+            return Value(f"({left.text} // {right.text})", INTEGER, ranges.quotient(a, c))
+        known = ranges.quotient(a, c)
+    else:
+        known = ranges.INTEGER
+    return Value(f"{b.whole.use('fn', 'divide')}({left.text}, {right.text})", INTEGER, known)
+
+
+def _remainder(b: Body, left: Value, right: Value) -> Value:
+    a, c = left.range, right.range
+    kind = INTEGER if left.type != FLOAT and right.type != FLOAT else FLOAT
+    if a[2] == "i" and c[2] == "i":
+        known = ranges.remainder(a, c)
+        if a[0] >= 0 and c[0] > 0:
+            return Value(f"({left.text} % {right.text})", kind, known)
+    else:
+        known = ranges.FLOAT if "f" in (a[2], c[2]) else ranges.ANY
+    return Value(f"{b.whole.use('fn', 'modulo')}({left.text}, {right.text})", kind, known)
+
+
+def _text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    if left.type != STRING or right.type != STRING:
+        hint = "Str makes a text of a number" if node.op in ("+", "&") else ""
+        b.problem("type", f"{node.op} cannot take {_article(left.type)} and {_article(right.type)}", node, hint)
+        return _NOTHING
+    if node.op in ("+", "&"):
+        if isinstance(left.const, str) and isinstance(right.const, str):
+            return literal(left.const + right.const)
+        return Value(f"({left.text} + {right.text})", STRING, ranges.ANY)
+    if node.op in _COMPARISONS:
+        return Value(f"({left.text} {_COMPARISONS[node.op]} {right.text})", INTEGER, ranges.BOOL)
+    b.problem("type", f"{node.op} needs numbers, not texts", node)
+    return _NOTHING
+
+
+_VALUES: dict[type, Callable[..., Value]] = {
+    nodes.Number: _number,
+    nodes.String: _string,
+    nodes.Name: _name,
+    nodes.Member: _member,
+    nodes.Unary: _unary,
+    nodes.Binary: _binary,
+}

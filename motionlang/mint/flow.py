@@ -1,0 +1,399 @@
+"""The range analysis of one function: what is known of its own variables wherever they are read.
+
+An abstract run over the tree with `ranges` in place of values. Loops are repeated until nothing new comes out; bounds
+that keep moving jump to the next constant of the function, then to the ends of Integer and of the exact doubles. The
+result holds for every real run: what it leaves out (shared variables, arrays, by-reference) counts as unknown.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes, ranges
+from motionlang.mint.fold import constant
+from motionlang.mint.ranges import Range
+from motionlang.mint.symbols import FLOAT, INTEGER, Function, Scope, Symbol
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.lang.keyword import Table
+
+State = dict[Symbol, Range]
+_COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
+# Turns of a loop after which only the coarse thresholds are left.
+_PATIENCE = 8
+_COARSE = [-ranges.EXACT, ranges.INT_LOW, -1, 0, 1, ranges.INT_HIGH, ranges.EXACT]
+_WHOLE_UNITS = frozenset(("bool", "bits", "integer", "ms", "counts"))
+
+
+def analysed(function: Function) -> set[Symbol]:
+    """The variables that the analysis follows: plain numbers that no other function can touch."""
+    if function.jumps or not function.loops or function.plain:
+        return set()
+    found = set()
+    for symbol in (*function.scope.names.values(), *((function.result,) if function.result else ())):
+        simple = symbol.kind == "variable" and not (symbol.shared or symbol.boxed or symbol.by_ref)
+        if simple and not symbol.is_array and symbol.type.name in (INTEGER, FLOAT) and symbol.home is function:
+            found.add(symbol)
+    return found
+
+
+class Flow:
+    """One analysis; `facts` holds, by `id` of a Name (or of a For, for its variable at Next), what is known there."""
+
+    def __init__(self, function: Function, followed: set[Symbol], table: Table) -> None:
+        self.function, self.followed, self.table = function, followed, table
+        self.facts: dict[int, Range] = {}
+        self._exits: list[tuple[str, list[State | None]]] = []
+        self._heads: dict[int, State] = {}
+        self._fine = sorted({*_COARSE, *_constants(function.body, function.scope)})
+
+    def run(self) -> dict[int, Range]:
+        """All facts of the function."""
+        start: State = {
+            symbol: (0, 0, "i") if symbol.home is self.function else ranges.ANY for symbol in self.followed
+        }
+        self._block(self.function.body, start)
+        return self.facts
+
+    # --------------------------------------------------------------------------------------- statements
+
+    def _block(self, body: list[nodes.Stmt], state: State | None) -> State | None:
+        for node in body:
+            if state is None:
+                return None
+            state = self._statement(node, state)
+        return state
+
+    def _statement(self, node: nodes.Stmt, state: State) -> State | None:
+        kind = type(node)
+        if kind is nodes.Assign:
+            return self._assign(node, state)
+        if kind is nodes.If:
+            return _join(
+                self._block(node.body, self._narrow(node.condition, True, state)),
+                self._block(node.orelse, self._narrow(node.condition, False, state)),
+            )
+        if kind is nodes.For:
+            return self._for(node, state)
+        if kind is nodes.While:
+            return self._loop(node, "while", state, node.condition)
+        if kind is nodes.Repeat:
+            return self._loop(node, "repeat", state, None, node.condition)
+        if kind is nodes.Loop:
+            return self._loop(node, "loop", state, None)
+        if kind is nodes.Select:
+            return self._select(node, state)
+        if kind is nodes.Exit:
+            return self._exit(node, state)
+        if kind is nodes.Dim:
+            return self._dim(node, state)
+        self._read_all(node, state)
+        if kind is nodes.Input:
+            return self._input(node, state)
+        return None if kind is nodes.Return or (kind is nodes.End and node.name is None) else state
+
+    def _assign(self, node: nodes.Assign, state: State) -> State:
+        found = [self._value(each, state)[1] for each in node.values]
+        symbol = self._followed(node.target)
+        if symbol is None:
+            if type(node.target) is nodes.Name:
+                for each in node.target.args or ():
+                    self._value(each, state)
+            else:
+                self._read_all(node.target, state)
+            return state
+        return state | {symbol: _held(symbol, found[0] if found else ranges.ANY)}
+
+    def _dim(self, node: nodes.Dim, state: State) -> State:
+        for variable in node.variables:
+            found = [self._value(each, state)[1] for each in variable.values]
+            symbol = self.function.scope.find(variable.name)
+            if found and symbol in self.followed:
+                assert symbol is not None
+                state = state | {symbol: _held(symbol, found[0])}
+        return state
+
+    def _input(self, node: nodes.Input, state: State) -> State:
+        symbol = self._followed(node.target)
+        return state if symbol is None else state | {symbol: _held(symbol, ranges.ANY)}
+
+    def _select(self, node: nodes.Select, state: State) -> State | None:
+        self._value(node.subject, state)
+        self._exits.append(("select", []))
+        out: State | None = None
+        default = False
+        for case in node.cases:
+            for test in case.tests:
+                self._read_all(test, state)
+            out = _join(out, self._block(case.body, state))
+            default = default or not case.tests
+        for left in self._exits.pop()[1]:
+            out = _join(out, left)
+        return out if default else _join(out, state)
+
+    def _exit(self, node: nodes.Exit, state: State) -> State | None:
+        for kind, states in reversed(self._exits):
+            if kind == node.kind or (not node.kind and kind != "select"):
+                states.append(state)
+                break
+        return None
+
+    # -------------------------------------------------------------------------------------------- loops
+
+    def _for(self, node: nodes.For, state: State) -> State | None:
+        start = self._value(node.start, state)
+        stop = self._value(node.stop, state)[1]
+        step = self._value(node.step, state)[1] if node.step is not None else (1, 1, "i")
+        symbol = self._followed(node.variable)
+        if symbol is None:
+            return self._loop(node, "for", state, None, bounded=True)
+        state = state | {symbol: _held(symbol, start[1])}
+        op = "<=" if step[0] > 0 else ">=" if step[1] < 0 else ""
+        return self._loop(node, "for", state, None, bounded=True, counter=(symbol, op, stop, step))
+
+    def _loop(
+        self,
+        node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop,
+        kind: str,
+        entry: State,
+        test: nodes.Expr | None,
+        until: nodes.Expr | None = None,
+        bounded: bool = False,
+        counter: tuple[Symbol, str, Range, Range] | None = None,
+    ) -> State | None:
+        """Repeat the body until its head no longer changes; answers with what holds after the loop."""
+        head = _widened(self._heads.get(id(node)), entry, self._fine)
+        turn = 0
+        while True:
+            turn += 1
+            self._exits.append((kind, []))
+            inside = self._enter(head, test, counter)
+            back = self._block(node.body, inside)
+            left = self._exits.pop()[1]
+            if until is not None and back is not None:
+                left.append(self._narrow(until, True, back))
+                back = self._narrow(until, False, back)
+            if counter is not None and back is not None:
+                back = self._step(node, back, counter)
+            grown = head if back is None else _widened(head, back, self._fine if turn < _PATIENCE else _COARSE)
+            if grown == head:
+                break
+            head = grown
+        self._heads[id(node)] = head
+        if test is not None:
+            left.append(self._narrow(test, False, head))
+        elif bounded:
+            left.append(head)
+        out: State | None = None
+        for each in left:
+            out = _join(out, each)
+        return out
+
+    def _enter(
+        self, head: State, test: nodes.Expr | None, counter: tuple[Symbol, str, Range, Range] | None
+    ) -> State | None:
+        if test is not None:
+            return self._narrow(test, True, head)
+        if counter is not None and counter[1]:
+            symbol, op, stop, _ = counter
+            known = ranges.narrow(head[symbol], op, stop)
+            return None if known is None else head | {symbol: known}
+        return head
+
+    def _step(self, node: nodes.Stmt, state: State, counter: tuple[Symbol, str, Range, Range]) -> State:
+        symbol, _, _, step = counter
+        known = state[symbol]
+        self.facts[id(node)] = known
+        total = _result("+", False, known, step)
+        if symbol.type.name == INTEGER:
+            total = ranges.to_integer(total)
+        return state | {symbol: total}
+
+    # -------------------------------------------------------------------------------------- expressions
+
+    def _followed(self, node: nodes.Expr) -> Symbol | None:
+        """The followed variable that a name stands for."""
+        if type(node) is not nodes.Name or node.args is not None:
+            return None
+        symbol = self.function.scope.find(node.name)
+        result = self.function.result
+        if (symbol is None or symbol.kind == "sub") and result is not None and result.name.lower() == node.name.lower():
+            symbol = result
+        return symbol if symbol in self.followed else None
+
+    def _value(self, node: nodes.Expr, state: State) -> tuple[str, Range]:
+        """Type and range of an expression; notes what is known of each variable in it."""
+        kind = type(node)
+        if kind is nodes.Number:
+            known = ranges.constant(node.value)
+            whole = known[2] == "i" and ranges.INT_LOW <= known[0] <= ranges.INT_HIGH
+            return (INTEGER if whole else FLOAT), known
+        if kind is nodes.Name:
+            return self._name(node, state)
+        if kind is nodes.Binary:
+            return self._binary(node, state)
+        if kind is nodes.Unary:
+            return self._unary(node, state)
+        self._read_all(node, state)
+        return FLOAT, ranges.ANY
+
+    def _name(self, node: nodes.Name, state: State) -> tuple[str, Range]:
+        symbol = self._followed(node)
+        if symbol is not None:
+            known = self.facts[id(node)] = state[symbol]
+            return symbol.type.name, known
+        for each in node.args or ():
+            self._value(each, state)
+        found = self.function.scope.find(node.name)
+        if found is None:
+            return self._keyword(node)
+        if found.kind == "const" and isinstance(found.const, (int, float)):
+            return found.type.name, ranges.constant(found.const)
+        if found.kind == "define":
+            # The node is shared by all uses: what is known at one of them says nothing of another.
+            self._forget(found.node)
+            return FLOAT, ranges.ANY
+        if found.type.name == INTEGER:
+            return INTEGER, ranges.INTEGER
+        return FLOAT, ranges.ANY
+
+    def _keyword(self, node: nodes.Name) -> tuple[str, Range]:
+        row = self.table.get(node.name)
+        if row is None:
+            return FLOAT, ranges.ANY
+        if row.kind == "constant":
+            known = ranges.constant(constant(row.verb, row.unit))
+            return (INTEGER if known[2] == "i" else FLOAT), known
+        if row.unit == "bool":
+            return INTEGER, ranges.BOOL
+        if row.unit in _WHOLE_UNITS:
+            return INTEGER, ranges.INTEGER
+        return FLOAT, ranges.ANY
+
+    def _unary(self, node: nodes.Unary, state: State) -> tuple[str, Range]:
+        kind, known = self._value(node.operand, state)
+        if node.op == "Not":
+            return INTEGER, ranges.BOOL
+        if node.op == "~":
+            return INTEGER, ranges.INTEGER
+        if node.op == "+":
+            return kind, known
+        if kind == FLOAT:
+            return FLOAT, (-known[1], -known[0], known[2])
+        return INTEGER, ranges.arithmetic("-", True, (0, 0, "i"), known)[0]
+
+    def _binary(self, node: nodes.Binary, state: State) -> tuple[str, Range]:
+        op = node.op
+        left_type, left = self._value(node.left, state)
+        # What follows And and Or is looked at only sometimes: what is known there holds all the same.
+        right_type, right = self._value(node.right, state)
+        integer = left_type == INTEGER and right_type == INTEGER
+        kind = INTEGER if integer else FLOAT
+        if op in ("+", "-", "*"):
+            return kind, _result(op, integer, left, right)
+        if op in _COMPARED or op in ("And", "Or"):
+            return INTEGER, ranges.BOOL
+        if op in ("/", "^"):
+            return FLOAT, ranges.FLOAT
+        if op == "\\" and ranges.fits_integer(left) and ranges.fits_integer(right):
+            return INTEGER, ranges.quotient(left, right)
+        if op == "Mod":
+            whole = left[2] == "i" and right[2] == "i"
+            return kind, ranges.remainder(left, right) if whole else ranges.ANY
+        if op == "&" and min(left[0], right[0]) >= 0 and left[2] == right[2] == "i":
+            return INTEGER, (0, min(left[1], right[1], ranges.INT_HIGH), "i")
+        return INTEGER, ranges.INTEGER
+
+    def _read_all(self, node: nodes.Node, state: State) -> None:
+        """Note what is known in every expression below a statement."""
+        for slot in type(node).__slots__:
+            child = getattr(node, slot)
+            for each in child if child.__class__ is list else (child,):
+                if isinstance(each, (nodes.Name, nodes.Binary, nodes.Unary)):
+                    self._value(each, state)
+                elif isinstance(each, nodes.Node):
+                    self._read_all(each, state)
+
+    def _forget(self, node: object) -> None:
+        from motionlang.mint.names import walk
+
+        for each in walk([node]):
+            if type(each) is nodes.Name and (symbol := self._followed(each)) is not None:
+                self.facts[id(each)] = _held(symbol, ranges.ANY)
+
+    # ---------------------------------------------------------------------------------------- branching
+
+    def _narrow(self, node: nodes.Expr, truth: bool, state: State | None) -> State | None:
+        """What is known where a condition is true, or false."""
+        if state is None:
+            return None
+        if type(node) is nodes.Unary and node.op == "Not":
+            return self._narrow(node.operand, not truth, state)
+        if type(node) is nodes.Binary and node.op in ("And", "Or"):
+            if (node.op == "And") is truth:
+                return self._narrow(node.right, truth, self._narrow(node.left, truth, state))
+            first = self._narrow(node.left, truth, state)
+            second = self._narrow(node.right, truth, self._narrow(node.left, not truth, state))
+            return _join(first, second)
+        if type(node) is nodes.Binary and node.op in _COMPARED:
+            return self._compare(node, truth, state)
+        self._value(node, state)
+        return state
+
+    def _compare(self, node: nodes.Binary, truth: bool, state: State) -> State | None:
+        left, right = self._value(node.left, state)[1], self._value(node.right, state)[1]
+        op = node.op if truth else ranges.opposite(node.op)
+        for side, known, other, how in (
+            (node.left, left, right, op),
+            (node.right, right, left, ranges.swapped(op)),
+        ):
+            symbol = self._followed(side)
+            if symbol is not None:
+                narrowed = ranges.narrow(known, how, other)
+                if narrowed is None:
+                    return None
+                state = state | {symbol: narrowed}
+        return state
+
+
+def _result(op: str, integer: bool, a: Range, b: Range) -> Range:
+    """As `ranges.arithmetic`; the compiler may know more than this analysis, so a Float that would have to be made a
+    float here may still be an int there."""
+    known, how = ranges.arithmetic(op, integer, a, b)
+    return ranges.ANY if how == ranges.COERCED else known
+
+
+def _held(symbol: Symbol, known: Range) -> Range:
+    """What a variable holds after it was given a value."""
+    return ranges.to_integer(known) if symbol.type.name == INTEGER else known
+
+
+def _join(a: State | None, b: State | None) -> State | None:
+    if a is None or b is None:
+        return b if a is None else a
+    if a is b:
+        return a
+    return {symbol: ranges.join(known, b[symbol]) or known for symbol, known in a.items()}
+
+
+def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
+    if old is None:
+        return new
+    return {symbol: ranges.widen(known, new[symbol], thresholds) for symbol, known in old.items()}
+
+
+def _constants(body: Iterable[object], scope: Scope) -> set[int]:
+    """The whole numbers that occur in a function, and their neighbours: where bounds settle."""
+    from motionlang.mint.names import walk
+
+    found: set[int] = set()
+    for node in walk(body):
+        known: object = None
+        if type(node) is nodes.Number:
+            known = node.value
+        elif type(node) is nodes.Name and node.args is None and (symbol := scope.find(node.name)) is not None:
+            known = symbol.const
+        if type(known) is int and known < ranges.EXACT:
+            found.add(known)
+    return {each + k for each in found for k in (-1, 0, 1)} | {-each for each in found}

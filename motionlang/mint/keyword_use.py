@@ -1,0 +1,306 @@
+"""Keywords where they are used: read in an expression, written by `=`, given as a command.
+
+The row of the table tells everything: access, index, unit, range. What the run does with it is the business of
+`motionlang.mint.binding`, found by the row's verb.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes, ranges
+from motionlang.mint.body import Value
+from motionlang.mint.expressions import as_float, as_integer, condition, literal, number, value
+from motionlang.mint.fold import constant
+from motionlang.mint.symbols import FLOAT, INTEGER, STRING
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.body import Body
+
+# Units of keywords whose values are whole numbers; "text" is a String, every other one a Float.
+WHOLE = frozenset(("bool", "bits", "integer", "ms", "counts"))
+_NOTHING = Value("0", FLOAT, ranges.ANY)
+
+
+def type_of(unit: str) -> str:
+    """The Mint type of a keyword's value."""
+    return INTEGER if unit in WHOLE else STRING if unit == "text" else FLOAT
+
+
+def known(b: Body, node: nodes.Node, row: Keyword) -> bool:
+    """Whether the keyword is simulated; if not, say so."""
+    if row.simulated:
+        return True
+    b.problem("not-simulated", f"{row.name} is a word of Mint that is not simulated", node, row.help)
+    return False
+
+
+# -------------------------------------------------------------------------------------------------- reading
+
+
+def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+    """The value of a keyword, a function or a constant."""
+    if not known(b, node, row):
+        return _NOTHING
+    if row.kind == "constant":
+        if node.args is not None:
+            b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)
+        return literal(constant(row.verb, row.unit))
+    if row.kind == "function":
+        return _function(b, node, row)
+    if row.kind == "statement":
+        b.problem("type", f"{row.name} is a statement and has no value", node)
+        return _NOTHING
+    if "R" not in row.access:
+        what = "is a command and has no value" if row.access == "C" else "can be written but not read"
+        b.problem("write-only", f"{row.name} {what}", node)
+        return _NOTHING
+    b.observes = True
+    arguments = indices(b, node, row, single=True)
+    kind = type_of(row.unit)
+    range_ = ranges.BOOL if row.unit == "bool" else ranges.INTEGER if kind == INTEGER else ranges.FLOAT
+    return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
+
+
+def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
+    wanted = row.index.split(", ") if row.index else []
+    args = node.args or []
+    if row.name == "Mid" and len(args) == 2:
+        wanted = wanted[:2]
+    if len(args) != len(wanted):
+        b.problem("values", f"{row.name} takes {_many(len(wanted), 'value')}, {len(args)} given", node,
+                  f"{row.name}({row.index})")  # fmt: skip
+        return _NOTHING
+    if row.name == "IIf":
+        return _immediate_if(b, node, args)
+    found = [_argument(b, arg, kind, row) for arg, kind in zip(args, wanted, strict=True)]
+    texts = ", ".join(each.text for each in found)
+    if row.name == "Rnd":
+        return Value(f"{b.whole.use('env', 'random')}()", FLOAT, ranges.FLOAT)
+    if row.unit != "same":
+        kind = type_of(row.unit)
+        return Value(f"{b.whole.use('fn', row.verb)}({texts})", kind,
+                     ranges.INTEGER if kind == INTEGER else ranges.FLOAT)  # fmt: skip
+    kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
+    known_range = _same_range(row.verb, [each.range for each in found])
+    if kind == INTEGER:
+        known_range = ranges.to_integer(known_range)
+    return Value(f"{b.whole.use('fn', row.verb)}({texts})", kind, known_range)
+
+
+def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
+    if kind != "text":
+        return number(b, node)
+    found = value(b, node)
+    if found.type != STRING:
+        b.problem("type", f"{row.name} needs a text, not a number", node, "Str makes a text of a number")
+    return found
+
+
+def _same_range(verb: str, found: list[ranges.Range]) -> ranges.Range:
+    kinds = {each[2] for each in found}
+    if kinds != {"i"}:
+        return ranges.FLOAT if kinds == {"f"} else ranges.ANY
+    if verb == "least":
+        return (min(each[0] for each in found), min(each[1] for each in found), "i")
+    if verb == "greatest":
+        return (max(each[0] for each in found), max(each[1] for each in found), "i")
+    return (0, max(abs(found[0][0]), abs(found[0][1])), "i")
+
+
+def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
+    test = condition(b, args[0])
+    yes, no = value(b, args[1]), value(b, args[2])
+    if (yes.type == STRING) is not (no.type == STRING):
+        b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
+        return _NOTHING
+    kind = yes.type if yes.type == no.type else FLOAT
+    joined = ranges.join(yes.range, no.range)
+    assert joined is not None
+    return Value(f"({yes.text} if {test} else {no.text})", kind, joined)
+
+
+# -------------------------------------------------------------------------------------------------- indices
+
+
+def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
+    """The texts of what stands in a keyword's brackets: its axes, channels, or nothing."""
+    args = node.args
+    if row.index == "none":
+        if args:
+            b.problem("values", f"{row.name} takes nothing in brackets", node)
+        return []
+    names = row.index.split(", ")
+    if args is None or not args:
+        if len(names) > 1:
+            b.problem("values", f"{row.name} needs {row.index} in brackets", node)
+        return ["0"] * len(names)
+    many = names[-1] in ("axis", "axes") and not single
+    if len(args) != len(names) and not (many and len(args) >= len(names)):
+        b.problem("values", f"{row.name} takes {_many(len(names), names[0])} in brackets, {len(args)} given", node)
+        return ["0"] * len(names)
+    what = [*names, *[names[-1]] * (len(args) - len(names))]
+    return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]
+
+
+def _index(b: Body, node: nodes.Expr, kind: str) -> str:
+    found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
+    if found.const is not None:
+        if found.const != int(found.const):  # type: ignore[call-overload,operator]
+            b.problem("range", f"{found.const} is not the number of an {kind}", node)
+        elif kind in ("axis", "axes") and found.const not in b.whole.axes:
+            last = b.whole.axes[-1]
+            b.problem("axis", f"there is no axis {found.const}", node, f"this controller has axes 0 to {last}")
+            return "0"
+    return as_integer(b, found)
+
+
+def _many(count: int, what: str) -> str:
+    plural = {"axis": "axes", "index": "indices"}.get(what, f"{what}s")
+    return f"{count} {what if count == 1 else plural}"
+
+
+# -------------------------------------------------------------------------------------------------- writing
+
+
+def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """`KEYWORD(axes) = values`."""
+    if not known(b, target, row):
+        return
+    if "W" not in row.access:
+        b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row))
+        for each in node.values:
+            value(b, each)
+        return
+    if row.verb == "wait":
+        wait(b, node, node.values)
+        return
+    axes = indices(b, target, row, single=False)
+    values = _values(b, node, row, max(1, len(axes)) if row.index in ("axis", "axes") else 1)
+    if values is None:
+        return
+    b.observes = True
+    b.settle()
+    if row.index in ("axis", "axes"):
+        for axis, text in zip(axes, values, strict=True):
+            _store(b, node, row, [axis], text)
+    else:
+        _store(b, node, row, axes, values[0])
+    b.events()
+    b.pending += 1
+
+
+def _why_not(row: Keyword) -> str:
+    if row.kind == "constant":
+        return "is a constant and cannot be changed"
+    if row.kind in ("function", "statement"):
+        return f"is a {row.kind} and cannot be assigned to"
+    return "is a command and takes no value" if row.access == "C" else "can be read but not written"
+
+
+def _instead(row: Keyword) -> str:
+    if row.access == "C" and row.kind == "command":
+        return f"write {row.name}(0) without ="
+    return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(row.name, "")
+
+
+def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] | None:
+    texts = [_value(b, each, row) for each in node.values]
+    if node.repeat and 0 < len(texts) < count:
+        texts += texts[-1:] * (count - len(texts))
+    if len(texts) != count:
+        given = _many(len(node.values), "value")
+        hint = "end the list with ; to give the last value to all further axes" if len(texts) < count else ""
+        b.problem("values", f"{row.name} needs {_many(count, 'value')} here, {given} given", node, hint)
+        return None
+    return texts
+
+
+def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
+    found = value(b, node)
+    if row.unit == "text":
+        if found.type != STRING:
+            b.problem("type", f"{row.name} takes a text, not a number", node)
+        return found.text
+    if not found.is_number:
+        b.problem("type", f"{row.name} takes a number, not a text", node)
+        return "0"
+    if found.const is not None:
+        _check_range(b, node, row, float(found.const))
+    return as_integer(b, found) if row.unit in WHOLE and row.unit != "ms" else as_float(found)
+
+
+def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
+    low, high = row.low, row.high
+    if (low is not None and given < low) or (high is not None and given > high) or given != given:
+        limits = f"{low:g} to {high:g}" if low is not None and high is not None else "another value"
+        b.problem("range", f"{row.name} cannot be {given:g}", node, f"it takes {limits}")
+
+
+def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
+    if row.kind == "move":
+        load = b.whole.operation("load", row)
+        arguments = ", ".join([*where, text, str(b.whole.line(node.at))])
+        room = b.whole.use("env", "room")
+        b.emit(f"while {load}({arguments}):")
+        b.indent += 1
+        if b.pending:
+            cost = b.cost(b.pending)
+            b.emit(f"u, H = yield {room}(u, {where[0]})")
+            b.emit(f"t = u - {cost}")
+        else:
+            b.emit(f"t, H = yield {room}(t, {where[0]})")
+        b.indent -= 1
+        return
+    line = [str(b.whole.line(node.at))] if row.group == "motion" else []
+    arguments = ", ".join([*where, text, *line])
+    b.emit(f"{b.whole.operation('write', row)}({arguments})")
+
+
+# ------------------------------------------------------------------------------------------------- commands
+
+
+def command(b: Body, node: nodes.Call, row: Keyword) -> None:
+    """A keyword that stands alone: `GO(0, 1)`, `WAIT(100)`."""
+    target = node.target
+    if not known(b, target, row):
+        return
+    if row.verb == "wait":
+        wait(b, target, target.args or [])
+        return
+    if row.access != "C" or row.kind == "statement":
+        _not_a_command(b, target, row)
+        return
+    where = indices(b, target, row, single=False)
+    b.observes = True
+    b.settle()
+    if row.index == "axes":
+        where = [f"({', '.join(where)},)"]
+    arguments = ", ".join([*where, str(b.whole.line(node.at))] if row.index != "none" else where)
+    b.emit(f"{b.whole.operation('do', row)}({arguments})")
+    b.events()
+    b.pending += 1
+
+
+def _not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
+    shown = row.name if target.args is None else f"{row.name}(…)"
+    if row.kind == "statement":
+        b.problem("syntax", f"{row.name} cannot stand here", target, row.help)
+    elif "W" in row.access:
+        b.problem("not-a-command", f"{row.name} needs a value", target, f"{shown} = value")
+    else:
+        b.problem("not-a-command", f"{row.name} has a value and cannot stand alone", target, f"PRINT {shown} shows it")
+
+
+def wait(b: Body, node: nodes.Node, values: list[nodes.Expr]) -> None:
+    """`WAIT = ms` and `WAIT(ms)`."""
+    row = b.whole.table.get("WAIT")
+    assert row is not None
+    if len(values) != 1:
+        b.problem("values", f"WAIT needs 1 value, {len(values)} given", node, "WAIT = 100 waits for 100 ms")
+        return
+    text = _value(b, values[0], row)
+    b.flush()
+    b.settle()
+    b.wait(f"{b.whole.use('env', 'wait')}(t, {text})")
+    b.pending += 1

@@ -1,0 +1,64 @@
+"""The vocabulary of Mint: what is simulated, group by group, and every further word of its type library."""
+
+from __future__ import annotations
+
+from motionlang.lang.keyword import Keyword, Table
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_table: Table | None = None
+
+
+def table() -> Table:
+    """All words of Mint, made on first use."""
+    global _table  # noqa: PLW0603 - one vocabulary a process
+    if _table is None:
+        _table = Table(_rows())
+    return _table
+
+
+def _rows() -> list[Keyword]:
+    from motionlang.mint.keywords import (
+        axis,
+        constants,
+        control,
+        functions,
+        language,
+        motion,
+        state,
+        terminal,
+    )
+
+    groups = (axis, motion, state, control, terminal, functions, constants, language)
+    rows = [row for group in groups for row in group.ROWS]
+    taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
+    for row in _not_simulated():
+        if row.name.lower() not in taken:
+            taken.add(row.name.lower())
+            if row.short.lower() in taken:
+                row.short = ""
+            elif row.short:
+                taken.add(row.short.lower())
+            rows.append(row)
+    return rows
+
+
+_UNITS = {"int": "integer", "bool": "bool", "float": "number", "string": "text", "var": "text", "date": "text"}
+
+
+def _not_simulated() -> Iterator[Keyword]:
+    """The rest of the type library: recognised and explained, not simulated."""
+    from motionlang.mint.keywords import commands, library_a_i, library_j_z
+
+    source = "Mint ActiveX type library, build 5626"
+    for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines():
+        name, short, index, kind, access, meaning = line.split("|")
+        sense = "reading" if access == "R" else "setting"
+        yield Keyword(name, short, sense, access, index, _UNITS[kind], "", meaning, source=source,
+                      trust="code", group="known", simulated=False)  # fmt: skip
+    for line in commands.WORDS.splitlines():
+        name, short, index, meaning = line.split("|")
+        yield Keyword(name, short, "command", "C", index, "", "", meaning, source=source, trust="code",
+                      group="known", simulated=False)  # fmt: skip

@@ -1,0 +1,44 @@
+"""Moves, and what starts and ends them."""
+
+from __future__ import annotations
+
+from motionlang.lang.keyword import Keyword
+
+_AN115 = "ABB AN00115"
+_AN117 = "ABB AN00117"
+
+ROWS = (
+    Keyword("MOVER", "", "move", "W", "axis", "uu", "load_by",
+            "Load a move by a distance, counted from the end of the move before it; GO starts it.",
+            "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)",
+            source=_AN115, trust="manual", group="motion"),
+    Keyword("MOVEA", "MA", "move", "W", "axis", "uu", "load_to",
+            "Load a move to a position; GO starts it.",
+            "MOVEA(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)",
+            source=_AN115, trust="manual", group="motion"),
+    Keyword("GO", "", "command", "C", "axes", "", "go",
+            "Start all moves in the buffers of the axes, together.",
+            "MOVER(0, 1) = 10, 20\nGO(0, 1)\nPAUSE IDLE(0) And IDLE(1)\nPRINT POS(1)",
+            source=_AN117, trust="manual", group="motion"),
+    Keyword("JOG", "", "setting", "RW", "axis", "uu/s", "jog",
+            "Run at a constant speed, its sign the direction, until stopped or told another speed.",
+            "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)",
+            default=0.0, low=-8388607.0, high=8388607.0, source="Mint type library", trust="memory",
+            group="motion"),
+    Keyword("STOP", "ST", "command", "C", "axes", "", "stop",
+            "Decelerate the axes to rest at DECEL and empty their buffers.",
+            "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)",
+            source="Mint type library", trust="memory", group="motion"),
+    Keyword("CANCEL", "CN", "command", "C", "axes", "", "cancel",
+            "Stop the axes at once, empty their buffers and clear their errors.",
+            "JOG(0) = 100\nWAIT = 500\nCANCEL(0)\nPRINT IDLE(0)",
+            source="Mint type library", trust="memory", group="motion"),
+    Keyword("CANCELALL", "CNA", "command", "C", "none", "", "cancel_all",
+            "CANCEL for every axis.",
+            "JOG(0) = 100\nWAIT = 500\nCANCELALL\nPRINT IDLE(0)",
+            source="Mint type library", trust="memory", group="motion"),
+    Keyword("ABORT", "", "command", "C", "none", "", "abort_all",
+            "Stop every axis at once and note the error on it; CANCEL clears it.",
+            "JOG(0) = 100\nWAIT = 500\nABORT\nPRINT IDLE(0)",
+            source="Mint type library", trust="memory", group="motion"),
+)  # fmt: skip

@@ -1,0 +1,308 @@
+"""The first pass: every name a program declares or assigns, who uses it, and which subs can wait."""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes
+from motionlang.mint.fold import fold
+from motionlang.mint.symbols import (
+    FLOAT,
+    INTEGER,
+    RECORD,
+    STRING,
+    TIME,
+    TYPES,
+    Function,
+    Record,
+    Scope,
+    Symbol,
+    Type,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from motionlang.lang.keyword import Table
+    from motionlang.mint.problems import Problems
+
+_LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
+_OBSERVES = (nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End)
+_JUMPS = (nodes.Label, nodes.Jump)
+# Array elements in all; a typing error in a Dim must not take the memory of the computer.
+MOST_ELEMENTS = 10_000_000
+
+
+def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
+    """Every node below `start`, in no particular order."""
+    stack = list(start)
+    while stack:
+        node = stack.pop()
+        if not isinstance(node, nodes.Node):
+            continue
+        yield node
+        for slot in type(node).__slots__:
+            value = getattr(node, slot)
+            if value.__class__ is list:
+                stack.extend(value)
+            elif value is not None:
+                stack.append(value)
+
+
+class Names:
+    """All symbols of a module. `module` keeps its names between inputs when the program is typed line by line."""
+
+    def __init__(self, table: Table, problems: Problems, module: Scope | None = None) -> None:
+        self.table, self.problems = table, problems
+        self.types: dict[str, Record] = {}
+        self.functions: list[Function] = []
+        self.main = Function("main", "main", "main", [], None)
+        self.typed = module is not None
+        if module is not None:
+            self.main.scope.outer = None
+            self.main.scope.names = module.names
+        self.module = self.main.scope
+        self._taken: set[str] = {s.python for s in self.module.names.values()}
+
+    # ------------------------------------------------------------------------------------- declarations
+
+    def declare_module(self, module: nodes.Module) -> None:
+        """Everything that the module declares, then everything it merely uses."""
+        main = self.main
+        main.body = [statement for block in module.startup for statement in block.body] + module.body
+        self.functions.append(main)
+        for user_type in module.types:
+            self._declare_type(user_type)
+        self._declare_data(main)
+        for sub in module.subs:
+            self._declare_sub(sub, self.module)
+        for task in module.tasks:
+            self._declare_task(task)
+        for event in module.events:
+            function = self._block("event", event, event.name, "e_")
+            function.scope.outer = self.module
+        for function in self.functions:
+            self._implicit(function)
+        for function in self.functions:
+            self._use(function)
+        self._settle()
+
+    def _block(self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str) -> Function:
+        function = Function(kind, name, self._python(prefix, name), node.body, self.module)
+        function.node, function.at = node, node.at
+        self.functions.append(function)
+        if kind != "event":
+            self.add(self.module, Symbol(name, kind, Type(FLOAT), function.python, node.at, function))
+        self._declare_data(function)
+        return function
+
+    def _declare_task(self, task: nodes.Task) -> None:
+        function = self._block("task", task, task.name, "k_")
+        for sub in task.subs:
+            function.inner.append(self._declare_sub(sub, function.scope))
+
+    def _declare_sub(self, sub: nodes.Sub, scope: Scope) -> Function:
+        function = Function("sub", sub.name, self._python("s_", sub.name), sub.body, scope)
+        function.node, function.at = sub, sub.at
+        self.functions.append(function)
+        result = self.type_of(sub.result, INTEGER) if sub.function else Type(FLOAT)
+        self.add(scope, Symbol(sub.name, "sub", result, function.python, sub.at, function))
+        for parameter in sub.parameters:
+            self._declare_parameter(function, parameter)
+        if sub.function:
+            symbol = Symbol(sub.name, "variable", result, self._python("r_", sub.name), sub.at, function)
+            function.result = symbol
+        self._declare_data(function)
+        return function
+
+    def _declare_parameter(self, function: Function, node: nodes.Parameter) -> None:
+        kind = self.type_of(node.type, FLOAT)
+        symbol = Symbol(node.name, "parameter", kind, self._python("p_", node.name), node.at, function)
+        symbol.by_ref = node.by_ref and not node.is_array
+        symbol.dimensions = (0,) if node.is_array else ()
+        function.parameters.append(symbol)
+        self.add(function.scope, symbol)
+
+    def _declare_type(self, node: nodes.UserType) -> None:
+        record = Record(node.name)
+        for member in node.members:
+            key = member.name.lower()
+            if key in record.members:
+                self.problems.add("duplicate", f"{node.name} already has a member {member.name}", member.at)
+                continue
+            dimensions = self._dimensions(member, self.module)
+            record.members[key] = (len(record.members), self.type_of(member.type, FLOAT), dimensions)
+        if node.name.lower() in self.types or node.name.lower() in TYPES:
+            self.problems.add("duplicate", f"there is already a type {node.name}", node.at)
+        self.types[node.name.lower()] = record
+
+    def type_of(self, node: nodes.TypeName | None, default: str) -> Type:
+        """The type that `As …` names."""
+        if node is None:
+            return Type(default)
+        key = node.name.lower()
+        if key in self.types:
+            return Type(RECORD, record=self.types[key])
+        if key not in TYPES:
+            self.problems.unknown(f"there is no type {node.name}", node.name, [*TYPES.values(), *self.types], node.at)
+            return Type(default)
+        size = self._whole(node.size, self.module, "the length of a String", 1) if node.size is not None else None
+        return Type(TYPES[key], size)
+
+    def _declare_data(self, function: Function) -> None:
+        for node in _ordered(walk(function.body), (nodes.Const, nodes.Define, nodes.Dim)):
+            if type(node) is nodes.Dim:
+                for variable in node.variables:
+                    self._declare_variable(function, variable)
+            elif type(node) is nodes.Const:
+                self._declare_const(function, node)
+            elif type(node) is nodes.Define:
+                symbol = Symbol(node.name, "define", Type(FLOAT), "", node.at, function)
+                symbol.node = node.value
+                self.add(function.scope, symbol)
+
+    def _declare_variable(self, function: Function, node: nodes.Variable) -> None:
+        symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
+                        self._python("v_", node.name), node.at, function)  # fmt: skip
+        symbol.dimensions = self._dimensions(node, function.scope)
+        self.add(function.scope, symbol)
+
+    def _declare_const(self, function: Function, node: nodes.Const) -> None:
+        value = fold(function.scope, node.value, self.table)
+        if value is None:
+            self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.at,
+                              hint="a Const can use numbers, texts and other constants")  # fmt: skip
+            value = 0
+        natural = STRING if isinstance(value, str) else INTEGER if isinstance(value, int) else FLOAT
+        kind = self.type_of(node.type, natural)
+        if (kind.name == STRING) is not isinstance(value, str):
+            self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.at)
+            value = "" if kind.name == STRING else 0
+        symbol = Symbol(node.name, "const", kind, "", node.at, function)
+        symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
+        self.add(function.scope, symbol)
+
+    def _dimensions(self, node: nodes.Variable, scope: Scope) -> tuple[int, ...]:
+        sizes = [self._whole(size, scope, f"the size of {node.name}", 1) for size in node.dimensions]
+        count = 1
+        for size in sizes:
+            count *= size
+        if count > MOST_ELEMENTS:
+            self.problems.add("range", f"{node.name} has {count} elements, more than {MOST_ELEMENTS}", node.at,
+                              hint="make the array smaller")  # fmt: skip
+            return (1,) * len(sizes)
+        return tuple(sizes)
+
+    def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
+        value = fold(scope, node, self.table)
+        if isinstance(value, (int, float)) and value == int(value) and value >= least:
+            return int(value)
+        self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
+                          node.at)  # fmt: skip
+        return least
+
+    def add(self, scope: Scope, symbol: Symbol) -> None:
+        """Enter a name; a name twice, or a keyword's, is a mistake."""
+        key = symbol.name.lower()
+        if key in scope.names and not (self.typed and scope is self.module):
+            self.problems.add("duplicate", f"{symbol.name} is already declared", symbol.at,
+                              hint=f"the first one is in line {self.problems.line(scope.names[key].at)}")  # fmt: skip
+            return
+        row = self.table.get(symbol.name)
+        if row is not None and row.name.lower() == key and row.simulated:
+            self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
+                              hint="choose another name")  # fmt: skip
+        scope.names[key] = symbol
+
+    def _python(self, prefix: str, name: str) -> str:
+        spelling = wanted = prefix + name.lower()
+        number = 1
+        while spelling in self._taken:
+            number += 1
+            spelling = f"{wanted}_{number}"
+        self._taken.add(spelling)
+        return spelling
+
+    # ---------------------------------------------------------------------------------------------- uses
+
+    def _implicit(self, function: Function) -> None:
+        """A name that is assigned to is a variable, a Float, also without a Dim."""
+        for node in walk(function.body):
+            target = getattr(node, "variable", None) or getattr(node, "target", None)
+            if type(node) in (nodes.Assign, nodes.For, nodes.Input) and type(target) is nodes.Name:
+                if target.args is not None or function.scope.find(target.name) is not None:
+                    continue
+                if self.table.get(target.name) is not None or _is_result(function, target.name):
+                    continue
+                symbol = Symbol(target.name, "variable", Type(FLOAT), self._python("v_", target.name), target.at,
+                                function)  # fmt: skip
+                symbol.declared = False
+                function.scope.names[target.name.lower()] = symbol
+
+    def _use(self, function: Function) -> None:
+        for node in walk(function.body):
+            kind = type(node)
+            if kind is nodes.Name:
+                self._use_name(function, node)
+            elif kind in _LOOPS:
+                function.loops = True
+            elif kind in _OBSERVES:
+                function.observes = True
+            elif kind in _JUMPS:
+                function.jumps = True
+            elif kind in (nodes.Assign, nodes.Input):
+                self._written(function, node.target)  # type: ignore[attr-defined]
+
+    def _written(self, function: Function, target: nodes.Expr) -> None:
+        """What is only assigned to is not used."""
+        if type(target) is nodes.Name and (symbol := function.scope.find(target.name)) is not None:
+            symbol.uses -= 1
+
+    def _use_name(self, function: Function, node: nodes.Name) -> None:
+        symbol = function.scope.find(node.name)
+        if symbol is None:
+            row = self.table.get(node.name)
+            if row is not None and row.kind not in ("function", "constant"):
+                function.observes = True
+            return
+        if symbol.kind in ("variable", "parameter"):
+            symbol.uses += 1
+            if symbol.home is not function:
+                symbol.shared = True
+            if symbol.type.name == TIME:
+                function.observes = True
+        elif symbol.kind == "define":
+            for inner in walk([symbol.node]):
+                if type(inner) is nodes.Name:
+                    self._use_name(function, inner)
+        elif symbol.kind == "sub":
+            function.calls.add(symbol.home)
+            self._box_arguments(function, node, symbol.home)
+
+    def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
+        for argument, parameter in zip(node.args or (), callee.parameters, strict=False):
+            if parameter.by_ref and type(argument) is nodes.Name and argument.args is None:
+                symbol = function.scope.find(argument.name)
+                if symbol is not None and symbol.kind in ("variable", "parameter"):
+                    symbol.boxed = not (symbol.by_ref or symbol.is_array or symbol.type.record)
+
+    def _settle(self) -> None:
+        """Which subs are plain: no loop, no keyword that takes note of time, no call of a sub that is not plain."""
+        plain = {f for f in self.functions if f.kind == "sub" and not (f.observes or f.loops or f.jumps)}
+        settled: set[Function] = set()
+        changed = True
+        while changed:
+            changed = False
+            for function in plain - settled:
+                if function.calls <= settled:
+                    settled.add(function)
+                    changed = True
+        for function in settled:  # a sub in a circle of calls never settles: recursion keeps its time
+            function.plain = True
+
+
+def _is_result(function: Function, name: str) -> bool:
+    return function.result is not None and function.result.name.lower() == name.lower()
+
+
+def _ordered(found: Iterable[nodes.Node], kinds: tuple[type, ...]) -> list[nodes.Node]:
+    return sorted((node for node in found if type(node) in kinds), key=lambda node: node.at)

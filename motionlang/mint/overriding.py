@@ -1,0 +1,70 @@
+"""`--set NAME=VALUE`: another value for a constant, or for what a variable is first given."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.mint import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from motionlang.mint.runtime import MintProgram
+
+
+def overridden(program: MintProgram, overrides: Mapping[str, float | str]) -> MintProgram:
+    """The program compiled anew with other values."""
+    from motionlang.mint.compiler import compile_source
+    from motionlang.source import Source
+
+    return compile_source(Source(program.name, program.text), program.settings, overrides)[0]
+
+
+def override(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
+    """Put the values into the tree; ProgramError for names that the program does not have."""
+    wanted = {name.lower(): value for name, value in overrides.items()}
+    names: list[str] = []
+    done: set[str] = set()
+    for body in (*(block.body for block in module.startup), module.body):
+        _replace(body, wanted, done, names)
+    missing = [name for name in overrides if name.lower() not in done]
+    if missing:
+        raise ProgramError([_unknown(name, names) for name in missing])
+
+
+def _unknown(name: str, names: list[str]) -> Diagnostic:
+    near = nearest(name, names)
+    hint = f"did you mean {near}?" if near else f"the program's own names are {', '.join(names) or 'none'}"
+    return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
+
+
+def _replace(body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]) -> None:
+    """In the order of the text: the first value a name is given is the one that is replaced."""
+    from motionlang.mint.names import walk
+
+    for node in sorted(walk(body), key=lambda each: each.at):
+        if type(node) is nodes.Const:
+            if _take(node.name, wanted, done, names):
+                node.value = _literal(node.at, wanted[node.name.lower()])
+        elif type(node) is nodes.Dim:
+            for variable in node.variables:
+                if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
+                    variable.values = [_literal(variable.at, wanted[variable.name.lower()])]
+        elif type(node) is nodes.Assign and type(node.target) is nodes.Name and node.target.args is None:
+            if _take(node.target.name, wanted, done, names):
+                node.values = [_literal(node.at, wanted[node.target.name.lower()])]
+
+
+def _take(name: str, wanted: dict[str, float | str], done: set[str], names: list[str]) -> bool:
+    """Whether this is the place for a value; notes the name for the message about those that are not found."""
+    if name not in names:
+        names.append(name)
+    key = name.lower()
+    if key not in wanted or key in done:
+        return False
+    done.add(key)
+    return True
+
+
+def _literal(at: int, value: float | str) -> nodes.Expr:
+    return nodes.String(at, value) if isinstance(value, str) else nodes.Number(at, value)

@@ -1,0 +1,112 @@
+"""`Pause condition`: what to look at so that the wait ends at the exact moment, without polling.
+
+A comparison of a reading that changes by itself (POS, VEL, TIME …) with something that does not is solved; everything
+else in a condition changes only when something happens, and is tested then. What fits neither is tested at every
+tick of the profiler.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes
+from motionlang.mint.expressions import condition, number
+from motionlang.mint.keyword_use import indices
+from motionlang.mint.symbols import TIME
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.body import Body
+
+# Verbs of readings that change while time passes and nothing happens.
+MOVING = frozenset(
+    {
+        "position", "velocity", "remaining", "following_error", "time", "demand", "acceleration",
+    }
+)  # fmt: skip
+COUNTING = frozenset({"time"})
+# Those of them whose crossing of a value can be solved.
+SOLVED = frozenset({"position", "remaining", "time"})
+_COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
+
+
+def pause(b: Body, node: nodes.Pause) -> None:
+    """Write the wait: test once, then give way until the condition is true."""
+    b.begin()
+    test = condition(b, node.condition)
+    calls = b.calls
+    b.observes = True
+    b.calls = False
+    b.flush()
+    b.settle()
+    if calls:
+        _poll(b, test)
+    else:
+        watches: list[str] = []
+        _watch(b, node.condition, watches)
+        watched = f"({', '.join(watches)},)" if watches else "()"
+        b.emit(f"if not {test}: t, H = yield {b.whole.use('env', 'pause')}(t, lambda: {test}, {watched})")
+    b.waits = b.noted = True
+    b.pending += 1
+
+
+def _poll(b: Body, test: str) -> None:
+    """A condition that calls a sub is tested at every tick."""
+    b.emit(f"while not {test}: t, H = yield {b.whole.use('env', 'tick')}(t)")
+
+
+def _watch(b: Body, node: nodes.Expr, watches: list[str]) -> None:
+    """Add what decides when `node` may change: nothing where only events can change it."""
+    node = _defined(b, node)
+    if type(node) is nodes.Binary and node.op in ("And", "Or"):
+        _watch(b, node.left, watches)
+        _watch(b, node.right, watches)
+    elif type(node) is nodes.Unary and node.op == "Not":
+        _watch(b, node.operand, watches)
+    elif _moves(b, node):
+        solved = _solved(b, node)
+        if solved is None:
+            solved = "('tick',)" if _moves(b, node, counting=True) else "('motion',)"
+        if solved not in watches:
+            watches.append(solved)
+
+
+def _solved(b: Body, node: nodes.Expr) -> str | None:
+    """A watch for `reading op level`, None where there is no closed form for it."""
+    if type(node) is not nodes.Binary or node.op not in _COMPARED:
+        return None
+    for reading, level in ((node.left, node.right), (node.right, node.left)):
+        reading = _defined(b, reading)
+        if type(reading) is not nodes.Name or _moves(b, level):
+            continue
+        row = None if b.scope.find(reading.name) is not None else b.whole.table.get(reading.name)
+        if row is not None and row.verb in SOLVED:
+            where = indices(b, reading, row, single=True)
+            axis = f"lambda: {where[0]}" if where else "None"
+            return f"({row.verb!r}, {axis}, lambda: {number(b, level).text})"
+    return None
+
+
+def _defined(b: Body, node: nodes.Expr) -> nodes.Expr:
+    """What a name made by Define stands for."""
+    while type(node) is nodes.Name and node.args is None:
+        symbol = b.scope.find(node.name)
+        if symbol is None or symbol.kind != "define":
+            break
+        node = symbol.node  # type: ignore[assignment]
+    return node
+
+
+def _moves(b: Body, node: nodes.Expr, counting: bool = False) -> bool:
+    """Whether the value of an expression changes by itself; `counting`: also while every axis stands still."""
+    from motionlang.mint.names import walk
+
+    for each in walk([node]):
+        if type(each) is nodes.Name:
+            symbol = b.scope.find(each.name)
+            if symbol is not None:
+                if symbol.type.name == TIME or (symbol.kind == "define" and _moves(b, symbol.node, counting)):  # type: ignore[arg-type]
+                    return True
+            else:
+                row = b.whole.table.get(each.name)
+                if row is not None and row.verb in (COUNTING if counting else MOVING) and row.kind != "function":
+                    return True
+    return False

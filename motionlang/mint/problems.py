@@ -1,0 +1,46 @@
+"""The mistakes of one program, collected so that all of them are told at once."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic, ProgramError, nearest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.mint.nodes import Module
+
+# More than anybody reads; what follows the first hundred is usually their consequence.
+MOST = 100
+
+
+class Problems:
+    """Diagnostics at token numbers, turned into lines and columns."""
+
+    def __init__(self, module: Module) -> None:
+        self._module = module
+        self.found: dict[tuple[str, int], Diagnostic] = {}
+
+    def add(self, code: str, message: str, at: int, hint: str = "", severity: str = "error") -> None:
+        """Note a mistake; the same kind at the same place is told once."""
+        if len(self.found) < MOST:
+            line, column, length = self._place(at)
+            self.found.setdefault(
+                (code, at), Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity)
+            )
+
+    def unknown(self, message: str, word: str, words: Iterable[str], at: int, otherwise: str = "") -> None:
+        """Note an unknown word, with the nearest known one."""
+        near = nearest(word, words)
+        self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)
+
+    def line(self, at: int) -> int:
+        return self._module.line(at)
+
+    def _place(self, at: int) -> tuple[int, int, int]:
+        return self._module.line(at), self._module.column(at), self._module.length(at)
+
+    def raise_errors(self) -> None:
+        """ProgramError when there is any error; warnings alone raise nothing."""
+        if any(each.severity == "error" for each in self.found.values()):
+            raise ProgramError(self.found.values())

@@ -1,0 +1,76 @@
+"""A compiled Mint program: started on a machine, or kept as bytes for the next run."""
+
+from __future__ import annotations
+
+from motionlang.lang.program import Program
+from motionlang.mint.environment import Environment, MintTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from types import CodeType
+
+    from motionlang.lang.machine import Machine
+    from motionlang.lang.task import Task
+
+# The file name of generated code, by which tracebacks are told from our own.
+FILE = "<mint>"
+
+
+class MintProgram(Program):
+    """`code` defines `make`; `specs` says what its `kN` are; `places[n]` is the place of line n of the code.
+
+    The source stays with the program: `--set` changes constants, which are written into the code.
+    """
+
+    __slots__ = ("code", "name", "places", "settings", "specs", "text")
+
+    def __init__(
+        self,
+        code: CodeType,
+        places: Sequence[int],
+        specs: Sequence[tuple[object, ...]],
+        name: str,
+        text: str,
+        settings: Mapping[str, object] | None,
+    ) -> None:
+        self.code, self.places, self.specs = code, places, specs
+        self.name, self.text, self.settings = name, text, dict(settings or {})
+
+    def payload(self) -> bytes:
+        """The program as bytes, for `load`."""
+        from array import array
+        from marshal import dumps
+
+        places = array("q", self.places).tobytes()
+        return dumps((self.code, places, tuple(self.specs), self.name, self.text, tuple(self.settings.items())))
+
+    def start(self, machine: Machine) -> Task:
+        """The parent task, bound to `machine`; ProgramError when an override names nothing."""
+        if machine.overrides:
+            from motionlang.mint.overriding import overridden
+
+            return overridden(self, machine.overrides).run(machine)
+        return self.run(machine)
+
+    def run(self, machine: Machine) -> Task:
+        """The parent task of the program as it stands."""
+        environment = Environment(machine, self.places)
+        for axis in machine.controller.axes:
+            machine.controller.configure(axis, "live_speed", True)
+        namespace: dict[str, object] = {}
+        exec(self.code, namespace)  # noqa: S102 - the compiler's own output
+        make = namespace["make"]
+        operations = environment.make_operations(self.specs)
+        environment.blocks = make(  # type: ignore[operator]
+            environment, environment.clock, machine.terminal.write, machine.instruction_time, operations
+        )
+        return MintTask("main", environment.blocks["main"], FILE, environment)
+
+
+def load(payload: bytes) -> MintProgram:
+    """The program that `MintProgram.payload` was made of."""
+    from marshal import loads
+
+    code, places, specs, name, text, settings = loads(payload)
+    return MintProgram(code, memoryview(places).cast("q"), specs, name, text, dict(settings))

@@ -1,0 +1,413 @@
+"""Statements: each writes its Python lines into a `Body`."""
+
+from __future__ import annotations
+
+from motionlang.mint import keyword_use, loops, nodes, pausing
+from motionlang.mint.calls import call
+from motionlang.mint.expressions import condition, converted, number, place, unknown, value
+from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, STRING, TIME, Symbol, Type
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.body import Body, Value
+
+
+def block(b: Body, body: list[nodes.Stmt]) -> None:
+    """Statements one after the other."""
+    for node in body:
+        b.at = node.at
+        b.begin()
+        _STATEMENTS[type(node)](b, node)
+
+
+def inner(b: Body, body: list[nodes.Stmt]) -> None:
+    """An indented block that starts and ends with `t` up to date."""
+    b.indent += 1
+    before = len(b.lines)
+    block(b, body)
+    b.flush()
+    if len(b.lines) == before:
+        b.emit("pass")
+    b.indent -= 1
+
+
+# ------------------------------------------------------------------------------------------------ assigning
+
+
+def _assign(b: Body, node: nodes.Assign) -> None:
+    target: nodes.Expr = node.target
+    if type(target) is nodes.Name:
+        symbol = b.scope.find(target.name)
+        while symbol is not None and symbol.kind == "define" and target.args is None:
+            target = symbol.node  # type: ignore[assignment]
+            if type(target) is not nodes.Name:
+                b.problem("type", f"{symbol.name} stands for an expression and cannot be assigned to", node)
+                return
+            symbol = b.scope.find(target.name)
+        result = b.function.result
+        if result is not None and target.name.lower() == result.name.lower() and target.args is None:
+            _give(b, node, result.python, result.type, result)
+            return
+        if symbol is None:
+            _assign_keyword(b, node, target)
+            return
+        if symbol.kind not in ("variable", "parameter"):
+            what = "a constant" if symbol.kind == "const" else f"a {symbol.kind}"
+            b.problem("read-only", f"{symbol.name} is {what} and cannot be assigned to", target)
+            return
+    _assign_variable(b, node, target)  # type: ignore[arg-type]
+
+
+def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
+    row = b.whole.table.get(target.name)
+    if row is None:
+        unknown(b, target)
+        for each in node.values:
+            value(b, each)
+        return
+    keyword_use.write(b, node, target, row)
+
+
+def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
+    text, kind, scalar = place(b, target)
+    if type(target) is nodes.Name:
+        symbol = b.scope.find(target.name)
+        assert symbol is not None
+        if not (symbol.is_array or symbol.boxed or symbol.by_ref):
+            b.use_outside(symbol)
+    _give(b, node, text, kind, scalar)
+
+
+def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | None) -> None:
+    if len(node.values) != 1 or node.repeat:
+        b.problem("values", f"a variable takes one value, {len(node.values)} given", node)
+        return
+    if kind.name == RECORD and symbol is not None and symbol.is_array:
+        b.problem("type", "an array cannot be assigned to as a whole", node)
+        return
+    found = value(b, node.values[0])
+    if kind.name == RECORD:
+        _give_record(b, node, text, kind, found)
+        return
+    source = converted(b, found, kind, node.values[0], exact=symbol not in b.analysed)
+    if kind.name == TIME:
+        b.observes = True
+    b.settle()
+    b.emit(f"{text} = {source}")
+    b.pending += 1
+
+
+def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Value) -> None:
+    if found.type != str(kind):
+        b.problem("type", f"a {found.type} cannot be given to a {kind}", node)
+        return
+    b.settle()
+    b.emit(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
+    b.pending += 1
+
+
+def zero(kind: Type) -> str:
+    """The text of a new variable's value."""
+    if kind.name == RECORD and kind.record is not None:
+        parts = [fresh(member, sizes) for _, member, sizes in kind.record.members.values()]
+        return f"[{', '.join(parts)}]"
+    return {INTEGER: "0", FLOAT: "0.0", STRING: "''", TIME: "0.0"}.get(kind.name, "None")
+
+
+def fresh(kind: Type, sizes: tuple[int, ...]) -> str:
+    """The text of a new variable or array; element 0 of an array is never used."""
+    if not sizes:
+        return zero(kind)
+    count = 1
+    for size in sizes:
+        count *= size
+    if kind.name == RECORD:
+        return f"[None] + [{zero(kind)} for _ in range({count})]"
+    return f"[{zero(kind)}] * {count + 1}"
+
+
+def _dim(b: Body, node: nodes.Dim) -> None:
+    for variable in node.variables:
+        if not variable.values:
+            continue
+        symbol = b.scope.find(variable.name)
+        if symbol is None or symbol.kind != "variable":
+            continue
+        if symbol.is_array:
+            _fill(b, variable, symbol)
+        elif len(variable.values) > 1:
+            b.problem("values", f"{variable.name} is one value, {len(variable.values)} given", variable)
+        else:
+            found = value(b, variable.values[0])
+            text, kind, _ = place(b, nodes.Name(variable.at, variable.name))
+            source = converted(b, found, kind, variable.values[0], exact=symbol not in b.analysed)
+            b.settle()
+            if not symbol.boxed:
+                b.use_outside(symbol)
+            b.emit(f"{text} = {source}")
+
+
+def _fill(b: Body, variable: nodes.Variable, symbol: Symbol) -> None:
+    count = 1
+    for size in symbol.dimensions:
+        count *= size
+    if len(variable.values) > count:
+        b.problem("values", f"{variable.name} has {count} elements, {len(variable.values)} values are given", variable)
+        return
+    texts = [converted(b, value(b, each), symbol.type, each) for each in variable.values]
+    b.settle()
+    b.emit(f"{symbol.python}[1:{len(texts) + 1}] = [{', '.join(texts)}]")
+
+
+def _nothing(b: Body, node: nodes.Stmt) -> None:
+    """Declarations cost nothing and do nothing when the program passes them."""
+
+
+# --------------------------------------------------------------------------------------------------- calling
+
+
+def _call(b: Body, node: nodes.Call) -> None:
+    target = node.target
+    symbol = b.scope.find(target.name)
+    if symbol is not None and symbol.kind == "sub":
+        found = call(b, target, symbol, wanted=False)
+        b.settle()
+        b.emit(found.text)
+        b.pending += 1
+    elif symbol is not None:
+        b.problem("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target,
+                  f"write {symbol.name} = value to give it one" if symbol.kind == "variable" else "")  # fmt: skip
+    else:
+        row = b.whole.table.get(target.name)
+        if row is None:
+            unknown_command(b, target)
+        else:
+            keyword_use.command(b, node, row)
+
+
+def unknown_command(b: Body, target: nodes.Name) -> None:
+    words = [*b.scope.all_names(), *b.whole.table.names()]
+    b.whole.problems.unknown(f"{target.name} is neither a keyword nor a sub of this program", target.name, words,
+                             target.at)  # fmt: skip
+
+
+def _run(b: Body, node: nodes.Run) -> None:
+    symbol = b.scope.find(node.name)
+    if symbol is None or symbol.kind != "task":
+        tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
+        b.whole.problems.unknown(f"there is no task {node.name}", node.name, tasks, node.at)
+        return
+    b.observes = True
+    b.settle()
+    b.emit(f"{b.whole.use('env', 'run')}({symbol.name.lower()!r}, {symbol.python})")
+    b.flush()
+    b.emit("H = t")  # the new task may have something to do before the next event
+    b.pending += 1
+
+
+# --------------------------------------------------------------------------------------------------- choosing
+
+
+def _if(b: Body, node: nodes.If) -> None:
+    test = condition(b, node.condition)
+    b.settle()
+    b.pending += 1
+    noted, b.noted = b.noted, False
+    outer, b.lines = b.lines, []
+    owed, b.pending = b.pending, 0
+    at = b.at
+    b.emit(f"if {test}:")
+    inner(b, node.body)
+    if node.orelse:
+        b.at = at
+        b.emit("else:")
+        inner(b, node.orelse)
+    written, b.lines = b.lines, outer
+    b.pending = owed
+    b.at = at
+    if b.noted:
+        b.flush()
+    b.lines += written
+    b.noted = b.noted or noted
+
+
+def _select(b: Body, node: nodes.Select) -> None:
+    subject = value(b, node.subject)
+    tests = [_case_test(b, case, subject, name) for name in (b.temp(),) for case in node.cases]
+    name = f"w{b.temps}"
+    b.settle()
+    b.pending += 1
+    b.flush()
+    b.emit(f"{name} = {subject.text}")
+    once = any(loops.leaves(case.body, "select") for case in node.cases)
+    if once:
+        b.emit("while True:")
+        b.indent += 1
+    b.loops.append(("select" if once else "", ""))
+    _cases(b, node, tests)
+    b.loops.pop()
+    if once:
+        b.emit("break")
+        b.indent -= 1
+        loops.go_on_leaving(b)
+
+
+def _cases(b: Body, node: nodes.Select, tests: list[str]) -> None:
+    word = "if"
+    for case, test in zip(node.cases, tests, strict=True):
+        b.at = case.at
+        b.emit(f"{word} {test}:" if case.tests or word == "if" else "else:")
+        inner(b, case.body)
+        word = "elif"
+        if not case.tests:
+            break
+
+
+def _case_test(b: Body, case: nodes.Case, subject: Value, name: str) -> str:
+    return " or ".join(_one_test(b, test, subject, name) for test in case.tests) or "True"
+
+
+def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
+    sides = [value(b, side) for side in (test.value, test.high) if side is not None]
+    for side in sides:
+        if (side.type == STRING) is not (subject.type == STRING):
+            b.problem("type", f"a {side.type} cannot be compared with the {subject.type} of the Select", test)
+    if test.op == "To":
+        return f"{sides[0].text} <= {name} <= {sides[1].text}"
+    return f"{name} {loops.COMPARISONS[test.op]} {sides[0].text}"
+
+
+# --------------------------------------------------------------------------------------------------- printing
+
+
+def _print(b: Body, node: nodes.Print) -> None:
+    texts = [_shown(b, item) for item in node.items]
+    if node.terminal is not None:
+        number(b, node.terminal, "the number of a terminal")
+    if not node.items or not node.items[-1].separator:
+        texts.append("'\\n'")
+    b.observes = True
+    b.settle()
+    b.emit(f"P({' + '.join(_joined(texts))})")
+    b.pending += 1
+
+
+def _joined(texts: list[str]) -> list[str]:
+    """Literal texts that stand side by side as one."""
+    out: list[str] = []
+    for text in texts:
+        if out and out[-1][0] in "'\"" and text[0] in "'\"":
+            out[-1] = repr(_unquoted(out[-1]) + _unquoted(text))
+        else:
+            out.append(text)
+    return out
+
+
+def _unquoted(text: str) -> str:
+    from ast import literal_eval
+
+    return str(literal_eval(text))
+
+
+def _shown(b: Body, item: nodes.PrintItem) -> str:
+    found = value(b, item.value)
+    if item.using:
+        return _using(b, item, found)
+    if found.type == STRING:
+        return found.text if found.const is not None else f"({found.text})"
+    if found.type not in NUMERIC:
+        b.problem("type", f"a {found.type} cannot be printed", item.value, "print its members")
+        return "''"
+    return f"{b.whole.use('show', 'float' if found.type == FLOAT else 'integer')}({found.text})"
+
+
+def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:
+    kind = {STRING: "text", FLOAT: "float"}.get(found.type, "integer")
+    widths = [converted(b, number(b, each, "a width"), Type(INTEGER), each) for each in item.using]
+    if len(widths) > 2:
+        b.problem("values", f"USING takes a width and decimals, {len(widths)} values given", item)
+        return "''"
+    return f"{b.whole.use('using', kind)}({', '.join([found.text, *widths])})"
+
+
+# --------------------------------------------------------------------------------------------------- ending
+
+
+def _end(b: Body, node: nodes.End) -> None:
+    if node.name is not None:
+        symbol = b.scope.find(node.name)
+        if symbol is None or symbol.kind != "task":
+            tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
+            b.whole.problems.unknown(f"there is no task {node.name}", node.name, tasks, node.at)
+            return
+        b.observes = True
+        b.settle()
+        b.emit(f"{b.whole.use('env', 'end_task')}({symbol.name.lower()!r})")
+        b.pending += 1
+        return
+    b.flush()
+    b.noted = True
+    b.emit("return t" if b.function.kind == "main" else f"{b.whole.use('env', 'end_program')}(t)")
+
+
+def leave(b: Body) -> None:
+    """Leave the function."""
+    b.flush()
+    b.noted = True
+    result = b.function.result
+    if b.function.kind == "sub":
+        b.emit(f"return {result.python}" if result is not None else "return")
+    else:
+        b.emit("return t")
+
+
+def _exit(b: Body, node: nodes.Exit) -> None:
+    kind = node.kind
+    if kind in ("sub", "function", "task", "event"):
+        wanted = {"function": "sub"}.get(kind, kind)
+        if b.function.kind != wanted or (kind == "function") is not (b.function.result is not None):
+            b.problem("stray-end", f"Exit {kind.capitalize()} stands outside a {kind.capitalize()}", node)
+            return
+        leave(b)
+        return
+    loops.leave_loop(b, node, kind)
+
+
+def _return(b: Body, node: nodes.Return) -> None:
+    if b.function.kind == "main":
+        b.problem("stray-end", "Return has nothing to go back to: no Gosub leads here", node)
+        return
+    leave(b)
+
+
+def _unsupported(b: Body, node: nodes.Stmt) -> None:
+    word = {nodes.Input: "INPUT", nodes.Label: "a label", nodes.Jump: "Goto"}[type(node)]
+    b.problem("not-simulated", f"{word} is not simulated yet", node)
+
+
+_STATEMENTS: dict[type, Callable[..., None]] = {
+    nodes.Assign: _assign,
+    nodes.Call: _call,
+    nodes.Print: _print,
+    nodes.Input: _unsupported,
+    nodes.Dim: _dim,
+    nodes.Const: _nothing,
+    nodes.Define: _nothing,
+    nodes.If: _if,
+    nodes.Select: _select,
+    nodes.For: loops.count,
+    nodes.While: loops.while_,
+    nodes.Repeat: loops.repeat,
+    nodes.Loop: loops.endless,
+    nodes.Exit: _exit,
+    nodes.Pause: pausing.pause,
+    nodes.Run: _run,
+    nodes.End: _end,
+    nodes.Label: _unsupported,
+    nodes.Jump: _unsupported,
+    nodes.Return: _return,
+    nodes.Auto: _nothing,
+}
+

@@ -1,0 +1,105 @@
+"""Waiting for a condition without polling: at the solved moment, at events, or at the profiler's ticks."""
+
+from __future__ import annotations
+
+from motionlang.lang.task import Wait
+from motionlang.mint.environment import INFINITY, TICK
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.environment import Environment
+
+    Watches = tuple[tuple[object, ...], ...]
+
+# How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
+_AFTER = (0.0, 1e-12, 1e-10, 1e-8)
+
+
+def watch(environment: Environment, t: float, ready: Callable[[], object], watches: Watches) -> Wait:
+    """Wait until `ready`; `watches` tell when it may become true while nothing else happens.
+
+    A watch is `("position" | "remaining", axis, level)`, `("time", None, level)`, `("motion",)` for what changes while
+    an axis moves, or `("tick",)`; axis and level are functions, as they may change while the program waits.
+    """
+    waiting = _Waiting(environment, ready, watches)
+    return Wait(t, waiting.ready, waiting.due, "for a condition")
+
+
+class _Waiting:
+    """A condition and the moment for which it was last solved."""
+
+    def __init__(self, environment: Environment, condition: Callable[[], object], watches: Watches) -> None:
+        self.environment, self.condition, self.watches = environment, condition, watches
+        self.solved = -1.0
+        self.task = environment.task
+
+    def ready(self) -> bool:
+        """Whether the condition is true now, or from this very moment on."""
+        self.environment.task = self.task  # whose TIME the condition may read
+        clock = self.environment.clock
+        now = clock.now
+        if now != self.solved:
+            return bool(self.condition())
+        try:
+            for after in _AFTER:
+                clock.now = now + after * max(1.0, now)
+                if self.condition():
+                    return True
+        finally:
+            clock.now = now
+        return False
+
+    def due(self) -> float:
+        """The next moment at which the condition may change by itself."""
+        self.environment.task = self.task
+        clock = self.environment.clock
+        now = clock.now
+        if now == self.solved:
+            clock.now = now + 1e-7 * max(1.0, now)  # past what was just looked at
+        try:
+            moment = min((self._moment(*each) for each in self.watches), default=INFINITY)
+        finally:
+            clock.now = now
+        if moment <= now:
+            moment = now + TICK
+        self.solved = moment
+        return moment
+
+    def _moment(
+        self, kind: str, axis: Callable[[], int] | None = None, level: Callable[[], float] | None = None
+    ) -> float:
+        controller = self.environment.controller
+        now = self.environment.clock.now
+        if kind == "tick":
+            return _next_tick(now)
+        if kind == "motion":
+            return INFINITY if all(map(controller.is_idle, controller.axes)) else _next_tick(now)
+        assert level is not None
+        if kind == "time":
+            return _counted(now, self.task.time_base, level())
+        assert axis is not None
+        return self._crossing(kind, axis(), level())
+
+    def _crossing(self, kind: str, axis: int, level_uu: float) -> float:
+        controller = self.environment.controller
+        if axis not in controller.axes or controller.is_idle(axis):
+            return INFINITY  # a refusal, if there is to be one, comes from the condition itself
+        scale = controller.axes[axis].scale
+        if kind == "position":
+            return controller.crossing_time(axis, scale.position_to_counts(level_uu))
+        return controller.crossing_time(axis, controller.target(axis) - scale.to_counts(level_uu, "uu"))
+
+
+def _next_tick(now: float) -> float:
+    return (int(now / TICK + 1e-6) + 1) * TICK
+
+
+def _counted(now: float, base: float, level: float) -> float:
+    """When TIME next passes `level`: it reaches it, and a millisecond later it is beyond it."""
+    for milliseconds in (level, level + 1.0):
+        moment = base + milliseconds / 1000.0
+        if moment > now:
+            return moment
+    return INFINITY
