@@ -14,6 +14,8 @@ from motionlang.profile import hold
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.controller.clock import Event
     from motionlang.controller.limit import Limit
     from motionlang.controller.move import Move
@@ -49,6 +51,7 @@ class Axis:
         "enabled",
         "error_decel",
         "faults",
+        "followers",
         "home",
         "index",
         "index_every",
@@ -93,6 +96,8 @@ class Axis:
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
         self.watches: list[Watch] = []
+        # Called with each new profile at the moment it begins, such as by an axis that is geared to this one.
+        self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []
         # The home switch, and the distance between the encoder's index marks in user units (0: it has none).
         self.home = False

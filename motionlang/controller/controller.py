@@ -177,6 +177,12 @@ class Controller:
             raise Refusal("range", f"axis {axis} cannot jog: {problem}") from None
         self._run(a, move, profile)
 
+    def play(self, axis: int, profile: Profile, command: str = "", line: int = 0) -> None:
+        """Follow a ready-made profile that begins where the axis is: a path, or the motion of a master."""
+        a = self._ready(axis)
+        self._end_move(a, "retarget")
+        self._run(a, Move(axis, command, line, profile.end), profile)
+
     def stop(self, axis: int, ended: str = "stop") -> None:
         """Decelerate to rest at the set rate (at `error_decel` for a fault) and empty the buffer."""
         a = self.axes[axis]
@@ -386,6 +392,8 @@ class Controller:
         a.profiles.append(profile)
         for watch in a.watches:
             arm(a, watch, self.clock, now)
+        for follower in a.followers:
+            follower(profile)
 
     def _arrive(self, a: Axis) -> None:
         a.arrival = None
