@@ -14,6 +14,7 @@ from motionlang.views.chart import velocity_chart
 from motionlang.views.files import reason
 from motionlang.views.keywords import page
 from motionlang.views.table import render
+from motionlang.views.words import dialect_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -150,7 +151,7 @@ def _picture(session: Session, path: str) -> None:
     except ImportError:
         _wrong(session, "file", "a picture needs matplotlib", "pip install motionlang[plot]")
     except OSError as error:
-        _wrong(session, "file", f"{path} could not be written: {reason(error)}")
+        _wrong(session, "file", f"{path} cannot be written: {reason(error)}")
 
 
 def _so_far(session: Session) -> Run:
@@ -164,14 +165,15 @@ def load_file(session: Session, path: str) -> None:
     try:
         source = Source.read(expanduser(path))
     except OSError as error:
-        _wrong(session, "file", f"{path} could not be read: {reason(error)}")
+        _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
         return
     other = dialect_of(path)
+    here = dialect_name(session.dialect.name)
     if other is not None and other.name != session.dialect.name:
         _wrong(
             session,
             "file",
-            f"{path} is a {other.name} program, and this prompt speaks {session.dialect.name}",
+            f"{path} is a {dialect_name(other.name)} program; this prompt speaks {here}",
         )
     else:
         session.load(source)

@@ -21,6 +21,7 @@ from motionlang.repl.interrupt import Interrupts
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
 from motionlang.views.terminal import width_of
+from motionlang.views.words import dialect_name
 
 # How often the bottom bar follows in live mode, seconds.
 REFRESH = 0.1
@@ -34,7 +35,7 @@ def converse(session: Session) -> int:
     live = Live(session)
     ask = _asker(session, live)
     print(
-        f"motionlang {__version__}, {session.dialect.name}, {len(session.machine.controller.axes)} axes. "
+        f"motionlang {__version__}, {dialect_name(session.dialect.name)}, {len(session.machine.controller.axes)} axes. "
         "Tab completes, .help helps, Ctrl-D leaves."
     )
     while not session.over:

@@ -110,7 +110,7 @@ class Runner:
             self._tell_at(scheduler, source, "interrupted", "the command was ended from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
-            hint = "stop the axis that jogs" if source is NOWHERE else "start a move first"
+            hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
             self._tell_at(scheduler, source, "never", message, hint)
         except Exception as error:
             self._explain(error, scheduler.current, source)

@@ -1,7 +1,8 @@
 """Sessions as they look on the screen: what is typed after the prompt, and below it what appears.
 
 A transcript begins with what it is about. A line that begins with `mint> ` or `mccl> ` is typed, one that begins with
-dots instead of the name goes on with a block, everything else is the answer. `pytest --update` writes the answers anew.
+dots instead of the name goes on with a block, everything else is the answer. Files are named from this folder.
+`pytest --update` writes the answers anew.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ FOLDER = Path(__file__).parent
 PROMPTS = {f"{name}> ": name for name in dialects()}
 
 
-def replay(transcript: str, folder: Path) -> str:
+def replay(transcript: str) -> str:
     """The transcript as it looks today."""
     shown: list[str] = []
     session: Session | None = None
@@ -30,16 +31,17 @@ def replay(transcript: str, folder: Path) -> str:
         elif prompt in PROMPTS or prompt == "....> ":
             assert session.in_block == (prompt == "....> "), f"the prompt is not the one that {line!r} shows"
             shown.append(line + "\n")
-            shown.append(session.feed(line[6:].replace("FOLDER", str(folder))))
+            shown.append(session.feed(line[6:]))
     assert session is not None, "nothing is typed"
     assert not session.in_block
     return "".join(shown)
 
 
 @pytest.mark.parametrize("path", sorted(FOLDER.glob("*.txt")), ids=lambda path: path.stem)
-def test_transcript(path: Path, request: pytest.FixtureRequest) -> None:
+def test_transcript(path: Path, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(FOLDER)
     expected = path.read_text(encoding="utf-8")
-    now = replay(expected, FOLDER)
+    now = replay(expected)
     if request.config.getoption("--update", default=False):
         path.write_text(now, encoding="utf-8")
     assert now == path.read_text(encoding="utf-8")

@@ -1,0 +1,90 @@
+"""The prompt as a person meets it: keys go in, the screen is not looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from prompt_toolkit.application import create_app_session
+from prompt_toolkit.completion import CompleteEvent
+from prompt_toolkit.document import Document
+from prompt_toolkit.input import PipeInput, create_pipe_input
+from prompt_toolkit.output import DummyOutput
+
+from motionlang.repl.complete import WordCompleter, candidates
+from motionlang.repl.highlight import styled
+from motionlang.repl.prompt import converse
+from motionlang.repl.session import Session
+from motionlang.run import dialect
+
+CTRL_C, CTRL_D, ENTER = "\x03", "\x04", "\r"
+
+
+@pytest.fixture(autouse=True)
+def _no_history(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_HISTORY", "")
+
+
+@pytest.fixture
+def keys() -> Iterator[PipeInput]:
+    with create_pipe_input() as keys, create_app_session(input=keys, output=DummyOutput()):
+        yield keys
+
+
+def test_lines_are_executed_until_ctrl_d(keys: PipeInput) -> None:
+    shown: list[str] = []
+    session = Session(dialect("mccl"), show=shown.append)
+    keys.send_text(f"1DH42{ENTER}1TP{ENTER}{CTRL_D}")
+    assert converse(session) == 0
+    assert shown == ["01 42\n"]
+
+
+def test_quit_leaves_too(keys: PipeInput) -> None:
+    session = Session(dialect("mccl"))
+    keys.send_text(f".quit{ENTER}")
+    assert converse(session) == 0
+    assert session.over
+
+
+def test_ctrl_c_at_the_prompt_drops_the_line_only(keys: PipeInput) -> None:
+    shown: list[str] = []
+    session = Session(dialect("mccl"), show=shown.append)
+    keys.send_text(f"1DH42{CTRL_C}1TP{ENTER}{CTRL_D}")
+    converse(session)
+    assert shown == ["01 0\n"]
+
+
+def test_live_mode_is_a_matter_of_the_terminal(keys: PipeInput) -> None:
+    session = Session(dialect("mccl"))
+    keys.send_text(f".live on{ENTER}.live off{ENTER}{CTRL_D}")
+    converse(session)
+    assert not session.failed
+    assert session.live is False
+    assert session.machine.controller.clock.now < 1.0
+
+
+def test_completion_knows_the_table_and_says_what_a_word_does() -> None:
+    mccl = dialect("mccl")
+    assert [word for word, _, _ in candidates(mccl, "1MN,2W")][:3] == ["WA", "WE", "WF"]
+    row = mccl.table().get("MR")
+    assert row is not None
+    assert candidates(mccl, "1MR") == [("MR", 2, row.help)]
+    assert candidates(mccl, "1mr") == [("mr", 2, row.help)]
+    assert candidates(mccl, "") == candidates(mccl, "1MN; go") == []
+
+
+def test_completion_knows_the_prompts_own_commands() -> None:
+    assert [word for word, _, _ in candidates(dialect("mccl"), ".r")] == ["run", "report", "reset"]
+
+
+@pytest.mark.parametrize("text", ["", "1MR100, 9XX MD1 @5\n;x", ".run 3", "\0\x1b\n\n", "é" * 300, '"'])
+def test_highlighting_leaves_nothing_out(text: str) -> None:
+    assert "".join(piece[1] for piece in styled(dialect("mccl"), text)) == text
+
+
+def test_completion_of_files_belongs_to_load(tmp_path: Path) -> None:
+    (tmp_path / "pick.mcl").touch()
+    completer = WordCompleter(dialect("mccl"))
+    for typed, found in ((f".load {tmp_path}/pi", ["ck.mcl"]), (f".help {tmp_path}/pi", [])):
+        assert [each.text for each in completer.get_completions(Document(typed), CompleteEvent())] == found

@@ -1,0 +1,80 @@
+"""What a transcript cannot show: being interrupted, being paced, being a file."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from motionlang.repl import main
+from motionlang.repl.session import Session
+from motionlang.run import ONE_SHIFT, dialect
+
+
+def after(polls: int) -> object:
+    """Somebody who presses Ctrl-C once a command has been running for so many polls."""
+    left = iter(range(polls))
+    return lambda: next(left, None) is None
+
+
+def test_ctrl_c_ends_the_command_and_the_axis_goes_on() -> None:
+    session = Session(dialect("mccl"))
+    session.feed("1MN,1PM,1SV1000,1SA5000,1DS5000")
+    session.interrupted = after(20)  # type: ignore[assignment]
+    answer = session.feed("1MR1000,WA0.5,WA0.25,1TP,RP")
+    assert "error[interrupted]: the command was ended from the keyboard" in answer
+    session.interrupted = lambda: False
+    assert session.feed("1WS0,1TP") != "01 0\n"
+    assert not session.over
+
+
+def test_pace_is_told_of_the_time_that_is_about_to_be_reached() -> None:
+    session = Session(dialect("mccl"))
+    times: list[float] = []
+    session.pace = times.append
+    session.feed("WA3")
+    assert times == sorted(times)
+    assert times[-1] == pytest.approx(3.0, abs=1e-3)
+
+
+def test_a_command_that_never_ends_is_ended_after_a_shift() -> None:
+    session = Session(dialect("mccl"))
+    assert "error[limit]" in session.feed("WA1000,RP")
+    assert session.machine.controller.clock.now == pytest.approx(ONE_SHIFT)
+    assert session.feed("1TP") == "01 0\n"
+
+
+def test_no_command_lives_on_what_an_earlier_one_printed() -> None:
+    session = Session(dialect("mccl"))
+    session.feed("1TP")
+    assert session.machine.terminal.lines == []
+
+
+def test_without_a_terminal_lines_come_from_standard_input(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    program = tmp_path / "pick.mcl"
+    program.write_text("1DH7\n")
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"1TP\r\n1XX\n\xff\n.quit\n2TP\n")))
+    assert main(None, str(program)) == 1
+    out, err = capsys.readouterr()
+    assert out.startswith("01 7\n?1\n")
+    assert "02 0" not in out
+    assert err.startswith("error[unknown-word]: there is no command XX")
+
+
+def test_a_session_without_trouble_ends_well(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO("1TP\n"))
+    assert main("mccl") == 0
+    assert capsys.readouterr() == ("01 0\n", "")
+
+
+def test_a_machine_that_the_language_does_not_know_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO("1TP\n"))
+    assert main("mccl", None, {"controller.model": "abacus"}) == 1
+    assert "abacus" in capsys.readouterr().err
