@@ -89,7 +89,7 @@ def _terminals(lark: Lark) -> tuple[dict[str, str], dict[str, str]]:
     for terminal in lark.terminals:
         if terminal.name in lark.ignore_tokens:
             continue
-        pattern = re.sub(r"\(\?i?:|(?<!\\)\)", "", terminal.pattern.value)
+        pattern = terminal.pattern.value.removeprefix("(?:").removesuffix(")")
         if terminal.pattern.type == "str":
             literals[terminal.pattern.value.lower()] = str(terminal.name)
         elif _JOINED.fullmatch(pattern):

@@ -65,7 +65,7 @@ class State(dict[str, "State | Action"]):
                 return self[kind]
         if self.default is None or kind not in self.tables.kinds:
             raise _NoAction
-        action = self[kind] = Action(self.default, self, kind)
+        action = self[kind] = Action(self.default, kind)
         return action
 
     def _fill(self) -> None:
@@ -79,7 +79,7 @@ class State(dict[str, "State | Action"]):
             elif target[0] == "r":
                 rule = tables.rules[int(target[1:])]
                 for kind in kinds.split(","):
-                    self[kind] = Action(rule, self, kind)
+                    self[kind] = Action(rule, kind)
             else:
                 state = tables.states[int(target)]
                 for kind in kinds.split(","):
@@ -93,16 +93,16 @@ class State(dict[str, "State | Action"]):
             return None
 
 
-class Action(dict[State, "tuple[tuple[Reducer, ...], State]"]):
-    """A reduction on one kind: from the state below to the reducers to call and the state to go to."""
+class Action(dict[State, "tuple[tuple[Reducer, ...], State, State | Action | None]"]):
+    """A reduction on one kind: from the state below to the reducers to call, the state to go to, its action."""
 
-    __slots__ = ("kind", "length", "rule", "state")
+    __slots__ = ("kind", "length", "rule")
 
-    def __init__(self, rule: Rule, state: State, kind: str) -> None:
-        self.rule, self.state, self.kind = rule, state, kind
+    def __init__(self, rule: Rule, kind: str) -> None:
+        self.rule, self.kind = rule, kind
         self.length = rule[0]
 
-    def __missing__(self, below: State) -> tuple[tuple[Reducer, ...], State]:
+    def __missing__(self, below: State) -> tuple[tuple[Reducer, ...], State, State | Action | None]:
         """Follow the reductions of one symbol that come next, as far as they go."""
         reducers: list[Reducer] = []
         rule = self.rule
@@ -115,7 +115,7 @@ class Action(dict[State, "tuple[tuple[Reducer, ...], State]"]):
             if not isinstance(action, Action) or action.length != 1:
                 break
             rule = action.rule
-        self[below] = found = tuple(reducers), state
+        self[below] = found = tuple(reducers), state, action
         return found
 
 
@@ -213,33 +213,28 @@ def _run(state: State, kinds: Iterable[str], texts: list[str]) -> Any:
     at = 0
     try:
         for at, kind in enumerate(kinds):
-            while True:
-                action = state[kind]
-                if action.__class__ is State:
-                    push(action)
-                    push_value(at)
-                    state = action
-                    break
+            action = state[kind]
+            while action.__class__ is not State:
+                if action is None:
+                    raise _NoAction
                 length = action.length
-                if length == 1:
-                    reducers, state = action[states[-2]]
-                    for reduce in reducers:
-                        reduce(values, texts)
-                    states[-1] = state
-                    continue
-                if length == 3:
-                    pop()
-                    pop()
-                elif length == 2:
-                    pop()
-                elif length == 0:
-                    push(state)
-                else:
-                    del states[1 - length :]
-                reducers, state = action[states[-2]]
+                if length != 1:  # one symbol gives way to one
+                    if length == 3:
+                        pop()
+                        pop()
+                    elif length == 2:
+                        pop()
+                    elif length:
+                        del states[1 - length :]
+                    else:
+                        push(state)
+                reducers, state, action = action[states[-2]]
                 for reduce in reducers:
                     reduce(values, texts)
                 states[-1] = state
+            push(action)
+            push_value(at)
+            state = action
     except _NoAction:
         raise Stuck(at, states) from None
     return values[0]

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from motionlang.mint.blocks import Block
     from motionlang.source import Source
 
+AFTER_A_NAME = {"EQUAL", "DOT", "LPAR", "LSQB"}
 MOST = 100  # nobody reads more, and binary rubbish has one a line
 
 
@@ -52,7 +53,7 @@ class _Reader:
         self.places = Places(source, TABLES, self.texts)
         self.diagnostics: list[Diagnostic] = []
         self.top = empty(TABLES)
-        self.line = self.mark = self.top
+        self.before = self.line = self.mark = self.top
         self.start = 0  # the token at which the statement began
         self.spent: dict[int, int] = {}  # an opener, and the inner one that its closer was spent on
 
@@ -63,6 +64,7 @@ class _Reader:
             closer = self._closer(at, at + 1) if at == self.start else ""
             if closer:
                 self._watch_columns(closer)
+            self.before = self.top
             self.top, fits = feed(self.top, self.kinds[at], at)
             if fits:
                 self._check(at)
@@ -182,6 +184,7 @@ class _Reader:
             if not self._close(blocks[:1]):
                 return self._skip(self.start)
             blocks = blocks[1:]
+        self.top = self.mark
         return self.start
 
     def _file_ends(self, at: int, blocks: list[Block]) -> int:
@@ -212,6 +215,8 @@ class _Reader:
         kind, text = self.kinds[at], self.texts[at]
         before = self.texts[at - 1] if at else ""
         kinds = expected(TABLES, self.top)
+        if kinds <= AFTER_A_NAME:  # `Run 3`: the word has been taken for a name, which nobody meant
+            kinds = expected(TABLES, self.before)
         self.report("syntax", wording.message(kinds, kind, text), at, wording.hint(kinds, before, text))
         end = self._line_end(at)
         plain = plain_line(self.kinds[self.start : end])

@@ -91,7 +91,10 @@ def _things(kinds: set[str]) -> list[str]:
     if "NAME" in left:
         things.append("a name")
         left = {kind for kind in left if not kind.isalpha() or kind in ("AS",)}
-        left -= {"LPAR", "LSQB"}
+        left -= {"LPAR", "LSQB", "DOT", "EQUAL"}
+    if "COMPARE" in left:
+        left.discard("EQUAL")
+        things.append("a comparison")
     if "THEN" in left:
         left.discard("DO")  # v4's word for the same
     if "END" in left:
