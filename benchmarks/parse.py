@@ -1,6 +1,6 @@
 """How fast Mint is parsed: `name value unit` lines, every ratio measured within this one run.
 
-    python -m benchmarks.parse [BYTES]
+    python benchmarks/parse.py [BYTES]
 
 The text is a program of about a megabyte, made twice with the same statements: in Mint and in Python, so that
 CPython's own `ast.parse` is a fair yardstick. Lark parses the same text with the same grammar, once as it is
@@ -15,7 +15,8 @@ import sys
 from statistics import median
 from time import process_time
 
-from benchmarks.parse_program import program
+from parse_program import program
+
 from motionlang.lang.grammar import build_lark
 from motionlang.mint.parser import parse
 from motionlang.mint.tables import TABLES

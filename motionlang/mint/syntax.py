@@ -105,12 +105,12 @@ class _Reader:
 
     def _watch_columns(self, closer: str) -> None:
         """A closer that stands under an outer opener and closes an inner one: if one is missing, it is the inner's."""
-        inner, *outer = opened_blocks(self.mark) or [None]
-        if inner is None or inner.kind != closer or self._under(inner):
+        blocks = opened_blocks(self.mark)
+        if not blocks or blocks[0].kind != closer or self._under(blocks[0]):
             return
-        meant = next((block for block in outer if block.kind == closer and self._under(block)), None)
+        meant = next((block for block in blocks[1:] if block.kind == closer and self._under(block)), None)
         if meant:
-            self.spent.setdefault(meant.at, inner.at)
+            self.spent.setdefault(meant.at, blocks[0].at)
 
     def _under(self, block: Block) -> bool:
         """Does the statement stand under the opener of a block?"""
