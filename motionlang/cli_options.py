@@ -6,6 +6,7 @@ import argparse
 import math
 import re
 import sys
+from importlib import import_module
 from typing import TYPE_CHECKING, NoReturn
 
 from motionlang import __version__
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 PROGRAM = "motionlang"
 HIGHEST_RATE = 10e6
+# Commands with commands of their own, whose modules are imported only where they are meant.
+FAMILIES = {"pvt": ("motionlang.cli_pvt", "position-velocity-time moves for Copley drives")}
 
 EPILOG = """\
 examples:
@@ -46,8 +49,11 @@ examples:
 
 def parse(given: Sequence[str]) -> int:
     """Read a command line and run its command; argparse ends the process with 2 where it is wrong."""
-    parser = build_parser()
+    parser = build_parser(given[0] if given else "")
     arguments = parser.parse_args(_with_factor(given))
+    if hasattr(arguments, "handler"):
+        handler: Callable[[argparse.Namespace], int] = arguments.handler
+        return handler(arguments)
     command: Callable[[argparse.Namespace, argparse.ArgumentParser], int] = arguments.command
     return command(arguments, arguments.parser)
 
@@ -62,8 +68,8 @@ def _with_factor(given: Sequence[str]) -> list[str]:
     return words
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """The parser with all its commands."""
+def build_parser(command: str = "") -> argparse.ArgumentParser:
+    """The parser with all its commands; those of `FAMILIES` are only spelled out where `command` is one of them."""
     parser = _Parser(
         prog=PROGRAM,
         description="Run programs of motion controllers offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
@@ -73,6 +79,11 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for add in (_add_run, _add_check, _add_repl, _add_plan, _add_profiles, _add_keywords, _add_verify):
         add(commands)
+    for name, (module, summary) in FAMILIES.items():
+        if name == command:
+            import_module(module).add_parser(commands)
+        else:
+            commands.add_parser(name, help=summary)
     return parser
 
 

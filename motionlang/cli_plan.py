@@ -30,6 +30,8 @@ UNITS = {
     "accel": "uu/s²",
     "decel": "uu/s²",
 }
+# What MCCL takes in whole counts while no user unit is set.
+WHOLE = ("distance", "speed", "accel", "decel")
 HELP = {
     "distance": "distance of the move, user units; negative for a move the other way",
     "time": "time of the whole move, seconds",
@@ -127,6 +129,10 @@ def _lines(
     for name, program in programs.items():
         lines += ["", styled(dialect_name(name), "bold", colour)]
         lines += [f"  {styled(line, 'word', colour)}" for line in program.splitlines()]
+        if name == "mccl" and "US" not in program and any("." in _number(move[each]) for each in WHOLE):
+            lines.append(
+                f"  {styled('note:', 'note', colour)} without a scale MCCL takes whole counts only; give --scale"
+            )
     return lines
 
 

@@ -41,7 +41,8 @@ MOST_AXES = 8
 WIDTH, DPI = 11.0, 120
 PANEL, MARGIN = (1.9, 1.35), 1.35
 LEFT, RIGHT = 0.095, 0.985
-STYLE: dict[str, Any] = {
+# "Any": every release of matplotlib types its keys differently.
+STYLE: Any = {
     "font.family": "DejaVu Sans",
     "font.size": 9.0,
     "text.color": INK,

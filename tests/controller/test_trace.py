@@ -112,7 +112,7 @@ def test_a_rate_must_be_a_number_above_zero(rate: float) -> None:
 
 
 def test_what_does_not_fit_into_memory_is_refused() -> None:
-    with pytest.raises(ValueError, match="use chunks|too many to hold at once"):
+    with pytest.raises(ValueError, match="too many to hold at once"):
         ballscrew().trace.sample(1e12)
     with pytest.raises(ValueError, match="the end must be a time"):
         ballscrew().trace.sample(1.0, until=-1.0)

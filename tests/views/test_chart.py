@@ -23,7 +23,9 @@ def test_a_trapezoid() -> None:
 
 def test_an_axis_that_runs_both_ways_has_its_zero_between() -> None:
     run = pick()
-    labels = [line[:12].split() for line in velocity_chart(run.controller.axes[0], run.time, width=60, height=5)]
+    labels = [
+        line[:12].split() for line in velocity_chart(run.controller.axes[0], run.time, width=60, height=5)
+    ]
     assert labels == [["250", "┤"], ["│"], ["0", "┼"], ["│"], ["-250", "┤"], []]
 
 

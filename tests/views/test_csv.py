@@ -16,7 +16,19 @@ def lines(columns: list[list[float]], decimals: list[int]) -> list[str]:
 
 
 def test_numbers_of_every_length() -> None:
-    numbers = [0.0, 1.0, 12.5, -7.25, 9999.999999, 10_000.0, 99_999_999.0, 1e8, -123_456_789.0625, 1e-6, -1e-6]
+    numbers = [
+        0.0,
+        1.0,
+        12.5,
+        -7.25,
+        9999.999999,
+        10_000.0,
+        99_999_999.0,
+        1e8,
+        -123_456_789.0625,
+        1e-6,
+        -1e-6,
+    ]
     assert lines([numbers], [6]) == [f"{x:.6f}" for x in numbers]
 
 
@@ -46,7 +58,9 @@ def test_blocks_join_without_a_seam() -> None:
     assert lines([numbers], [6]) == [f"{x:.6f}" for x in numbers]
 
 
-@pytest.mark.parametrize(("resolution", "decimals"), [(1.0, 6), (1 / 1200, 9), (1e-6, 9), (1e-9, 12), (1e-15, 12)])
+@pytest.mark.parametrize(
+    ("resolution", "decimals"), [(1.0, 6), (1 / 1200, 9), (1e-6, 9), (1e-9, 12), (1e-15, 12)]
+)
 def test_a_thousandth_of_a_count_is_shown(resolution: float, decimals: int) -> None:
     assert decimals_for(resolution) == decimals
 

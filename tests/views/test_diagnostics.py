@@ -15,11 +15,7 @@ PROGRAM = Source(
     "pick.mnt",
     "SPEED = 250\n"
     "\tMOVR(0) = 12\n"
-    "漢字 = FOO(3)\n"
-    + "x = 1 + " * 100_000
-    + "\nPRINT \x1b[31mred\x00\n"
-    + "\n" * 94
-    + "If x Then\n",
+    "漢字 = FOO(3)\n" + "x = 1 + " * 100_000 + "\nPRINT \x1b[31mred\x00\n" + "\n" * 94 + "If x Then\n",
 )
 
 MESSAGES = {
@@ -125,7 +121,9 @@ def test_without_a_source_there_is_no_place() -> None:
 
 
 def test_the_file_as_the_user_called_it() -> None:
-    assert " --> cell/pick.mnt:1:1\n" in render(Diagnostic("syntax", "no", 1, 1), PROGRAM, name="cell/pick.mnt")
+    assert " --> cell/pick.mnt:1:1\n" in render(
+        Diagnostic("syntax", "no", 1, 1), PROGRAM, name="cell/pick.mnt"
+    )
 
 
 def test_colours_only_paint() -> None:
@@ -139,7 +137,11 @@ def test_colours_only_paint() -> None:
 
 
 def test_several_stand_apart_and_are_counted() -> None:
-    two = [Diagnostic("syntax", "one"), Diagnostic("syntax", "two"), Diagnostic("syntax", "x", severity="warning")]
+    two = [
+        Diagnostic("syntax", "one"),
+        Diagnostic("syntax", "two"),
+        Diagnostic("syntax", "x", severity="warning"),
+    ]
     assert render_all(two[:2]) == "error[syntax]: one\n\nerror[syntax]: two\n"
     assert tally(two) == "2 errors, 1 warning"
     assert tally([]) == ""

@@ -75,9 +75,11 @@ def test_a_failure_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path: Path) 
 
 
 def test_ctrl_c_leaves_nothing_either(tmp_path: Path) -> None:
-    with pytest.raises(KeyboardInterrupt), replacing(str(tmp_path / "x")) as file:
-        file.write(b"half")
+    def interrupt(part: float) -> None:
         raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        write_trace(ballscrew().trace, str(tmp_path / "x.npz"), 1000.0, interrupt)
     assert os.listdir(tmp_path) == []
 
 

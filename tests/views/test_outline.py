@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from motionlang.controller.controller import Controller
+from motionlang.run import Run
 from motionlang.views.outline import outline
-from tests.views.runs import Run, ballscrew, pick, shift
+from tests.views.runs import ballscrew, pick, shift
 
 
 @pytest.mark.parametrize("make", [ballscrew, pick, shift])
 @pytest.mark.parametrize("quantity", ["position", "velocity", "acceleration"])
 @pytest.mark.parametrize("bins", [50, 1000])
-def test_extremes_are_those_of_a_fine_sampling(make: type[Run], quantity: str, bins: int) -> None:
+def test_extremes_are_those_of_a_fine_sampling(make: Callable[[], Run], quantity: str, bins: int) -> None:
     run = make()
     for axis in run.trace.axes:
         times, values = outline(run.trace, axis, quantity, bins)

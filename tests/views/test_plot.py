@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.run import Run
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
-from tests.views.runs import Run, ballscrew, ended, new_run, pick, shift
+from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 matplotlib = pytest.importorskip("matplotlib")
 

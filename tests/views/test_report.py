@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import pytest
 
 from motionlang.errors import Diagnostic
 from motionlang.report import SCHEMA, build, failure, text
+from motionlang.run import Run
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 
@@ -47,13 +49,15 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
 
 
 @pytest.mark.parametrize("make", [ballscrew, pick, shift])
-def test_the_text_reads_back_as_the_same_data(make: type) -> None:
+def test_the_text_reads_back_as_the_same_data(make: Callable[[], Run]) -> None:
     run = make()
     assert json.loads(text(run)) == build(run)
 
 
 def test_a_move_is_a_line() -> None:
-    assert [line[:11] for line in text(shift(7)).splitlines() if line.startswith("  ")] == ['  {"axis": 0'[:11]] * 7
+    assert [line[:11] for line in text(shift(7)).splitlines() if line.startswith("  ")] == [
+        '  {"axis": 0'[:11]
+    ] * 7
 
 
 def test_what_was_cut_short_says_so() -> None:
@@ -118,7 +122,9 @@ def test_no_figure_is_ever_nan_or_infinite() -> None:
 
 
 def test_a_run_that_never_began() -> None:
-    document = json.loads(failure("pick.mnt", "", [Diagnostic("file", "pick.mnt cannot be read: no such file")]))
+    document = json.loads(
+        failure("pick.mnt", "", [Diagnostic("file", "pick.mnt cannot be read: no such file")])
+    )
     assert (document["schema"], document["status"], document["moves"]) == (SCHEMA, "fault", [])
     assert document["diagnostics"][0]["code"] == "file"
     assert document.keys() == build(ballscrew()).keys()

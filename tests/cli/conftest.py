@@ -1,0 +1,22 @@
+"""A folder of its own for every test of the command line, and no cache but in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.programs import BALLSCREW, JOG, WRONG, Cell
+
+
+@pytest.fixture
+def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Cell:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / ".cache"))
+    for name in ("NO_COLOR", "FORCE_COLOR", "COLUMNS"):
+        monkeypatch.delenv(name, raising=False)
+    made = Cell(tmp_path, capsys)
+    made.write("ballscrew.mcl", BALLSCREW)
+    made.write("wrong.mcl", WRONG)
+    made.write("jog.mcl", JOG)
+    return made

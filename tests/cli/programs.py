@@ -1,0 +1,41 @@
+"""Programs for the tests of the command line, and the command line called in this process."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang.cli import main
+
+# AN00115's ball screw in MCCL: 1200 counts/mm, 250 mm/s, 1250 mm/s², 200 mm.
+BALLSCREW = "1US1200\n1MN,1PM,1PT\n1SV250,1SA1250,1DS1250\n1MR200,1WS0\n1TP\n"
+WRONG = "1MN\n1XX3\n2MR10\n"
+JOG = "1MN,1VM,1SV100,1GO\n"
+
+
+class Outcome:
+    """What a command printed and how it ended."""
+
+    def __init__(self, status: int, out: str, err: str) -> None:
+        self.status, self.out, self.err = status, out, err
+
+
+class Cell:
+    """A folder with programs in it, in which commands are run."""
+
+    def __init__(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        self.folder, self._capsys = folder, capsys
+
+    def write(self, name: str, text: str | bytes) -> Path:
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def __call__(self, *arguments: str) -> Outcome:
+        try:
+            status = main(arguments)
+        except SystemExit as end:
+            status = int(end.code or 0)
+        out, err = self._capsys.readouterr()
+        return Outcome(status, out, err)

@@ -1,0 +1,73 @@
+"""Plain `run` lines are read without argparse, and mean the same."""
+
+from __future__ import annotations
+
+import itertools
+import subprocess
+import sys
+
+import pytest
+
+from motionlang.cli import quick_options
+from motionlang.cli_options import build_parser, run_options
+
+PARTS = (
+    ("pick.mnt",),
+    ("--no-cache",),
+    ("--report", "json"),
+    ("--report", "none"),
+    ("--dialect", "mccl"),
+    ("-",),
+)
+LINES = [
+    ["run", *itertools.chain.from_iterable(chosen)]
+    for count in range(1, 4)
+    for chosen in itertools.permutations(PARTS, count)
+]
+
+
+@pytest.mark.parametrize("line", LINES, ids=" ".join)
+def test_both_ways_to_read_a_line_agree(line: list[str]) -> None:
+    quick = quick_options(line)
+    parser = build_parser()
+    try:
+        arguments = parser.parse_args(line)
+    except SystemExit:
+        assert quick is None
+    else:
+        assert quick == run_options(arguments, arguments.parser)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        [],
+        ["run"],
+        ["check", "x.mnt"],
+        ["run", "--help"],
+        ["run", "x.mnt", "--until", "3"],
+        ["run", "x.mnt", "--report"],
+        ["run", "x.mnt", "--report", "yaml"],
+        ["run", "x.mnt", "--dialect", "basic"],
+        ["run", "x.mnt", "y.mnt"],
+        ["run", "x.mnt", "--report=json"],
+        ["run", "--", "x.mnt"],
+    ],
+    ids=" ".join,
+)
+def test_everything_else_is_left_to_argparse(line: list[str]) -> None:
+    assert quick_options(line) is None
+
+
+def test_a_plain_run_imports_nothing_slow(tmp_path: pytest.TempPathFactory) -> None:
+    """First sight may compile; the second run must not import anything that costs milliseconds."""
+    program = tmp_path / "hello.mcl"  # type: ignore[operator]
+    program.write_text("1MN,1TP\n")
+    script = (
+        "import sys; from motionlang.cli import main; code = main(sys.argv[1:]); "
+        "slow = {'argparse', 'json', 'numpy', 'lark', 'rich', 'dataclasses', 're', 'typing', 'enum', 'pathlib'}; "
+        "print(code, sorted(slow & set(sys.modules)))"
+    )
+    command = [sys.executable, "-S", "-c", script, "run", str(program), "--report", "none"]
+    ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=".")
+    assert ran.stdout.splitlines()[-1] == "0 []"

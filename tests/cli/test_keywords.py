@@ -1,0 +1,82 @@
+"""`motionlang keywords`: the vocabulary, and the page of a word."""
+
+from __future__ import annotations
+
+import json
+
+from motionlang.lang.keyword import Keyword
+from motionlang.run import dialect, dialects
+from motionlang.views.keywords import listing, page
+from tests.cli.programs import Cell
+
+SPEED = Keyword(
+    "SPEED", "SP", "setting", "RW", "axis", "uu/s", "speed",
+    "Slew speed of moves; a change acts at once on the move in progress.",
+    "SPEED(0) = 250\nPRINT SPEED(0)",
+    default=40000.0, low=0.0, source="Baldor MN1270", trust="manual", group="axis",
+)  # fmt: skip
+CAM = Keyword("CAM", "", "move", "W", "axis", "", "", "Start a cam.", trust="code", simulated=False)
+
+PAGE = """\
+SPEED · Mint setting
+
+  Slew speed of moves; a change acts at once on the move in progress.
+
+  short form  SP
+  use         read and write
+  for         an axis
+  unit        user units a second
+  default     40000
+  range       0 or more
+  group       axis
+  known from  Baldor MN1270 (printed in a manual)
+
+    SPEED(0) = 250
+    PRINT SPEED(0)
+"""
+
+LISTING = """\
+Mint · 1 simulated, 1 known
+
+axis
+  SPEED  SP  uu/s    Slew speed of moves; a change acts a…
+
+known, not simulated
+  CAM
+"""
+
+
+def test_the_page_of_a_word() -> None:
+    assert page([SPEED], "mint") == PAGE
+
+
+def test_the_page_of_a_word_that_is_not_simulated_says_so() -> None:
+    text = page([CAM], "mint")
+    assert "  not simulated: the word is recognised, and a program that uses it is told so.\n" in text
+    assert "  known from  read off running code\n" in text
+
+
+def test_the_list() -> None:
+    assert listing([SPEED, CAM], "mint", width=58) == LISTING
+
+
+def test_every_word_has_its_page_and_its_line(cell: Cell) -> None:
+    for name in dialects():
+        table = dialect(name).table()
+        out = cell("keywords", "--dialect", name).out
+        for row in table:
+            assert row.name in out
+            assert cell("keywords", row.name.lower(), "--dialect", name).out.startswith(f"{row.name} · ")
+
+
+def test_json_has_every_field_of_the_table(cell: Cell) -> None:
+    document = json.loads(cell("keywords", "SV", "--dialect", "mccl", "--json").out)
+    (row,) = document["keywords"]
+    assert (row["dialect"], row["name"], row["unit"], row["simulated"]) == ("mccl", "SV", "uu/s", True)
+    assert row["trust"] in ("manual", "code", "memory")
+
+
+def test_a_word_that_no_language_has(cell: Cell) -> None:
+    ran = cell("keywords", "SPEEED")
+    assert (ran.status, ran.out) == (1, "")
+    assert ran.err == "error[unknown-word]: there is no word SPEEED\n  hint: did you mean SPEED?\n"

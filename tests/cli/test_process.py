@@ -1,0 +1,36 @@
+"""What only a process of its own can show: a closed pipe, Ctrl-C, the module as a program."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+from tests.cli.programs import BALLSCREW
+
+COMMAND = [sys.executable, "-m", "motionlang"]
+
+
+def test_a_reader_that_goes_away_is_no_error(tmp_path: Path) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    ran = subprocess.run([*COMMAND, "keywords"], stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(write)
+    assert (ran.returncode, ran.stderr) == (141, "")
+
+
+def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
+    """The position is printed before the pace sleeps, so its line says that the run is under way."""
+    program = tmp_path / "ballscrew.mcl"
+    program.write_text("1MN,1TP\n" + BALLSCREW.replace("SV250", "SV0.5"))
+    command = [*COMMAND, "run", str(program), "--realtime"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "01 0\n"
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert " · interrupted at " in out
+    assert err.startswith("error[interrupted]: the run was ended from the keyboard\n")

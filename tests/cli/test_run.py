@@ -1,0 +1,292 @@
+"""`motionlang run` as a person or a program calls it."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from motionlang import cli_run
+from tests.cli.programs import BALLSCREW, Cell
+
+TABLE = """\
+01 200.000000
+
+ballscrew.mcl · MCCL · ended after 1.00009 s · 1 move
+
+axis  command  line  profile      start  time  from   to  distance  peak
+                                      s     s    uu   uu        uu  uu/s
+────────────────────────────────────────────────────────────────────────
+   1  MR          4  trapezoid  0.00008   1.0     0  200       200   250
+      ├ accel                             0.2                   25
+      ├ slew                              0.6                  150
+      └ decel                             0.2                   25
+
+axis  position  counts      scale  state
+            uu          counts/uu
+────────────────────────────────────────
+   1       200  240000       1200  on
+"""
+
+WRONG = """\
+error[unknown-word]: there is no command XX (?1: unrecognised command)
+ --> wrong.mcl:2:1
+  |
+2 | 1XX3
+  | ^^^^
+  hint: the commands that begin with X are XF, XN
+
+error[disabled-axis]: axis 2 is off
+ --> wrong.mcl:3:1
+  |
+3 | 2MR10
+  | ^^^^^
+  hint: switch it on with MN first
+"""
+
+
+def test_output_then_the_table(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl")
+    assert (ran.status, ran.out, ran.err) == (0, TABLE, "")
+
+
+def test_only_the_programs_own_output(cell: Cell) -> None:
+    assert cell("run", "ballscrew.mcl", "--report", "none").out == "01 200.000000\n"
+
+
+def test_json_is_one_document_and_nothing_else(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl", "--report", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, ran.err) == (0, "")
+    assert report["output"] == ["01 200.000000"]
+    assert report["moves"][0]["phases"][1] == {
+        "name": "slew",
+        "duration": pytest.approx(0.6),
+        "distance": 150.0,
+    }
+
+
+def test_mistakes_go_to_standard_error(cell: Cell) -> None:
+    ran = cell("run", "wrong.mcl", "--report", "none")
+    assert (ran.status, ran.out, ran.err) == (1, "?1\n", WRONG)
+
+
+def test_json_has_the_mistakes_too(cell: Cell) -> None:
+    ran = cell("run", "wrong.mcl", "--report", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, ran.err) == (1, WRONG)
+    assert [(d["code"], d["line"], d["column"]) for d in report["diagnostics"]] == [
+        ("unknown-word", 2, 1),
+        ("disabled-axis", 3, 1),
+    ]
+
+
+@pytest.mark.parametrize("report", ["json", "table"])
+def test_a_file_that_cannot_be_read(cell: Cell, report: str) -> None:
+    ran = cell("run", "none.mcl", "--report", report)
+    assert ran.status == 1
+    assert ran.err == "error[file]: none.mcl cannot be read: no such file or directory\n"
+    assert report == "table" or json.loads(ran.out)["diagnostics"][0]["code"] == "file"
+
+
+def test_a_folder_is_no_program(cell: Cell) -> None:
+    assert cell("run", ".").err == "error[file]: . cannot be read: is a directory\n"
+
+
+def test_a_suffix_that_no_dialect_owns(cell: Cell) -> None:
+    cell.write("pick.txt", BALLSCREW)
+    ran = cell("run", "pick.txt")
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err == (
+        "error[file]: the language of pick.txt is unknown: its suffix .txt belongs to no dialect\n"
+        "  hint: say --dialect mint or --dialect mccl; .mnt .mntx .prg are Mint, .mcl .mccl MCCL\n"
+    )
+    assert cell("run", "pick.txt", "--dialect", "mccl", "--report", "none").status == 0
+
+
+def test_standard_input(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"1MN,1TP\r1XX\r")))
+    ran = cell("run", "-", "--dialect", "mccl", "--report", "none")
+    assert ran.status == 1
+    assert " --> <stdin>:2:1\n" in ran.err
+    assert "the language of standard input is unknown: it has no name" in cell("run", "-").err
+
+
+@pytest.mark.parametrize("content", [b"", b"\0\xff\xfe\x00" * 50, b"\xef\xbb\xbf1MN\r\n", bytes(range(256))])
+def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
+    cell.write("bytes.mcl", content)
+    ran = cell("run", "bytes.mcl", "--report", "json", "--until", "10")
+    assert ran.status in (0, 1)
+    assert json.loads(ran.out)["schema"] == "motionlang.report/1"
+
+
+def test_until_ends_what_would_go_on(cell: Cell) -> None:
+    report = json.loads(cell("run", "jog.mcl", "--until", "2.5", "--report", "json").out)
+    assert (report["time"], report["moves"][0]["ended"]) == (2.5, "end-of-run")
+
+
+def test_set_gives_machine_keys_their_kind(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl", "--set", "controller.instruction_time=1e-3", "--report", "json")
+    assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
+
+
+def test_the_machine_file_and_what_overrides_it(cell: Cell) -> None:
+    cell.write("cell.toml", "[controller]\ninstruction_time = 1e-3\naxes = 2\n")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--report", "json")
+    assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
+    override = ("--set", "controller.instruction_time=1e-6")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", *override, "--report", "json")
+    assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-6)
+
+
+def test_a_mistake_in_the_machine_file_has_its_line(cell: Cell) -> None:
+    cell.write("cell.toml", "[controller]\naxs = 2\n")
+    ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", "--report", "json")
+    assert ran.status == 1
+    assert " --> cell.toml:2:1\n" in ran.err
+    assert "did you mean" in ran.err
+    assert json.loads(ran.out)["diagnostics"][0]["code"] == "machine-file"
+    assert cell("run", "ballscrew.mcl", "--machine", "none.toml").err.startswith(
+        "error[file]: none.toml cannot be"
+    )
+
+
+def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
+    pytest.importorskip("matplotlib")
+    ran = cell(
+        "run", "ballscrew.mcl", "--trace", "x.npz", "--plot", "x.svg", "--rate", "200", "--report", "none"
+    )
+    assert (ran.status, ran.err) == (0, "")
+    with np.load(cell.folder / "x.npz") as archive:
+        assert archive["axis1_position_uu"][-1] == 200.0
+        assert len(archive["time_s"]) == 202
+    assert (cell.folder / "x.svg").read_text().startswith("<?xml")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--trace", "x.vcd"), ".vcd files are not written yet: --trace writes .csv and .npz"),
+        (("--trace", "x.parquet"), ".parquet files are not written yet: --trace writes .csv and .npz"),
+        (("--trace", "x.txt"), "--trace writes .csv and .npz, not .txt files"),
+        (("--plot", "x.html"), ".html files are not written yet: --plot writes .png and .svg"),
+        (("--plot", "x"), "--plot writes .png and .svg, so the file needs one of these suffixes"),
+        (
+            ("--rate", "0"),
+            "argument --rate: '0' is not a number of samples a second above 0, 10,000,000 at most",
+        ),
+        (
+            ("--rate", "nan"),
+            "argument --rate: 'nan' is not a number of samples a second above 0, 10,000,000 at most",
+        ),
+        (("--until", "-1"), "argument --until: '-1' is not a time in seconds, 0 or more"),
+        (("--until", "inf"), "argument --until: 'inf' is not a time in seconds, 0 or more"),
+        (
+            ("--realtime", "0"),
+            "argument --realtime: '0' is not a factor above 0: --realtime 10 is ten times as fast",
+        ),
+        (("--set", "x"), "--set needs NAME=VALUE, not 'x'"),
+    ],
+)
+def test_a_wrong_command_line_is_2(cell: Cell, arguments: tuple[str, ...], message: str) -> None:
+    ran = cell("run", "ballscrew.mcl", *arguments)
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.splitlines()[0] == f"motionlang run: error: {message}"
+
+
+def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
+    assert cell("rnu", "x").err.splitlines()[-1] == "  hint: did you mean run?"
+    assert cell("run", "x", "--tarce", "y").err.splitlines()[-1] == "  hint: did you mean --trace?"
+    set_key = cell("run", "ballscrew.mcl", "--set", "controller.axs=4").err
+    assert "there is no key controller.axs; did you mean controller.axes?" in set_key
+
+
+def test_a_place_that_cannot_be_written_is_known_before_the_run(cell: Cell) -> None:
+    ran = cell("run", "ballscrew.mcl", "--trace", "no/x.csv")
+    assert (ran.status, ran.out) == (1, "")
+    assert ran.err == "error[file]: there is no folder no\n"
+
+
+def test_a_full_disk_ends_in_a_diagnostic(cell: Cell) -> None:
+    (cell.folder / "full.csv").symlink_to("/dev/full")
+    ran = cell("run", "ballscrew.mcl", "--trace", "full.csv", "--report", "none")
+    assert ran.status == 1
+    assert ran.err == "error[file]: full.csv cannot be written: no space left on device\n"
+
+
+def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a clock that only sleeping moves, a run of 1 s at twice the speed sleeps for half a second."""
+    import time
+
+    clock = [100.0]
+    monkeypatch.setattr(time, "monotonic", lambda: clock[0])
+    monkeypatch.setattr(time, "sleep", lambda seconds: clock.__setitem__(0, clock[0] + seconds))
+    ran = cell("run", "ballscrew.mcl", "--realtime", "2", "--report", "none")
+    assert (ran.status, ran.out) == (0, "01 200.000000\n")
+    assert clock[0] - 100.0 == pytest.approx(0.5, abs=1e-3)
+
+
+def test_realtime_needs_no_factor(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    factors: list[float] = []
+
+    def pacer(factor: float) -> Callable[[float], None]:
+        factors.append(factor)
+        return lambda now: None
+
+    monkeypatch.setattr(cli_run, "pacer", pacer)
+    for arguments in (
+        ("--realtime", "ballscrew.mcl"),
+        ("ballscrew.mcl", "--realtime"),
+        ("--realtime", "3", "jog.mcl"),
+    ):
+        cell("run", *arguments, "--report", "none", "--until", "2")
+    assert factors == [1.0, 1.0, 3.0]
+
+
+def test_ctrl_c_reports_what_ran_so_far(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    def pacer(factor: float) -> object:
+        def pace(now: float) -> None:
+            if now > 0.5:
+                raise KeyboardInterrupt
+
+        return pace
+
+    monkeypatch.setattr(cli_run, "pacer", pacer)
+    ran = cell("run", "ballscrew.mcl", "--realtime", "--report", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, report["status"]) == (130, "interrupted")
+    assert report["moves"][0]["ended"] == "end-of-run"
+    assert ran.err.startswith("error[interrupted]: the run was ended from the keyboard")
+
+
+def test_a_terminal_without_lines_gets_a_plain_table(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stdout", out)
+    assert cell("run", "ballscrew.mcl").status == 0
+    out.seek(0)
+    text = out.read()
+    assert "ballscrew.mcl - MCCL - ended after" in text
+    assert "      | accel " in text
+
+
+def test_the_cache_changes_nothing(cell: Cell) -> None:
+    first, second = cell("run", "ballscrew.mcl"), cell("run", "ballscrew.mcl")
+    anew = cell("run", "ballscrew.mcl", "--no-cache")
+    assert first.out == second.out == anew.out
+
+
+def test_version(cell: Cell) -> None:
+    from motionlang import __version__
+
+    assert cell("--version").out == f"motionlang {__version__}\n"
+
+
+def test_paths_are_shown_as_they_were_given(cell: Cell) -> None:
+    Path("cell").mkdir()
+    Path("cell/x.mcl").write_text("XX\n")
+    assert " --> cell/x.mcl:1:1\n" in cell("run", "cell/x.mcl").err

@@ -1,0 +1,57 @@
+"""`motionlang verify`: programs and their golden files."""
+
+from __future__ import annotations
+
+import json
+
+from tests.cli.programs import Cell
+
+
+def test_update_then_verify(cell: Cell) -> None:
+    for name in ("wrong.mcl", "jog.mcl"):
+        (cell.folder / name).unlink()
+    ran = cell("verify", ".", "--update")
+    assert (ran.status, ran.out) == (0, "./ballscrew.mcl: written\n1 of 1 programs have their golden files\n")
+    assert (cell.folder / "ballscrew.golden.txt").read_text() == "01 200.000000\n"
+    assert cell("verify", ".").out == "1 of 1 programs as their golden files say\n"
+    assert cell("verify", ".", "--update").out == "1 of 1 programs have their golden files\n"
+
+
+def test_a_difference_is_named_by_its_place(cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    golden = cell.folder / "ballscrew.golden.json"
+    document = json.loads(golden.read_text())
+    document["moves"][0]["phases"][0]["duration"] = 0.25
+    document["moves"][0]["peak_speed"] += 1e-9  # less than a billionth of 250: the same figure
+    del document["axes"][0]["error"]
+    golden.write_text(json.dumps(document))
+    (cell.folder / "ballscrew.golden.txt").write_text("01 199.000000\n")
+    ran = cell("verify", "ballscrew.mcl")
+    assert ran.status == 1
+    assert ran.out == (
+        "ballscrew.mcl: differs\n"
+        "  axes[0].error is new\n"
+        "  moves[0].phases[0].duration is 0.2 instead of 0.25\n"
+        "  the printed output is not that of ballscrew.golden.txt\n"
+        "0 of 1 programs as their golden files say\n"
+    )
+
+
+def test_what_has_no_golden_file_or_no_file_at_all(cell: Cell) -> None:
+    ran = cell("verify", "jog.mcl", "none.mcl", "pick.txt")
+    assert ran.status == 1
+    assert ran.out == (
+        "jog.mcl: no jog.golden.json beside it; --update writes one\n"
+        "0 of 3 programs as their golden files say\n"
+    )
+    assert "error[file]: none.mcl cannot be read: no such file or directory\n" in ran.err
+    assert "the language of pick.txt is unknown" in ran.err
+
+
+def test_a_golden_file_that_is_no_json(cell: Cell) -> None:
+    cell.write("jog.golden.json", "{")
+    ran = cell("verify", "jog.mcl")
+    assert ran.status == 1
+    assert "jog.mcl: jog.golden.json is not JSON: " in ran.out
+    assert cell("verify", "jog.mcl", "--update").status == 0
+    assert cell("verify", "jog.mcl").status == 0
