@@ -39,6 +39,8 @@ class Scheduler:
         self.controller = controller
         self.parent = parent
         self.tasks: list[Task] = [parent]
+        # Event handlers, the innermost last: while there is one, nothing else runs.
+        self.interrupts: list[Task] = []
         self.current: Task = parent
         self.pace = pace
         self._turn = 0
@@ -46,6 +48,10 @@ class Scheduler:
     def start(self, task: Task) -> None:
         """Let a further task run from now on."""
         self.tasks.append(task)
+
+    def interrupt(self, task: Task) -> None:
+        """Let a task run to its end before any other goes on."""
+        self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:
         """Run until the program has ended ("ended") or virtual time is up ("until"), then let motion finish.
@@ -74,7 +80,7 @@ class Scheduler:
                 self.pace(time)
             clock.advance(time)
             if task.done and task is not self.parent:
-                self.tasks.remove(task)
+                self._forget(task)
         return True
 
     def settle(self, until: float = INFINITY) -> bool:
@@ -97,27 +103,43 @@ class Scheduler:
             self.pace(time)
         self.controller.clock.advance(time)
 
+    def _forget(self, task: Task) -> None:
+        """Drop a task that has ended; another one may have dropped it before."""
+        for tasks in (self.interrupts, self.tasks):
+            if task in tasks:
+                tasks.remove(task)
+
     def _runnable(self) -> Task | None:
-        """The next task, in turn, that does not wait or whose wait is over."""
-        count = len(self.tasks)
+        """The next task that does not wait or whose wait is over: of the highest priority, in turn."""
+        tasks = self.interrupts[-1:] or self.tasks
+        count = len(tasks)
+        highest = max(task.priority for task in tasks)
+        found: Task | None = None
         for k in range(count):
-            task = self.tasks[(self._turn + k) % count]
+            task = tasks[(self._turn + k) % count]
+            if found is not None and task.priority <= found.priority:
+                continue
             if task.wait is not None:
                 self.current = task
                 if not task.wait.ready():
                     continue
-                task.wait = None
-            self._turn = (self._turn + k + 1) % count
-            self.current = task
-            return task
-        return None
+            found, turn = task, (self._turn + k + 1) % count
+            if task.priority == highest:
+                break
+        if found is not None:
+            found.wait = None
+            self._turn = turn
+            self.current = found
+        return found
 
     def _jump(self, until: float) -> None:
         """All wait: go to the next moment at which something can change."""
         clock = self.controller.clock
-        due = min((task.wait.due() for task in self.tasks if task.wait is not None), default=INFINITY)
+        tasks = self.interrupts[-1:] or self.tasks
+        due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
         time = min(due, clock.next_time(), until)
         if time == INFINITY or (time == until and min(due, clock.next_time()) == INFINITY):
-            assert self.parent.wait is not None
-            raise Stuck(self.parent, self.parent.wait)
+            waiting = tasks[0]
+            assert waiting.wait is not None
+            raise Stuck(waiting, waiting.wait)
         self._advance(max(time, clock.now))

@@ -55,10 +55,11 @@ class Task:
     Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
     """
 
-    __slots__ = ("done", "name", "wait")
+    __slots__ = ("done", "name", "priority", "wait")
 
     def __init__(self, name: str) -> None:
         self.name = name
+        self.priority = 0  # of two tasks that can run, the one with the higher priority does
         self.done = False
         self.wait: Wait | None = None
 
