@@ -153,7 +153,9 @@ def _add_input(parser: argparse.ArgumentParser) -> None:
         help="of a program: how closely to fit it",
     )
     add("--dialect", choices=["mint", "mccl"], help="of a program: its language")
-    add("--plot", metavar="OUT", help="draw the motion with its knots into a .png or .svg file")
+    add(
+        "--plot", type=_picture, metavar="OUT", help="draw the motion with its knots into a .png or .svg file"
+    )
 
 
 def _add_plot(parser: argparse.ArgumentParser) -> None:
@@ -227,6 +229,12 @@ def _number(text: str) -> float:
 
 def _positive(text: str) -> float:
     return _between(text, float, 1e-9, 1e300)
+
+
+def _picture(text: str) -> str:
+    if not text.lower().endswith((".png", ".svg")):
+        raise _refused(text, "a .png or an .svg file")
+    return text
 
 
 def _counts(text: str) -> list[int]:
@@ -344,8 +352,6 @@ def _motion_json(points: Sequence[Point], start: float | None) -> dict[str, obje
 def _draw(profiles: Sequence[Profile], titles: Sequence[str], path: str) -> None:
     from motionlang.views.pvt_plot import write_pvt_plot
 
-    if not path.lower().endswith((".png", ".svg")):
-        raise UsageError(f"{path}: a picture is a .png or an .svg file")
     write_pvt_plot(profiles, titles, path)
 
 

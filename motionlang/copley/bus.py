@@ -17,6 +17,8 @@ import canopen
 from motionlang.copley.node import DriveNode
 
 if TYPE_CHECKING:
+    from typing import Self
+
     from motionlang.copley.drive import Drive
 
 VIRTUAL = "virtual"
@@ -50,7 +52,7 @@ class RealBus:
         self.network.subscribe(0x180 + node_id, lambda *_: self._news.set())
         self.network.connect(interface=interface, channel=channel)
 
-    def __enter__(self) -> RealBus:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -88,7 +90,7 @@ class LockstepBus:
         self.node = DriveNode(node_id, drive)
         self._far.add_node(self.node)
 
-    def __enter__(self) -> LockstepBus:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -111,6 +113,7 @@ class LockstepBus:
 
     def close(self) -> None:
         """Leave the bus."""
+        self.drive.listener = None
         for network in (self.network, self._far):
             network.end.shutdown()
 

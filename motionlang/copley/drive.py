@@ -63,7 +63,7 @@ class Drive:
     @property
     def now(self) -> float:
         """Virtual time in seconds."""
-        return self.microseconds * 1e-6
+        return self.microseconds / 1e6
 
     @property
     def position(self) -> float:
@@ -191,9 +191,9 @@ class Drive:
         begin = self._reference
         place = self._place(target)
         given = None if target.velocity is None else target.velocity / 10.0
-        piece = pvt_piece(begin, self._velocity, place, given, span * 1e-6)
+        piece = pvt_piece(begin, self._velocity, place, given, span / 1e6)
         end_velocity = piece[1] if given is None else given
-        curve = ((0.0, span * 1e-6), (piece,), (("segment", 0),))
+        curve = ((0.0, span / 1e6), (piece,), (("segment", 0),))
         self._append(from_curve("pvt", begin, place, curve, piece[1], end_velocity))
         self._velocity, self._entry = end_velocity, target
         self._boundary = self.microseconds + span

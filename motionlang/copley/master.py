@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import canopen
 
 from motionlang.copley import packet
+from motionlang.copley.buffer import SIZE
 from motionlang.copley.node import object_dictionary
 from motionlang.copley.objects import FIXED_TIME, INTERPOLATED_POSITION, SUB_MODES
 
@@ -56,7 +57,7 @@ class Streamed:
 
     sent: int = 0
     resent: int = 0
-    lowest: int = 32
+    lowest: int = SIZE
 
 
 class Master:
@@ -113,10 +114,10 @@ class Master:
         done, result = 0, Streamed()
         started, silent = False, 0
         while True:
-            done, again = self._recovered(base, done)
-            result.resent += again
-            room = self._room(base + done)
-            burst = messages[done : done + room]
+            lost = self._lost(base + done, everything=done == len(messages))
+            result.resent += lost
+            done -= lost
+            burst = messages[done : done + self._room(base + done)]
             for message in burst:
                 send(message)
             done += len(burst)
@@ -124,13 +125,10 @@ class Master:
             if not started:
                 self._start()
                 started = True
-            if done == len(messages) and not self._moving():
-                # the last frames may have been lost: only the status knows
-                if self._recovered(base, done) == (done, 0):
-                    self._check()
-                    return result
-            elif done < len(messages):
-                result.lowest = min(result.lowest, 32 - self.status.free)
+            if done < len(messages):
+                result.lowest = min(result.lowest, SIZE - self.status.free)
+            elif not burst and not self._moving():
+                return result
             silent = self._wait(silent)
 
     def _stream_records(self, points: Sequence[WirePoint], mode: int) -> Streamed:
@@ -148,7 +146,7 @@ class Master:
             if result.sent == len(points) and not self._moving():
                 return result
             if result.sent < len(points):
-                result.lowest = min(result.lowest, 32 - self.status.free)
+                result.lowest = min(result.lowest, SIZE - self.status.free)
             silent = self._wait(silent)
 
     def _stream_fixed(self, points: Sequence[WirePoint], mode: int) -> Streamed:
@@ -171,7 +169,7 @@ class Master:
                 started = True
             self._check()
             if result.sent < len(points):
-                result.lowest = min(result.lowest, 32 - self.status.free)
+                result.lowest = min(result.lowest, SIZE - self.status.free)
             elif self._read(0x6064) == positions[-1]:
                 self._write(0x6040, 0, ENABLED)
                 return result
@@ -182,15 +180,21 @@ class Master:
     def _start(self) -> None:
         self._write(0x6040, 0, START)
 
-    def _recovered(self, base: int, done: int) -> tuple[int, int]:
-        """After a lost frame: clear the error, go back to the segment the drive expects; else stay."""
-        errors = self.status.errors
-        lost = (base + done - self.status.next_number) & 0xFFFF
-        if not errors & packet.SEQUENCE:
-            return done, 0
-        self._send_sdo(packet.encode_command(packet.PacketCommand(packet.CLEAR_ERRORS, packet.SEQUENCE)))
-        self.refresh()
-        return done - lost, lost
+    def _lost(self, next_number: int, *, everything: bool) -> int:
+        """How many of the last points the drive does not have, after a lost frame; clears its sequence error.
+
+        A drive sees that a segment is missing when the next one comes. Once everything is sent none will, so
+        the status is read: that request arrives after the points.
+        """
+        if everything:
+            self.refresh()
+        elif not self.status.errors & packet.SEQUENCE:
+            return 0
+        missing = next_number - self.status.next_number & 0xFFFF
+        if self.status.errors & packet.SEQUENCE:
+            self._send_sdo(packet.encode_command(packet.PacketCommand(packet.CLEAR_ERRORS, packet.SEQUENCE)))
+            self.refresh()
+        return missing
 
     def _room(self, next_number: int) -> int:
         """Free positions, less the points that were on their way when the drive counted them."""
@@ -203,10 +207,7 @@ class Master:
 
     def _moving(self) -> bool:
         self._check()
-        moving = bool(self._read(0x6041) & MOVING_BIT)
-        if not moving:
-            self.refresh()
-        return moving
+        return bool(self._read(0x6041) & MOVING_BIT)
 
     def _wait(self, silent: int) -> int:
         """Let time pass; how many waits in a row have brought no news."""

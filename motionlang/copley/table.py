@@ -41,6 +41,8 @@ def read_points(source: Source) -> Table:
         cells = [cell.strip() for cell in next(csv.reader([line]))]
         if not names:
             names = _names(cells, number, wrong)
+            if wrong:
+                break
             table.has = names
             if names[0] == cells[0].lower():
                 continue

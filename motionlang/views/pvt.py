@@ -40,8 +40,8 @@ def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
             part.duration * 1000.0,
             marks[i + 1].position,
             marks[i + 1].velocity,
-            part.acceleration,
-            part.end_acceleration,
+            quiet(part.acceleration, scale),
+            quiet(part.end_acceleration, scale),
             part.jerk,
             quiet(marks[i].jump, scale),
         )

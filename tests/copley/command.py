@@ -1,0 +1,33 @@
+"""`motionlang pvt` called as the command line calls it, in this process."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import io
+from dataclasses import dataclass
+
+from motionlang.cli_pvt import add_parser
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """Exit status, standard output and standard error."""
+
+    status: int
+    out: str
+    err: str
+
+
+def pvt(*words: str) -> Answer:
+    """Run `motionlang pvt` with these arguments."""
+    parser = argparse.ArgumentParser(prog="motionlang")
+    add_parser(parser.add_subparsers())
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            args = parser.parse_args(["pvt", *words])
+            status = int(args.handler(args))
+        except SystemExit as leaving:
+            status = int(leaving.code or 0)
+    return Answer(status, out.getvalue(), err.getvalue())

@@ -1,0 +1,215 @@
+"""`motionlang pvt`: what it prints, what it refuses, and how it ends."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+import pytest
+
+from motionlang.copley.table import read_points
+from motionlang.source import Source
+from tests.copley.command import pvt
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+BAD = """position,velocity,time
+0,0,10
+100,500,0
+200,500,256
+3e9,0,10
+nan,0,10
+300,0,0
+"""
+
+
+def test_bad_points_are_named_with_what_the_drive_would_do(tmp_path: Path) -> None:
+    file = tmp_path / "bad.csv"
+    file.write_text(BAD)
+    answer = pvt("export", str(file))
+    assert (answer.status, answer.out) == (1, "")
+    assert (
+        answer.err
+        == """\
+error[range]: point 1: the time is 0 in mid-move
+ --> bad.csv:3
+  |
+3 | 100,500,0
+  hint: the drive would end the move at this point and keep the 4 points after it for the next start
+error[range]: point 2: the time 256 ms is longer than 255 ms
+ --> bad.csv:4
+  |
+4 | 200,500,256
+  hint: the field holds eight bits: the drive would end the move at this point
+error[range]: point 3: the position 3000000000 counts does not fit 32 bits
+ --> bad.csv:5
+  |
+5 | 3e9,0,10
+  hint: the drive would read -1294967296 counts
+error[range]: point 4: the position is not a number
+ --> bad.csv:6
+  |
+6 | nan,0,10
+  hint: there is nothing that could be sent: no drive would see it
+"""
+    )
+
+
+def test_where_nothing_is_sent_they_are_warnings(tmp_path: Path) -> None:
+    file = tmp_path / "bad.csv"
+    file.write_text(BAD)
+    answer = pvt("plot", str(file))
+    assert answer.status == 0
+    assert answer.err.count("warning[range]") == 4
+    assert "1 segment, 10 ms" in answer.out
+
+
+def test_many_bad_points_are_counted(tmp_path: Path) -> None:
+    file = tmp_path / "bad.csv"
+    file.write_text("position,velocity,time\n" + "0,0,300\n" * 50 + "0,0,0\n")
+    answer = pvt("export", str(file))
+    assert answer.err.count("error[range]") == 21
+    assert answer.err.endswith("error[range]: 30 more points like these\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["plot"], "give one of: a file of points or a program, --positions, --scurve"),
+        (["plot", "--positions", "0,1", "--scurve", "5"], "give one of"),
+        (["plot", "--positions", "0,1"], "--positions needs --time"),
+        (["plot", "--positions", "0,1,2,3", "--time", "1,2"], "4 positions need 1 or 3 times"),
+        (["plot", "--positions", "0", "--time", "1"], "at least two positions"),
+        (["plot", "--scurve", "5"], "--scurve needs --time"),
+        (["plot", "--scurve", "5", "--time", "1", "--jerk", "1"], "--scurve needs --time"),
+        (["plot", "--scurve", "5", "--time", "1", "--speed", "1"], "four equal segments"),
+        (["plot", "--positions", "0,1", "--time", "5", "--jerk", "1"], "--jerk has nothing to do here"),
+        (["plot", "--scurve", "5", "--time", "1", "--axis", "1"], "--axis has nothing to do here"),
+        (["plot", "--positions", "0,1", "--time", "5", "--sweeps", "2"], "--sweeps has nothing to do here"),
+        (["plot", "--scurve", "5", "--time", "1", "--plot", "x.gif"], "a .png or an .svg file"),
+        (["plot", "--positions", "0,x", "--time", "1"], "not numbers with commas between them"),
+        (["plot", "--scurve", "nan", "--time", "1"], "'nan' is not from"),
+        (["export", "--scurve", "5", "--time", "1", "--node", "128"], "'128' is not from 1 to 127"),
+        (["stream", "--scurve", "5", "--time", "1", "--look", "0"], "'0' is not from"),
+        (["export", "--scurve", "5", "--time", "1", "--format", "xml"], "invalid choice: 'xml'"),
+        ([], "required"),
+    ],
+)
+def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> None:
+    answer = pvt(*words)
+    assert answer.status == 2
+    assert message in " ".join(answer.err.split())
+    assert answer.out == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["plot", "nowhere.csv"], "error[file]: nowhere.csv: No such file or directory\n"),
+        (
+            ["plot", "--positions", "0,nan,2", "--time", "5"],
+            "error[range]: position is not a number\n",
+        ),
+        (
+            ["export", "--positions", "0,20000000,0", "--time", "5", "--format", "pdo"],
+            "error[range]: point 1: neither its position nor its distance fits 24 bits\n",
+        ),
+        (
+            ["export", "--scurve", "1000", "--time", "100.5"],
+            "error[range]: point 0: the time 100.5 ms is not a whole number of milliseconds\n",
+        ),
+        (["plot", "--scurve", "1e300", "--jerk", "1"], "takes more than 1000000 points"),
+        (["plot", "--scurve", "1", "--jerk", "1e300", "--accel", "1e-9"], "no move of finite figures"),
+        (["plot", "--scurve", "1", "--time", "1e-200"], "the segment time leaves no finite jerk"),
+        (
+            ["stream", "--scurve", "1000", "--jerk", "500000", "--speed", "3000", "--by", "-1"],
+            "the stream failed: sub-modes 0 and -1 need one time for all segments",
+        ),
+        (
+            ["stream", "--scurve", "10000", "--jerk", "500000", "--speed", "300", "--look", "30000"],
+            "the stream failed: the drive reports: underflow",
+        ),
+    ],
+)
+def test_what_cannot_be_done_is_status_1(words: list[str], message: str) -> None:
+    answer = pvt(*words)
+    assert answer.status == 1
+    assert message in answer.err
+
+
+def test_a_start_elsewhere_is_a_warning() -> None:
+    answer = pvt("export", "--scurve", "1000", "--time", "100", "--start", "7")
+    assert answer.status == 0
+    assert answer.err.startswith("warning[range]: point 0: the move begins at 0 but the motor stands at 7\n")
+
+
+def test_refined_points_are_written_and_read(tmp_path: Path) -> None:
+    out = tmp_path / "refined.csv"
+    words = ["--positions", "0,5000,15000,20000", "--time", "10", "--velocities", "average"]
+    assert pvt("refine", *words, "-o", str(out)).status == 0
+    points = read_points(Source.read(out)).points
+    assert [p.velocity for p in points] == [0, 750_000, 750_000, 0]
+    assert pvt("plot", str(out), "--report", "none").out == ""
+
+
+def test_a_file_of_positions_gets_times_and_velocities(tmp_path: Path) -> None:
+    file = tmp_path / "positions.csv"
+    file.write_text("0\n5000\n15000\n20000\n")
+    answer = pvt("export", str(file), "--time", "10")
+    assert answer.out.splitlines()[1:] == [
+        "position,velocity,time",
+        "0,0,10",
+        "5000,900000,10",
+        "15000,900000,10",
+        "20000,0,0",
+    ]
+
+
+def test_linear_and_relative_exports() -> None:
+    answer = pvt(
+        "export", "--positions", "5,10,30", "--time", "10,20", "--linear", "--relative", "--start", "5"
+    )
+    assert answer.out.splitlines()[1:] == [
+        "position,velocity,time,relative",
+        "0,,10,1",
+        "5,,20,1",
+        "20,,0,1",
+    ]
+
+
+def test_reports_as_json() -> None:
+    plot = json.loads(pvt("plot", "--scurve", "1000", "--time", "100", "--report", "json").out)
+    assert plot["schema"] == "motionlang.pvt/1"
+    assert [round(s["jerk"]) for s in plot["segments"]] == [500_000, -500_000, -500_000, 500_000]
+    words = ["--positions", "0,5000,15000,20000", "--time", "10", "--report", "json"]
+    refined = json.loads(pvt("refine", *words).out)
+    assert [m["velocities"] for m in refined["methods"]] == [
+        "zero",
+        "average",
+        "1 sweep",
+        "2 sweeps",
+        "exact",
+    ]
+    streamed = json.loads(pvt("stream", "--scurve", "1000", "--time", "100", "--report", "json").out)
+    assert (streamed["sent"], streamed["position"]) == (5, 1000.0)
+    assert streamed["error"] < 1e-9
+
+
+@pytest.mark.parametrize("name", ["move.png", "move.svg"])
+@pytest.mark.parametrize("command", ["plot", "refine", "export", "stream"])
+def test_every_command_draws(command: str, name: str, tmp_path: Path) -> None:
+    file = tmp_path / name
+    words = ["--positions", "0,5000,15000,20000", "--time", "10", "--plot", str(file)]
+    assert pvt(command, *words).status == 0
+    head = file.read_bytes()[:60]
+    assert head.startswith(b"\x89PNG") if name.endswith("png") else b"<?xml" in head
+    again = file.read_bytes()
+    pvt(command, *words)
+    assert file.read_bytes() == again
+
+
+def test_a_picture_that_cannot_be_written_is_a_diagnostic(tmp_path: Path) -> None:
+    answer = pvt("plot", "--scurve", "10", "--time", "5", "--plot", str(tmp_path / "no" / "where.png"))
+    assert answer.status == 1
+    assert answer.err.startswith("error[file]: ")

@@ -1,0 +1,252 @@
+"""A master streams to the simulated drive over a real CANopen stack on a virtual bus, in lockstep."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import TYPE_CHECKING
+
+import canopen
+import pytest
+
+from motionlang.copley import packet
+from motionlang.copley.bus import LockstepBus, RealBus
+from motionlang.copley.drive import IDLE, Drive
+from motionlang.copley.master import Master, StreamError
+from motionlang.copley.node import DriveNode
+from motionlang.copley.point import WirePoint, from_wire, to_wire
+from motionlang.profile.pvt_fit import track_error
+from motionlang.profile.pvt_points import Point, plan_points, points_from
+from motionlang.profile.pvt_velocities import smooth_velocities
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+
+def winding(count: int, milliseconds: int = 2) -> list[WirePoint]:
+    """A move that winds about: positions from two sines, exact velocities, rounded for the wire."""
+    places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(count)]
+    velocities = smooth_velocities(places, milliseconds / 1000)
+    return to_wire(points_from(places, velocities, milliseconds / 1000))
+
+
+def departure(drive: Drive, points: Sequence[Point]) -> float:
+    """The largest difference between what the drive did and what the points say, counts."""
+    begin = next(time for time, what in drive.log if what.startswith("move started"))
+    return track_error([begin], [plan_points(points)], drive.starts, drive.profiles, begin, drive.now)
+
+
+def test_ten_thousand_points_by_pdo() -> None:
+    points, drive = winding(10_000), Drive()
+    with LockstepBus(drive) as bus:
+        done = Master(bus).stream(points)
+    assert (done.sent, done.resent) == (10_000, 0)
+    assert done.lowest >= 29
+    assert departure(drive, from_wire(points)) < 1e-6
+    assert drive.log == [(0.0, "move started at 0"), (19.998, f"move ended at {points[-1].position}")]
+    assert drive.buffer.errors == 0
+
+
+def test_the_same_stream_is_the_same_run() -> None:
+    def run() -> tuple[object, ...]:
+        points, drive = winding(200), Drive()
+        with LockstepBus(drive) as bus:
+            done = Master(bus).stream(points)
+            return done, bus.frames, drive.starts, [p.end for p in drive.profiles]
+
+    assert run() == run()
+
+
+@pytest.mark.parametrize("way", ["sdo", "-3"])
+def test_cubic_moves_by_sdo(way: str) -> None:
+    points, drive = winding(300), Drive()
+    with LockstepBus(drive) as bus:
+        Master(bus).stream(points, way)
+    assert departure(drive, from_wire(points)) < 1e-6
+
+
+@pytest.mark.parametrize("way", ["-1", "-2"])
+def test_linear_moves(way: str) -> None:
+    points, drive = winding(300), Drive()
+    with LockstepBus(drive) as bus:
+        Master(bus).stream(points, way)
+    assert departure(drive, [Point(p.position, None, p.time / 1000) for p in points]) < 1e-6
+    assert drive.position == points[-1].position
+    assert drive.state == IDLE
+
+
+def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
+    """One position each 10.1 ms for segments of 10 ms: the drive stretches its times and never runs dry."""
+    points, drive = winding(300, 10), Drive()
+    with LockstepBus(drive, step=10_100) as bus:
+        Master(bus).stream(points, "0")
+    assert drive.buffer.errors == 0
+    assert drive.position == points[-1].position
+    spans = {round(p.duration * 1e6) for p in drive.profiles if p.shape == "pvt"}
+    assert spans == {10_000, 10_250}
+
+
+def test_relative_linear_and_cubic_points_in_one_stream() -> None:
+    chance = random.Random(5)
+    points = [
+        WirePoint(chance.randint(-300, 300), chance.choice([None, chance.randint(-9000, 9000)]), 20, True)
+        for _ in range(100)
+    ]
+    points.append(WirePoint(0, 0, 0))
+    drive = Drive()
+    with LockstepBus(drive) as bus:
+        Master(bus).stream(points)
+    assert departure(drive, from_wire(points)) < 1e-6
+
+
+def test_positions_beyond_24_bits() -> None:
+    points = [WirePoint(p.position + 50_000_000, p.velocity, p.time) for p in winding(100)]
+    drive = Drive(50_000_000.0)
+    with LockstepBus(drive) as bus:
+        Master(bus).stream(points)
+    assert departure(drive, from_wire(points)) < 1e-6
+
+
+@pytest.mark.parametrize("lost", [{3}, {40}, {40, 41, 47}, {99}, set(range(60, 70))])
+def test_lost_frames_are_sent_again(lost: set[int]) -> None:
+    """The running number tells the drive that a segment is missing, and the master which."""
+    points, drive = winding(100), Drive()
+    with LockstepBus(drive) as bus:
+        send, count = bus.network.send_message, [0]
+
+        def forget_some(can_id: int, data: bytes, remote: bool = False) -> None:
+            if can_id == 0x201:
+                count[0] += 1
+                if count[0] - 1 in lost:
+                    return
+            send(can_id, data, remote)
+
+        bus.network.send_message = forget_some  # type: ignore[method-assign]
+        done = Master(bus).stream(points)
+    assert done.resent >= 1
+    assert departure(drive, from_wire(points)) < 1e-6
+
+
+def test_a_master_that_looks_too_rarely_lets_the_buffer_run_dry() -> None:
+    points, drive = winding(300), Drive()
+    with LockstepBus(drive, step=100_000) as bus, pytest.raises(StreamError, match="underflow"):
+        Master(bus).stream(points)
+    assert any("underflow" in what for _, what in drive.log)
+
+
+def test_a_drive_with_old_points_and_errors_is_cleared_first() -> None:
+    points, drive = winding(50), Drive()
+    for n in range(32):
+        drive.add(WirePoint(n, 0, 9))
+    drive.add(WirePoint(0, 0, 9))
+    with LockstepBus(drive) as bus:
+        Master(bus).stream(points)
+    assert departure(drive, from_wire(points)) < 1e-6
+
+
+def test_a_second_move_follows_the_first() -> None:
+    points, drive = winding(40), Drive()
+    back = [WirePoint(p.position, -p.velocity if p.velocity else 0, 2) for p in reversed(points[:-1])]
+    back[-1] = WirePoint(0, 0, 0)
+    with LockstepBus(drive) as bus:
+        master = Master(bus)
+        master.stream(points)
+        master.stream([WirePoint(points[-1].position, 0, 2), *back])
+    assert drive.position == 0.0
+
+
+@pytest.mark.parametrize(
+    ("points", "way", "message"),
+    [
+        ([WirePoint(0, 0, 10), WirePoint(1, 0, 20), WirePoint(2, 0, 0)], "-1", "need one time for all"),
+        ([WirePoint(0, None, 10), WirePoint(1, 0, 0)], "-3", "a linear point needs 0x2010"),
+        ([WirePoint(0, 0, 10, True), WirePoint(1, 0, 0)], "-2", "has no relative points"),
+        ([WirePoint(0, 0, 10), WirePoint(1, 0, 0)], "7", "there is no way '7'"),
+    ],
+)
+def test_what_a_way_cannot_carry_is_refused(points: list[WirePoint], way: str, message: str) -> None:
+    with LockstepBus(Drive()) as bus, pytest.raises(StreamError, match=message):
+        Master(bus).stream(points, way)
+
+
+def test_the_node_answers_as_a_canopen_device() -> None:
+    """Reads, refusals and their abort codes, as any master sees them."""
+    drive = Drive()
+    with LockstepBus(drive, node_id=5) as bus:
+        node = Master(bus, 5).node
+        assert node.sdo[0x2011].raw == 32
+        assert node.sdo[0x60C2][1].raw == 1
+        assert node.sdo[0x1000].raw == 0x00020192
+        refusals: list[tuple[Callable[[], object], int]] = [
+            (lambda: node.sdo.download(0x2011, 0, b"\1\0"), 0x06010002),
+            (lambda: node.sdo.upload(0x2010, 0), 0x06010001),
+            (lambda: node.sdo.download(0x60C0, 0, b"\1\0"), 0x06090030),
+            (lambda: node.sdo.download(0x2010, 0, b"\1"), 0x06070010),
+            (lambda: node.sdo.upload(0x3000, 0), 0x06020000),
+            (lambda: node.sdo.upload(0x60C1, 9), 0x06090011),
+        ]
+        for refused, code in refusals:
+            with pytest.raises(canopen.SdoAbortedError) as abort:
+                refused()
+            assert abort.value.code == code
+
+
+def test_the_record_can_come_by_pdo_too() -> None:
+    """Position and time in one PDO, the velocity in another: object 0x60C1, sub-mode -3, mapped by the master."""
+    drive = Drive()
+    with LockstepBus(drive) as bus:
+        master = Master(bus)
+        master.prepare()
+        master.node.sdo[0x60C0].raw = -3
+        for number, entries in ((2, [(1, 32), (2, 8)]), (3, [(3, 32)])):
+            pdo = master.node.rpdo[number]
+            pdo.clear()
+            for sub, size in entries:
+                pdo.add_variable(0x60C1, sub, size)
+            pdo.cob_id, pdo.trans_type, pdo.enabled = 0x101 + number * 0x100, 255, True
+            pdo.save()
+        bus.network.send_message(0x301, (500).to_bytes(4, "little") + b"\x14")
+        assert drive.buffer.free == 32
+        bus.network.send_message(0x401, (-70).to_bytes(4, "little", signed=True))
+    assert [(e.position, e.velocity, e.microseconds) for e in drive.buffer.entries] == [(500, -70, 20_000)]
+
+
+def test_the_status_comes_on_every_event() -> None:
+    points, drive, seen = winding(10), Drive(), list[packet.BufferStatus]()
+    with LockstepBus(drive) as bus:
+        master = Master(bus)
+        bus.network.subscribe(
+            0x181, lambda _, data, __: seen.append(packet.decode_status(int.from_bytes(data, "little")))
+        )
+        master.stream(points)
+    assert [status.free for status in seen] == list(range(23, 33))
+
+
+class FencedBus(RealBus):
+    """The real master's bus, its drive in this process: each wait moves virtual time and lets the frames settle."""
+
+    drive: Drive
+    node: canopen.RemoteNode
+
+    def wait(self) -> None:
+        self.drive.run_until(self.drive.microseconds + 1000)
+        # what is read after an event arrives after it
+        self.node.sdo.upload(0x2011, 0)
+
+
+def test_the_master_of_a_real_bus() -> None:
+    """Threads of python-can on both ends, as with hardware; only the time is virtual."""
+    points, drive = winding(120), Drive()
+    far = canopen.Network()
+    far.NOTIFIER_CYCLE = 0.01
+    far.add_node(DriveNode(1, drive))
+    far.connect(interface="virtual", channel="real")
+    try:
+        with FencedBus(1, "virtual", "real") as bus:
+            master = Master(bus)
+            bus.drive, bus.node = drive, master.node
+            done = master.stream(points)
+    finally:
+        far.disconnect()
+    assert done.resent == 0
+    assert departure(drive, from_wire(points)) < 1e-6
