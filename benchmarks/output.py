@@ -1,0 +1,153 @@
+"""What it costs to write a run down: the report of 20 000 moves, a trace as CSV and npz, a chart, a picture.
+
+Prints `name value unit`. Ratios are taken within one run, of the best of several interleaved rounds.
+"""
+
+from __future__ import annotations
+
+import gc
+import io
+import os
+import sys
+import tempfile
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang import report
+from motionlang.lang.dialect import Dialect
+from motionlang.lang.machine import Machine
+from motionlang.run import Run
+from motionlang.source import Source
+from motionlang.views.chart import velocity_chart
+from motionlang.views.csv import Formatter
+from motionlang.views.export import write_trace
+from motionlang.views.outline import outline
+from motionlang.views.table import render
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+ROWS = 200_000
+MOVES = 20_000
+SHIFT = 8 * 3600.0
+
+
+class Nameless(Dialect):
+    """The moves are loaded directly: what the language costs is measured elsewhere."""
+
+    name = "mint"
+
+
+def shift() -> Run:
+    """20 000 moves of four axes in eight hours, no two alike."""
+    machine = Machine({"controller.axes": 4})
+    run = Run(Source("shift.mnt", ""), Nameless(), machine)
+    controller = run.controller
+    lengths = np.random.default_rng(3).uniform(-50_000.0, 50_000.0, MOVES).tolist()
+    for axis in range(4):
+        controller.set_scale(axis, 1200.0)
+    for i, length in enumerate(lengths):
+        controller.move_by(i % 4, length, "MOVER", 5)
+        controller.clock.advance((i + 1) * SHIFT / MOVES)
+    run.time = controller.clock.now
+    return run
+
+
+def columns() -> list[np.ndarray]:
+    """Time, position, velocity, acceleration and noise, a row a millisecond."""
+    t = np.arange(ROWS) * 1e-3
+    waves = [500 * np.sin(t * 0.7) + 3, 350 * np.cos(t * 0.7), -245 * np.sin(t * 0.7)]
+    return [t, *waves, np.random.default_rng(0).normal(0.0, 1.0, ROWS)]
+
+
+def best(rounds: int, jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
+    """Seconds of each job, the best of `rounds`, the jobs taking turns."""
+    times = dict.fromkeys(jobs, float("inf"))
+    for _ in range(rounds):
+        for name, job in jobs.items():
+            gc.collect()
+            begin = perf_counter()
+            job()
+            times[name] = min(times[name], perf_counter() - begin)
+    return times
+
+
+def measure_csv() -> None:
+    """The formatter against `np.savetxt`, both into memory, six decimals."""
+    data = columns()
+    table = np.stack(data, axis=1)
+    part = table[: ROWS // 10]
+    formatter = Formatter([6] * len(data))
+    times = best(
+        7,
+        {
+            "csv": lambda: formatter.lines(data),
+            "savetxt": lambda: np.savetxt(io.BytesIO(), part, fmt="%.6f", delimiter=","),
+        },
+    )
+    ours, theirs = times["csv"] / ROWS, times["savetxt"] / len(part)
+    print(f"output.csv {ours * 1e9:.0f} ns/row")
+    print(f"output.savetxt {theirs * 1e9:.0f} ns/row")
+    print(f"output.savetxt_over_csv {theirs / ours:.1f} x")
+
+
+def measure_report(run: Run) -> None:
+    """The report of the shift, as JSON and as a table."""
+    times = best(5, {"json": lambda: report.text(run), "table": lambda: render(run, charts=True)})
+    print(f"output.report_json_20000_moves {times['json']:.3f} s")
+    print(f"output.report_table_20000_moves {times['table']:.3f} s")
+
+
+def measure_trace(run: Run) -> None:
+    """The shift's motion into files: position, velocity and acceleration of four axes, sampled and written."""
+    trace = run.trace
+    for axis in trace.axes:
+        trace.table(axis)
+    rate = 10.0
+    rows = trace.rows(rate)
+    with tempfile.TemporaryDirectory() as folder:
+        csv, npz = os.path.join(folder, "shift.csv"), os.path.join(folder, "shift.npz")
+        times = best(
+            3,
+            {
+                "csv": lambda: write_trace(trace, csv, rate),
+                "npz": lambda: write_trace(trace, npz, rate),
+            },
+        )
+    for name, seconds in times.items():
+        print(f"output.trace_{name} {seconds / rows * 1e9:.0f} ns/row")
+
+
+def measure_pictures(run: Run) -> None:
+    """A chart for the terminal, the outline of one axis, and the whole picture."""
+    trace, axis = run.trace, run.controller.axes[0]
+    trace.table(0)
+    jobs: dict[str, Callable[[], object]] = {
+        "chart": lambda: velocity_chart(axis, run.time, width=100, height=6),
+        "outline": lambda: outline(trace, 0, "velocity"),
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            from motionlang.views.plot import write_plot
+
+            write_plot(run, os.path.join(folder, "warm.png"))
+            jobs["plot_png"] = lambda: write_plot(run, os.path.join(folder, "shift.png"))
+        except ImportError:
+            print("matplotlib is missing: no plot measured", file=sys.stderr)
+        for name, seconds in best(3, jobs).items():
+            print(f"output.{name}_20000_moves {seconds * 1e3:.1f} ms")
+
+
+def main() -> None:
+    """Measure and print."""
+    measure_csv()
+    run = shift()
+    measure_report(run)
+    measure_trace(run)
+    measure_pictures(run)
+
+
+if __name__ == "__main__":
+    main()
