@@ -7,19 +7,19 @@ track and sets one event for its end; `_arrive` starts the next move of the buff
 
 from __future__ import annotations
 
-from motionlang.controller.axis import Axis
-from motionlang.controller.clock import INFINITY, Clock
+from motionlang.controller import buffer, feedrate, halt
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
-from motionlang.controller.inputs import Channels
 from motionlang.controller.move import Move
-from motionlang.controller.watch import Watch, arm
+from motionlang.controller.readings import Readings
+from motionlang.controller.watch import arm
 from motionlang.profile import hold, plan, plan_stop, plan_velocity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable, Mapping
 
-    from motionlang.controller.trace import Trace
+    from motionlang.controller.axis import Axis
     from motionlang.profile import Profile
 
 # The log of one run; beyond it the run ends with a diagnostic rather than with the machine's memory.
@@ -38,24 +38,17 @@ SETTINGS = frozenset(
         "ramp",
         "shape",
         "buffer_size",
+        "buffer_low",
+        "move_id",
         "live_speed",
+        "feedrate_mode",
+        "override",
     }
 )
 
 
-class Controller:
-    """`axes` axes numbered from `first`, a clock, and the log of every move that was started."""
-
-    def __init__(self, axes: int = 8, first: int = 0) -> None:
-        self.clock = Clock()
-        self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
-        self.moves: list[Move] = []
-        self.inputs = Channels(self.clock)
-        self.outputs = Channels(self.clock)
-        self.analogue_inputs = Channels(self.clock)
-        self.analogue_outputs = Channels(self.clock)
-        # Told of ("idle", axis), ("fault", axis), ("scale", axis) and ("home", axis) as they happen.
-        self.listeners: list[Callable[[str, int], None]] = []
+class Controller(Readings):
+    """The verbs that change something; those that only tell something are `Readings`."""
 
     # ------------------------------------------------------------------------------------------- settings
 
@@ -68,8 +61,8 @@ class Controller:
             a.accel_time = None
         elif name == "decel":
             a.decel_time = None
-        elif name == "speed" and a.live_speed and a.move is not None and a.move.target != INFINITY:
-            self._replan(a)
+        if a.move is not None and name in feedrate.LIVE:
+            feedrate.changed(self, a, name)
 
     def setting(self, axis: int, name: str) -> float | str | None:
         """Read one of `SETTINGS` back."""
@@ -124,16 +117,28 @@ class Controller:
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Put a move to `position` into the buffer."""
-        a = self._ready(axis)
-        if len(a.buffer) >= a.buffer_size:
-            raise Refusal("buffer-full", f"the move buffer of axis {axis} is full")
-        a.buffer.append(Move(axis, command, line, position))
+        buffer.put(self._ready(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Put a move by `distance` into the buffer, counted from the end of the move before it."""
-        a = self.axes[axis]
-        base = a.buffer[-1].target if a.buffer else a.target
-        self.load_to(axis, base + distance, command, line)
+        a = self._ready(axis)
+        buffer.put(a, Move(axis, command, line, buffer.end(a) + distance))
+
+    def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
+        """Put a rest of `duration` seconds into the buffer."""
+        buffer.put_action(self._ready(axis), buffer.Dwell(duration), command, line)
+
+    def load_output(
+        self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0
+    ) -> None:
+        """Put a change of outputs, channel to value, into the buffer; it takes no time."""
+        buffer.put_action(self._ready(axis), buffer.Outputs(dict(values)), command, line)
+
+    def load_pulse(
+        self, axis: int, channel: int, duration: float, command: str = "", line: int = 0
+    ) -> None:
+        """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
+        buffer.put_action(self._ready(axis), buffer.Pulse(channel, duration), command, line)
 
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
@@ -148,59 +153,69 @@ class Controller:
         """Move to `position` now, from whatever the axis is doing."""
         a = self._ready(axis)
         self._end_move(a, "retarget")
-        self._start(a, Move(axis, command, line, position))
+        self._start(a, buffer.stamped(a, Move(axis, command, line, position)))
 
     def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Move by `distance` from the present target now."""
         self.move_to(axis, self.axes[axis].target + distance, command, line)
 
+    def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
+        """Let the move in progress end at `position`; an axis at rest starts at once."""
+        halt.retarget(self, self._ready(axis), position, command, line)
+
+    def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
+        """Let the move in progress end `distance` further on; an axis at rest starts at once."""
+        self.retarget_to(axis, self.axes[axis].target + distance, command, line)
+
     def jog(self, axis: int, velocity: float, command: str = "", line: int = 0) -> None:
         """Ramp to `velocity`, counts/s, and keep it."""
         a = self._ready(axis)
-        accel, decel = self._rates(a)
         move = Move(axis, command, line, INFINITY)
+        move.action = halt.Jog(velocity)
+        profile = self._plan_jog(a, velocity)
         self._end_move(a, "retarget")
-        state = a.at(self.clock.now)
-        try:
-            profile = plan_velocity(
-                a.shape,
-                state.position,
-                state.velocity,
-                velocity,
-                accel,
-                decel,
-                a.ramp,
-                a.accel_jerk,
-                a.decel_jerk,
-            )
-        except ValueError as problem:
-            raise Refusal("range", f"axis {axis} cannot jog: {problem}") from None
         self._run(a, move, profile)
 
     def play(self, axis: int, profile: Profile, command: str = "", line: int = 0) -> None:
         """Follow a ready-made profile that begins where the axis is: a path, or the motion of a master."""
         a = self._ready(axis)
+        move = Move(axis, command, line, profile.end)
+        move.action = halt.Played()
         self._end_move(a, "retarget")
-        self._run(a, Move(axis, command, line, profile.end), profile)
+        self._run(a, move, profile)
+
+    def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
+        """Replace the rest of the present move by a ready-made profile, such as a path that grew or was stopped."""
+        a = self.axes[axis]
+        if a.move is not None:
+            self._continue(a, profile, ended)
+            a.target = a.move.target = profile.end
 
     def stop(self, axis: int, ended: str = "stop") -> None:
         """Decelerate to rest at the set rate (at `error_decel` for a fault) and empty the buffer."""
         a = self.axes[axis]
-        a.buffer.clear()
-        if a.move is None:
-            return
-        decel = a.error_decel if ended == "fault" else self._rates(a)[1]
-        state = a.at(self.clock.now)
-        try:
-            profile = plan_stop(a.shape, state.position, state.velocity, decel, a.ramp, a.decel_jerk)
-        except ValueError as problem:
-            raise Refusal("range", f"axis {axis} cannot stop: {problem}") from None
-        self._continue(a, profile, ended)
-        a.target = a.move.target = profile.end
+        a.suspended = False
+        if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended):
+            a.buffer.clear()
+            halt.stop(self, a, ended)
+
+    def suspend(self, axis: int) -> None:
+        """Ramp to rest and keep the move, and those of the buffer, until `resume`."""
+        halt.suspend(self, self.axes[axis])
+
+    def resume(self, axis: int) -> None:
+        """Go on with what `suspend` held."""
+        halt.resume(self, self.axes[axis])
+
+    def is_suspended(self, axis: int) -> bool:
+        """Whether `suspend` holds the axis."""
+        return self.axes[axis].suspended
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
         """Come to rest at once and empty the buffer."""
-        self._freeze(self.axes[axis], ended)
+        a = self.axes[axis]
+        a.suspended = False
+        self._freeze(a, ended)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
         """Raise a fault on an axis and do what `action` (one of `limit.ACTIONS`) says about it."""
@@ -216,93 +231,6 @@ class Controller:
         if action != "ignore":
             self.tell("fault", axis)
 
-    def heading(self, axis: int) -> int:
-        """+1 while the axis moves forward, -1 in reverse, 0 at rest: where the present profile is going."""
-        a = self.axes[axis]
-        if a.move is None:
-            return 0
-        velocity = a.velocity(self.clock.now) or a.profiles[-1].end_velocity or a.profiles[-1].distance
-        return (velocity > 0) - (velocity < 0)
-
-    # ------------------------------------------------------------------------------------------- reading
-
-    def position(self, axis: int) -> float:
-        return self.axes[axis].position(self.clock.now)
-
-    def velocity(self, axis: int) -> float:
-        return self.axes[axis].velocity(self.clock.now)
-
-    def following_error(self, axis: int) -> float:
-        """Demanded minus actual position: 0 until a motor is simulated."""
-        return 0.0
-
-    def target(self, axis: int) -> float:
-        return self.axes[axis].target
-
-    def remaining(self, axis: int) -> float:
-        """The distance still to go in the present move, signed; 0 at rest."""
-        a = self.axes[axis]
-        if a.move is None or a.target == INFINITY:
-            return 0.0
-        return a.target - a.position(self.clock.now)
-
-    def is_enabled(self, axis: int) -> bool:
-        return self.axes[axis].enabled
-
-    def is_idle(self, axis: int) -> bool:
-        return self.axes[axis].move is None
-
-    def faults(self, axis: int) -> int:
-        return self.axes[axis].faults
-
-    def idle_time(self, axis: int) -> float:
-        """The time at which the axis will be idle if nothing else happens; infinite while it jogs."""
-        a = self.axes[axis]
-        return self.clock.now if a.move is None else a.end_of_motion()
-
-    def crossing_time(self, axis: int, position: float) -> float:
-        """The time at which the axis will pass `position`, infinite if the present motion never does."""
-        a, now = self.axes[axis], self.clock.now
-        start = a.starts[-1]
-        found = a.profiles[-1].crossing(position, now - start)
-        return INFINITY if found is None else start + found
-
-    def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
-        """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
-        a = self.axes[axis]
-        watch = Watch(position, call, physical)
-        a.watches.append(watch)
-        arm(a, watch, self.clock, self.clock.now)
-        return watch
-
-    def unwatch(self, axis: int, watch: Watch) -> None:
-        """End a watch."""
-        self.axes[axis].watches.remove(watch)
-        if watch.event is not None:
-            watch.event.cancel()
-
-    def input(self, channel: int) -> float:
-        return self.inputs[channel]
-
-    def output(self, channel: int) -> float:
-        return self.outputs[channel]
-
-    def set_output(self, channel: int, value: float) -> None:
-        self.outputs[channel] = value
-
-    def analogue_input(self, channel: int) -> float:
-        return self.analogue_inputs[channel]
-
-    def set_analogue_output(self, channel: int, value: float) -> None:
-        self.analogue_outputs[channel] = value
-
-    @property
-    def trace(self) -> Trace:
-        """The motion so far, to be sampled; brings in numpy."""
-        from motionlang.controller.trace import Trace
-
-        return Trace(self)
-
     # ------------------------------------------------------------------------------------ the life of a move
 
     def _ready(self, axis: int) -> Axis:
@@ -311,8 +239,9 @@ class Controller:
             raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
         return a
 
-    def _rates(self, a: Axis) -> tuple[float, float]:
-        accel, decel = a.rates()
+    def rates(self, a: Axis, speed: float) -> tuple[float, float]:
+        """The rates in force for a move at `speed`, or the refusal of one that is not above zero."""
+        accel, decel = a.rates(speed)
         for rate, what in ((accel, "acceleration"), (decel, "deceleration")):
             if not rate > 0:
                 raise Refusal(
@@ -324,26 +253,32 @@ class Controller:
                 )
         return accel, decel
 
-    def _plan(self, a: Axis, target: float) -> Profile:
-        if not a.speed > 0:
+    def _plan(self, a: Axis, move: Move) -> Profile:
+        """From the state of the axis to the end of the move."""
+        speed = a.speed if move.speed is None else move.speed
+        if not speed > 0:
             raise Refusal(
                 "zero-speed",
-                f"axis {a.index} cannot move: its speed is {a.speed:g}",
+                f"axis {a.index} cannot move: its speed is {speed:g}",
                 "a move needs a speed above zero, else it would start and never end",
             )
-        accel, decel = self._rates(a)
+        accel, decel = self.rates(a, speed)
+        if move.overridden:
+            speed *= a.override
+        if a.suspended or not speed:
+            return halt.standing(self, a)
         last, now = a.profiles[-1], self.clock.now
         try:
             if last.shape == "hold":
                 return plan(
-                    a.shape, last.end, target, a.speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk
+                    a.shape, last.end, move.target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk
                 )
             s = last.at(now - a.starts[-1])
             return plan(
                 a.shape,
                 s.position,
-                target,
-                a.speed,
+                move.target,
+                speed,
                 accel,
                 decel,
                 s.velocity,
@@ -355,9 +290,22 @@ class Controller:
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
 
+    def _plan_jog(self, a: Axis, velocity: float) -> Profile:
+        """From the state of the axis to a velocity."""
+        accel, decel = self.rates(a, a.speed)
+        if a.suspended:
+            velocity = 0.0
+        s = a.at(self.clock.now)
+        try:
+            return plan_velocity(
+                a.shape, s.position, s.velocity, velocity, accel, decel, a.ramp, a.accel_jerk, a.decel_jerk
+            )
+        except ValueError as problem:
+            raise Refusal("range", f"axis {a.index} cannot jog: {problem}") from None
+
     def _start(self, a: Axis, move: Move) -> None:
         try:
-            profile = self._plan(a, move.target)
+            profile = self._plan(a, move)
         except Refusal as refusal:
             refusal.line = move.line
             raise
@@ -403,19 +351,26 @@ class Controller:
         if a.move is None:
             self.tell("idle", a.index)
 
-    def tell(self, what: str, axis: int) -> None:
-        """Let the listeners know; a listener may leave while it is told."""
-        for listener in tuple(self.listeners):
-            listener(what, axis)
-
     def _next(self, a: Axis) -> None:
-        if a.buffer and a.buffer[0].released:
-            self._start(a, a.buffer.pop(0))
+        """Start what the buffer holds next, as far as it is released."""
+        while a.move is None and a.buffer and a.buffer[0].released:
+            move = a.buffer[0]
+            if move.action is not None and not move.action.ready(self, a, move):
+                return
+            del a.buffer[0]
+            a.last_id = move.id
+            if a.buffer_low >= 0:
+                buffer.taken(self, a)
+            if move.action is None:
+                self._start(a, move)
+            else:
+                move.action.begin(self, a, move)
 
     def _replan(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""
         assert a.move is not None
-        self._continue(a, self._plan(a, a.move.target), "")
+        action = a.move.action
+        self._continue(a, self._plan(a, a.move) if action is None else action.plan(self, a), "")
 
     def _continue(self, a: Axis, profile: Profile, ended: str) -> None:
         """Replace what is left of the present move by `profile`."""

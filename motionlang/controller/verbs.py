@@ -25,6 +25,7 @@ VERBS: dict[str, str] = {
     "move_by": "Move by a distance from the present target now.",
     "jog": "Run at a velocity until told otherwise.",
     "play": "Follow a ready-made profile now: a path, or the motion of a master.",
+    "redirect": "Replace the rest of the present move by a ready-made profile.",
     "stop": "Decelerate to rest and empty the buffer.",
     "abort": "Come to rest at once and empty the buffer.",
     "fault": "Raise a fault on an axis and act on it.",
