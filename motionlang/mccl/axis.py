@@ -57,7 +57,6 @@ class AxisState:
     """
 
     __slots__ = (
-        "auxiliary",
         "breakpoint",
         "breakpoint_reached",
         "constant",
@@ -110,7 +109,6 @@ class AxisState:
         self.deadband = self.deadband_delay = 0.0
         self.breakpoint, self.breakpoint_reached = 0.0, False
         self.index_position, self.index_found, self.edge_found = 0.0, False, False
-        self.auxiliary = 0.0
         self.limit_mode, self.soft_high, self.soft_low = 0, 0.0, 0.0
         self.master: int | None = None
         self.slave_ratio = 1.0

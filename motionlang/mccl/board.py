@@ -7,7 +7,9 @@ from motionlang.errors import Diagnostic
 from motionlang.mccl import codes
 from motionlang.mccl.axis import AxisState
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.flags import LOOKING_FOR_EDGE, LOOKING_FOR_INDEX
+from motionlang.mccl.contour import Contour
+from motionlang.mccl.joystick import Joysticks
+from motionlang.mccl.limits import ALL, Inputs, Limits
 from motionlang.mccl.models import DEFAULT, MODELS
 from motionlang.mccl.task import BackgroundTask
 
@@ -15,9 +17,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.controller.watch import Watch
     from motionlang.lang.machine import Machine
+    from motionlang.mccl.gear import Gear
     from motionlang.mccl.line import Line
     from motionlang.mccl.models import Model
+    from motionlang.mccl.seek import Seek
     from motionlang.mccl.task import CommandTask
 
 INFINITY = float("inf")
@@ -49,6 +54,17 @@ class Board:
         self._last_task = 0
         # Counts what comes from outside the program: a loop that only looks is woken by it.
         self.disturbances = 0
+        self.points: dict[tuple[int, int], float] = {}
+        self.records: dict[int, tuple[float, int]] = {}
+        self.seeks: dict[int, Seek] = {}
+        self.breakpoints: dict[int, Watch] = {}
+        self.gears: dict[int, Gear] = {}
+        self.contours: dict[int, Contour] = {}
+        self.low_true: set[int] = set()
+        self.outputs: set[int] = set()
+        self.joysticks = Joysticks(self)
+        self.limits = {axis.number: Limits(self, axis) for axis in self.all_axes}
+        self._inputs = Inputs(self)
         self.controller.listeners.append(self._happened)
         self.reset()
 
@@ -62,7 +78,8 @@ class Board:
         self.prompt, self.echo = self.model.prompt, self.model.echo
         self.xon, self.xoff = 17, 19
         self.outputs = set(self.model.outputs)
-        self.low_true: set[int] = set()
+        self.low_true = set()
+        self.points.clear()
         for number in list(self.background):
             self.end_task(number)
         for axis in self.all_axes:
@@ -70,8 +87,15 @@ class Board:
 
     def reset_axis(self, axis: AxisState) -> None:
         """One axis as at power-up: off, position 0, settings at their defaults."""
-        axis.reset()
         number, controller = axis.number, self.controller
+        self.release(axis)
+        watch = self.breakpoints.pop(number, None)
+        if watch is not None:
+            controller.unwatch(number, watch)
+        self.records.pop(number, None)
+        axis.reset()
+        self.limits[number].set_mode(0)
+        self.limits[number].disable(ALL)
         controller.disable(number)
         controller.clear_faults(number)
         for name, value in AXIS_SETTINGS.items():
@@ -79,13 +103,62 @@ class Board:
         axis.apply_units()
         controller.set_scale(number, 1.0)
 
+    # ------------------------------------------------------------------------------------ what axes belong to
+
+    def contour(self, axis: AxisState) -> Contour:
+        """The contour that the axis controls."""
+        found = self.contours.get(axis.number)
+        if found is None:
+            found = self.contours[axis.number] = Contour(self, axis)
+        return found
+
+    def contour_of(self, axis: AxisState) -> Contour | None:
+        """The contour whose path the axis is on, if it is on one."""
+        if axis.controlling is None:
+            return None
+        found = self.contours.get(axis.controlling)
+        return found if found is not None and axis.number in found.members else None
+
+    def leave_contour(self, axis: AxisState) -> None:
+        """The axis goes into another mode: a path that it is on ends."""
+        contour = self.contour_of(axis)
+        if contour is not None:
+            contour.stop()
+        axis.controlling = None
+
+    def ungear(self, axis: AxisState) -> None:
+        """The axis has no master any more."""
+        gear = self.gears.pop(axis.number, None)
+        if gear is not None:
+            gear.release()
+
     def release(self, axis: AxisState) -> None:
-        """The axis is its own again: no master, no contour path, nothing looked for."""
-        axis.flags &= ~(LOOKING_FOR_INDEX | LOOKING_FOR_EDGE)
+        """The axis is its own again: no master, no path, no joystick, nothing looked for."""
+        seek = self.seeks.pop(axis.number, None)
+        if seek is not None:
+            seek.cancel()
+        self.joysticks.switch_off(axis)
+        self.ungear(axis)
+        contour = self.contour_of(axis)
+        if contour is not None:
+            contour.abort()
+
+    def home_changed(self, number: int) -> None:
+        """The home input of an axis has another level."""
+        seek = self.seeks.get(number)
+        if seek is not None:
+            seek.look()
 
     def _happened(self, what: str, number: int) -> None:
         if what == "idle":
             self.axes[number].rested = self.controller.clock.now
+            for contour in list(self.contours.values()):
+                contour.rested(number)
+        elif what == "fault":
+            self.limits[number].happened()
+            self.release(self.axes[number])
+        elif what == "home":
+            self.home_changed(number)
 
     # ------------------------------------------------------------------------------------------------- asking
 
@@ -96,6 +169,11 @@ class Board:
             hint = f"the axes are {self.numbers[0]} to {self.numbers[-1]}"
             raise Fault(codes.NOT_ASSIGNED, f"there is no axis {number}", hint, "axis")
         return found
+
+    def is_driven(self, channel: int) -> bool:
+        """Whether something in the world, or the program itself, sets an input."""
+        world = self.machine.world
+        return (world is not None and channel in world.driven) or self.controller.input(channel) != 0
 
     def seconds(self, value: float) -> float:
         """A time in the unit of UT, in seconds."""
@@ -172,7 +250,7 @@ class Board:
                 raise trouble
             if trouble.code == "disabled-axis":
                 # No code of the board means this: it keeps silent and nothing moves.
-                self.warn(task, trouble.code, trouble.message, "switch it on with MN first", "error")
+                self.warn(task, trouble.code, trouble.message, "MN switches it on", "error")
                 return False
             trouble = Fault(codes.PARAMETER, trouble.message, trouble.hint, trouble.code)
         self.last_error = trouble.code

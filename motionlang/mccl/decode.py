@@ -66,7 +66,7 @@ def _decoded(text: str) -> Command:
     try:
         row = _row_of(text, count, name)
         kind, value = _parameter(text[count + 2 :], row)
-        action = ACTIONS.get(row.verb, not_simulated)
+        action = ACTIONS[row.verb] if row.simulated else not_simulated
     except Fault as fault:
         action = _Wrong(fault)
     return Command(text, name, row, axis, kind, value, action, row is not None and row.verb in PURE)

@@ -36,7 +36,6 @@ FAULTS = (
 
 # The inputs of an axis and the bits that show them as they are now.
 INPUTS: dict[str, int] = {
-    "index": 1 << 22,
     "home": 1 << 23,
     "amplifier_fault": 1 << 24,
     "limit_plus": 1 << 26,

@@ -2,7 +2,8 @@
 
 They are digital channels. A MultiFlex has four an axis from channel 17 on, the limits second and third (two telescope
 axes are wired so); that home is the first and the amplifier fault the fourth is inferred. Axes beyond the fourth have
-no channels of their own there; theirs count on from 1000.
+no channels of their own there; theirs count on from 1000. The home switch of the machine file is seen without a
+channel too.
 """
 
 from __future__ import annotations
@@ -25,10 +26,12 @@ def channel_of(axis: int, name: str) -> int:
 
 
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
-    """Whether the input is on, in terms of logic."""
-    if name == "index":
-        return False
+    """Whether the input is on, in terms of logic; an input that nothing drives is off whatever its polarity."""
     channel = channel_of(axis.number, name)
+    if name == "home" and board.controller.axes[axis.number].home:
+        return True
+    if not board.is_driven(channel):
+        return False
     on = (board.controller.input(channel) != 0) is not (channel in board.low_true)
     if name.startswith("limit"):
         return on is not bool(axis.limit_mode & INVERTED)

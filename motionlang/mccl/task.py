@@ -11,6 +11,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.command import NONE, REGISTER, TEXT
 from motionlang.mccl.decode import checked
+from motionlang.mccl.path import DESCRIBES
 from motionlang.mccl.poll import Poll
 
 TYPE_CHECKING = False
@@ -220,6 +221,7 @@ class CommandTask(Task):
         """Leave the line and every macro it is in."""
         self.calls.clear()
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
+        self.path_open = None
 
     # ------------------------------------------------------------------------------------------ for the kinds
 
@@ -253,6 +255,8 @@ class CommandTask(Task):
         if not command.pure:
             self.poll.effects += 1
         try:
+            if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
+                self.close_path()
             return command.action(self, command)
         except (Fault, Refusal) as trouble:
             self._refused(trouble)
@@ -262,8 +266,19 @@ class CommandTask(Task):
         if self.board.refused(self, trouble):
             self.abandon()
 
+    def close_path(self) -> None:
+        """The contour path that the line was describing is complete."""
+        path, self.path_open = self.path_open, None
+        if path is not None:
+            path.close(self)
+
     def _step_out(self) -> bool:
         """Come back from a macro, or begin the next line; False when there is none."""
+        if self.path_open is not None:
+            try:
+                self.close_path()
+            except (Fault, Refusal) as trouble:
+                self._refused(trouble)
         if self.calls:
             self.line, self.pc, self.repeats = self.calls.pop()
             return True

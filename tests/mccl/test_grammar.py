@@ -26,19 +26,27 @@ numbers = st.one_of(
     st.decimals(-999, 999, places=3).map(str),
     st.sampled_from([".5", "5.", "+3", "-.25", "1e3", "2.5E-1", ""]),
 )
-parameters = st.one_of(numbers, st.integers(0, 255).map("@{}".format), st.sampled_from(['"A"', '"a;b,c d"', '""']))
-names = st.sampled_from([row.name for row in TABLE]).flatmap(lambda name: st.sampled_from([name, name.lower()]))
+parameters = st.one_of(
+    numbers, st.integers(0, 255).map("@{}".format), st.sampled_from(['"A"', '"a;b,c d"', '""'])
+)
+names = st.sampled_from([row.name for row in TABLE]).flatmap(
+    lambda name: st.sampled_from([name, name.lower()])
+)
 commands = st.builds("{}{}{}".format, st.sampled_from(["", "1", "2", "0", "08"]), names, parameters)
 remarks = st.sampled_from(["", "; a remark", " ;1MR5", ";,\"'"])
 lines = st.builds(
     "{}{}{}".format,
     st.sampled_from(["", " ", "\t", ","]),
     st.lists(commands, max_size=5).flatmap(
-        lambda found: st.sampled_from([",", " ", ", ", ",,", "\t"]).map(lambda separator: separator.join(found))
+        lambda found: st.sampled_from([",", " ", ", ", ",,", "\t"]).map(
+            lambda separator: separator.join(found)
+        )
     ),
     remarks,
 )
-files = st.lists(st.one_of(lines, st.sampled_from(["", "# a whole line", "  #1MR5", ";"])), max_size=6).map("\n".join)
+files = st.lists(st.one_of(lines, st.sampled_from(["", "# a whole line", "  #1MR5", ";"])), max_size=6).map(
+    "\n".join
+)
 
 
 def by_grammar(text: str) -> Read:
@@ -60,7 +68,7 @@ def _command(tree: Tree[Token]) -> tuple[int, str, int, Any]:
 
 
 def by_hand(text: str) -> Read:
-    """What the fast way makes of it; a value out of range, or of a kind the command has no use for, is another matter."""
+    """What the fast way makes of it; whether a value is in range is another matter."""
     read: Read = []
     for line in lines_of(text):
         assert isinstance(line, Line)
@@ -73,7 +81,10 @@ def is_form(text: str) -> bool:
     for line in lines_of(text):
         if isinstance(line, Line):
             faults = [problem(command) for command in line.commands]
-            if any(fault is not None and fault.code == codes.FORMAT and fault.kind == "syntax" for fault in faults):
+            if any(
+                fault is not None and fault.code == codes.FORMAT and fault.kind == "syntax"
+                for fault in faults
+            ):
                 return False
     return True
 
@@ -107,6 +118,8 @@ def _only_unknown(text: str) -> bool:
     )
 
 
-@pytest.mark.parametrize("text", ["1MR1000,2MR5", "1MR1000 2MR5", "1mr1e3;x", '#no\nLU"A,B",1RL@0', "0MC1\n\n1TP"])
+@pytest.mark.parametrize(
+    "text", ["1MR1000,2MR5", "1MR1000 2MR5", "1mr1e3;x", '#no\nLU"A,B",1RL@0', "0MC1\n\n1TP"]
+)
 def test_a_few_by_name(text: str) -> None:
     assert by_grammar(text) == by_hand(text)

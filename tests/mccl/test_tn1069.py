@@ -1,4 +1,4 @@
-"""PMC's TN1069: the comparison of the four profiles, run as a program, against the exact figures of the note's formulas."""
+"""PMC's TN1069: the comparison of the four profiles, run as a program, against the note's formulas."""
 
 from __future__ import annotations
 

@@ -6,12 +6,19 @@
 from __future__ import annotations
 
 from motionlang.mccl.actions import (
+    contour,
     filter,
     flow,
+    gearing,
+    homing,
     io,
+    jog,
+    limits,
     macros,
     miscellaneous,
     motion,
+    points,
+    record,
     registers,
     reports,
     trajectory,
@@ -27,12 +34,19 @@ if TYPE_CHECKING:
 
 ACTIONS: dict[str, Action] = {}
 for _group in (
+    contour,
     filter,
     flow,
+    gearing,
+    homing,
     io,
+    jog,
+    limits,
     macros,
     miscellaneous,
     motion,
+    points,
+    record,
     registers,
     reports,
     trajectory,

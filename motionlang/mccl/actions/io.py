@@ -6,6 +6,7 @@ from motionlang.lang.task import Wait
 from motionlang.mccl import codes
 from motionlang.mccl.axis import real
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.volts import percent, volts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,17 +55,16 @@ def tell_channel(task: CommandTask, command: Command) -> None:
 
 def tell_analog(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
-    task.board.tell(channel, real(task.board.controller.analogue_input(channel)))
+    task.board.tell(channel, real(volts(task.board.controller.analogue_input(channel))))
 
 
 def get_analog(task: CommandTask, command: Command) -> None:
-    task.registers[0] = float(task.board.controller.analogue_input(task.whole(command)))
+    task.registers[0] = volts(task.board.controller.analogue_input(task.whole(command)))
 
 
 def set_analog(task: CommandTask, command: Command) -> None:
     """The accumulator as volts; the output stops at 10 V either way."""
-    volts = max(-10.0, min(10.0, float(task.registers[0])))
-    task.board.controller.set_analogue_output(task.whole(command), volts)
+    task.board.controller.set_analogue_output(task.whole(command), percent(float(task.registers[0])))
 
 
 def do_if_on(task: CommandTask, command: Command) -> None:

@@ -7,10 +7,12 @@ the other profiles the interpreter stalls until the axis is at rest.
 
 from __future__ import annotations
 
+from motionlang.controller.faults import Refusal
 from motionlang.lang.task import wait_idle
 from motionlang.mccl import codes
-from motionlang.mccl.axis import GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.flags import MOTOR_ERROR
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,7 +41,7 @@ def motor_off(task: CommandTask, command: Command) -> None:
 def move_to(task: CommandTask, command: Command) -> Wait | None:
     value = float(task.value(command))
     targets = [(axis, axis.position(value)) for axis in _movable(task, command)]
-    return _move(task, command, targets)
+    return start_moves(task, command, targets)
 
 
 def move_by(task: CommandTask, command: Command) -> Wait | None:
@@ -52,18 +54,22 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
         if abs(target) == float("inf"):
             target = controller.position(axis.number)
         targets.append((axis, target + axis.distance(value)))
-    return _move(task, command, targets)
+    return start_moves(task, command, targets)
 
 
 def go_home(task: CommandTask, command: Command) -> Wait | None:
-    return _move(task, command, [(axis, axis.position(0.0)) for axis in _movable(task, command)])
+    return start_moves(task, command, [(axis, axis.position(0.0)) for axis in _movable(task, command)])
 
 
 def go(task: CommandTask, command: Command) -> None:
+    """Run in velocity mode; in contour mode let the paths that wait go."""
     for axis in task.axes(command):
         if axis.mode == VELOCITY:
+            _check_fit(task, axis)
             run_in_velocity_mode(task, axis)
-        else:
+        elif axis.mode == CONTOUR and axis.controlling == axis.number:
+            task.board.contour(axis).go()
+        elif command.axis:
             raise Fault(
                 codes.INVALID,
                 f"GO needs axis {axis.number} in velocity mode; it is in {axis.mode} mode",
@@ -72,10 +78,16 @@ def go(task: CommandTask, command: Command) -> None:
 
 
 def stop(task: CommandTask, command: Command) -> None:
+    board = task.board
     for axis in task.axes(command):
         axis.running = False
-        task.board.release(axis)
-        task.board.controller.stop(axis.number)
+        board.joysticks.switch_off(axis)
+        contour = board.contour_of(axis)
+        if contour is not None:
+            contour.stop()
+        else:
+            board.ungear(axis)
+            board.controller.stop(axis.number)
 
 
 def abort(task: CommandTask, command: Command) -> None:
@@ -95,12 +107,6 @@ def define_home(task: CommandTask, command: Command) -> None:
     value = float(task.value(command))
     for axis in task.axes(command):
         task.board.controller.define_position(axis.number, axis.position(value))
-
-
-def define_auxiliary(task: CommandTask, command: Command) -> None:
-    value = float(task.value(command))
-    for axis in task.axes(command):
-        axis.auxiliary = value
 
 
 def position_mode(task: CommandTask, command: Command) -> None:
@@ -137,6 +143,7 @@ def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:
 
 def _mode(task: CommandTask, command: Command, mode: str) -> None:
     for axis in task.axes(command):
+        task.board.leave_contour(axis)
         axis.mode = mode
 
 
@@ -148,12 +155,13 @@ def _movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
     return tuple(axis for axis in axes if task.board.controller.is_enabled(axis.number)) or axes
 
 
-def _move(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
+def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
     path = task.path_open
     if path is not None:
         path.move(task, targets)
         return None
     for axis, _ in targets:
+        _check_fit(task, axis)
         if axis.mode != POSITION:
             raise Fault(
                 codes.INVALID,
@@ -176,6 +184,18 @@ def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, f
     for axis, target in targets:
         axis.running = False
         task.board.controller.move_to(axis.number, target, command.name, task.source_line)
+
+
+def _check_fit(task: CommandTask, axis: AxisState) -> None:
+    """Refusal or Fault when the axis cannot take a motion command now."""
+    number = axis.number
+    if axis.flags & MOTOR_ERROR:
+        raise Refusal("disabled-axis", f"axis {number} has tripped and takes no motion command")
+    if axis.master is not None:
+        hint = f"{number}SM0 frees it"
+        raise Fault(codes.INVALID, f"axis {number} is slaved to axis {axis.master}", hint, "moving")
+    if axis.jogging:
+        raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
 
 
 def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
@@ -208,7 +228,6 @@ ACTIONS: dict[str, Action] = {
     "abort": abort,
     "direction": direction,
     "define_home": define_home,
-    "define_auxiliary": define_auxiliary,
     "position_mode": position_mode,
     "velocity_mode": velocity_mode,
     "torque_mode": torque_mode,

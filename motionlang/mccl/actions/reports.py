@@ -57,10 +57,6 @@ def _index(task: CommandTask, axis: AxisState) -> str:
     return axis.say(axis.index_position)
 
 
-def _auxiliary(task: CommandTask, axis: AxisState) -> str:
-    return str(int(axis.auxiliary))
-
-
 def _kept(name: str) -> Reading:
     def reading(task: CommandTask, axis: AxisState) -> str:
         value = axis.kept.get(name, KEPT_DEFAULTS.get(name, 0.0))
@@ -107,6 +103,5 @@ ACTIONS: dict[str, Action] = {
     "tell_torque": _each(_kept("kept_torque")),
     "tell_breakpoint": _each(_breakpoint),
     "tell_index": _each(_index),
-    "tell_auxiliary": _each(_auxiliary),
     "tell_segment": tell_segment,
 }

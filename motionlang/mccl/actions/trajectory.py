@@ -60,12 +60,6 @@ def shape_scurve(task: CommandTask, command: Command) -> None:
     _shape(task, command, "scurve")
 
 
-def override(task: CommandTask, command: Command) -> None:
-    value = float(task.value(command)) if task.given(command) else 1.0
-    for axis in task.axes(command):
-        axis.vector.override = value
-
-
 def full_step(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.half_steps = False
@@ -109,7 +103,6 @@ ACTIONS: dict[str, Action] = {
     "shape_trapezoid": shape_trapezoid,
     "shape_parabolic": shape_parabolic,
     "shape_scurve": shape_scurve,
-    "override": override,
     "full_step": full_step,
     "half_step": half_step,
 }

@@ -7,6 +7,8 @@ from motionlang.mccl.track import at_target_time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.mccl.axis import AxisState
     from motionlang.mccl.board import Board
     from motionlang.mccl.command import Command
@@ -72,6 +74,11 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
     )
 
 
+def passing_flag(board: Board, ready: Callable[[], bool], why: str) -> Wait:
+    """Wait for something that an event makes true."""
+    return Wait(board.controller.clock.now, ready, lambda: INFINITY, why)
+
+
 def _next_target(task: CommandTask, command: Command, axes: list[AxisState], now: float) -> Wait | None:
     board = task.board
     while axes:
@@ -104,10 +111,38 @@ def _dwell(task: CommandTask, command: Command, now: float) -> Wait | None:
     return wait_until(task.board.controller, now, now + seconds)
 
 
+def break_at(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        _breakpoint(task.board, axis, axis.position(float(task.value(command))))
+
+
+def break_after(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        here = task.board.controller.position(axis.number)
+        _breakpoint(task.board, axis, here + axis.distance(float(task.value(command))))
+
+
+def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
+    """Status bit 10 comes on at the moment the axis passes the position; nothing waits."""
+    controller, number = board.controller, axis.number
+    old = board.breakpoints.pop(number, None)
+    if old is not None:
+        controller.unwatch(number, old)
+    axis.breakpoint = position
+    axis.breakpoint_reached = abs(controller.position(number) - position) <= _REACHED
+
+    def reach(direction: int) -> None:
+        axis.breakpoint_reached = True
+
+    board.breakpoints[number] = controller.watch(number, position, reach)
+
+
 ACTIONS: dict[str, Action] = {
     "wait": wait,
     "wait_stop": wait_stop,
     "wait_target": wait_target,
     "wait_position": wait_position,
     "wait_relative": wait_relative,
+    "break_at": break_at,
+    "break_after": break_after,
 }

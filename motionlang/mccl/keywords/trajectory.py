@@ -44,9 +44,7 @@ ROWS = (
     _known("HC", "setting", "axes", "Half motor current (stepper)."),
     _row("FS", "setting", "C", "axes", "", "full_step", "Full steps (stepper); shows in the status.", "1FS"),
     _row("SH", "setting", "C", "axes", "", "half_step", "Half steps (stepper); shows in the status.", "1SH"),
-    _row("BD", "setting", "W", "axes", "uu", "backlash_distance", "Set the backlash of the mechanics.",
-         "1BD20", default=0, low=0),
-    _row("BN", "command", "C", "axes", "", "backlash_on",
-         "Compensate backlash: a move that reverses goes the backlash further on the motor.", "1BD20,1BN"),
-    _row("BF", "command", "C", "axes", "", "backlash_off", "Compensate backlash no longer.", "1BF"),
+    _known("BD", "setting", "axes", "Backlash of the mechanics: none is simulated, positions are the motor's."),
+    _known("BN", "command", "axes", "Compensate backlash: none is simulated, positions are the motor's."),
+    _known("BF", "command", "axes", "Compensate backlash no longer."),
 )  # fmt: skip

@@ -1,0 +1,48 @@
+"""Learned points: positions of the axes under a number."""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.actions.motion import start_moves
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.command import Command
+    from motionlang.mccl.task import Action, CommandTask
+
+
+def learn_position(task: CommandTask, command: Command) -> None:
+    controller, point = task.board.controller, task.whole(command)
+    for axis in task.axes(command):
+        position = controller.position(axis.number) - controller.following_error(axis.number)
+        task.board.points[point, axis.number] = position
+
+
+def learn_target(task: CommandTask, command: Command) -> None:
+    point = task.whole(command)
+    for axis in task.axes(command):
+        target = task.board.controller.target(axis.number)
+        if abs(target) == float("inf"):
+            raise Fault(codes.PARAMETER, f"axis {axis.number} runs without a target", "LP learns where it is")
+        task.board.points[point, axis.number] = target
+
+
+def move_to_point(task: CommandTask, command: Command) -> Wait | None:
+    """Move to a point; without an axis, every axis that has learned it moves."""
+    point, points = task.whole(command), task.board.points
+    axes = task.axes(command)
+    targets = [(axis, points[point, axis.number]) for axis in axes if (point, axis.number) in points]
+    if not targets:
+        raise Fault(
+            codes.PARAMETER, f"point {point} has not been learned", "LP and LT learn points", "unknown-word"
+        )
+    return start_moves(task, command, targets)
+
+
+ACTIONS: dict[str, Action] = {
+    "learn_position": learn_position,
+    "learn_target": learn_target,
+    "move_to_point": move_to_point,
+}

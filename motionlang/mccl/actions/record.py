@@ -1,0 +1,71 @@
+"""Recording: nothing is sampled while the machine runs, the points are read off the motion when they are told."""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.axis import real
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.axis import AxisState
+    from motionlang.mccl.command import Command
+    from motionlang.mccl.task import Action, CommandTask
+
+# A point is recorded with every point of the trajectory: 1 kHz (TN1069).
+PERIOD = 1e-3
+
+
+def record(task: CommandTask, command: Command) -> None:
+    """Record n points from now on; 0 ends a recording."""
+    count, now = task.whole(command), task.board.controller.clock.now
+    for axis in task.axes(command):
+        old = task.board.records.get(axis.number)
+        if count:
+            task.board.records[axis.number] = (now, count)
+        elif old is not None:
+            start, most = old
+            task.board.records[axis.number] = (start, min(most, _taken(now - start, most)))
+
+
+def _tell(reading: Callable[[CommandTask, AxisState, float], str]) -> Action:
+    def tell(task: CommandTask, command: Command) -> None:
+        wanted, now = task.whole(command), task.board.controller.clock.now
+        for axis in task.axes(command):
+            if axis.number not in task.board.records:
+                if command.axis:
+                    raise Fault(
+                        codes.PARAMETER,
+                        f"nothing was recorded of axis {axis.number}",
+                        f"{axis.number}PR100 records 100 points",
+                    )
+                continue
+            start, most = task.board.records[axis.number]
+            taken = _taken(now - start, most)
+            for k in range(min(wanted, taken) if wanted else taken):
+                task.board.tell(axis.number, reading(task, axis, start + k * PERIOD))
+
+    return tell
+
+
+def _taken(elapsed: float, most: int) -> int:
+    return min(most, int(elapsed / PERIOD + 1e-9) + 1)
+
+
+def _optimal(task: CommandTask, axis: AxisState, time: float) -> str:
+    return axis.say(task.board.controller.axes[axis.number].position(time))
+
+
+def _torque(task: CommandTask, axis: AxisState, time: float) -> str:
+    return real(0.0)
+
+
+ACTIONS: dict[str, Action] = {
+    "record": record,
+    "tell_recorded_optimal": _tell(_optimal),
+    # Without a simulated motor the actual position is the optimal one.
+    "tell_recorded_actual": _tell(_optimal),
+    "tell_recorded_torque": _tell(_torque),
+}
