@@ -43,6 +43,7 @@ class Axis:
         "accel_time",
         "arrival",
         "buffer",
+        "buffer_low",
         "buffer_size",
         "datum",
         "decel",
@@ -51,20 +52,24 @@ class Axis:
         "enabled",
         "error_decel",
         "faults",
+        "feedrate_mode",
         "followers",
         "home",
         "index",
         "index_every",
         "index_origin",
+        "last_id",
         "limits",
-        "live_speed",
         "move",
+        "move_id",
+        "override",
         "profiles",
         "ramp",
         "scale",
         "shape",
         "speed",
         "starts",
+        "suspended",
         "target",
         "watches",
     )
@@ -85,10 +90,15 @@ class Axis:
         self.decel_jerk = DEFAULTS["decel_jerk"]
         self.error_decel = DEFAULTS["decel"]
         self.ramp = DEFAULTS["ramp"]
-        # Whether a new speed acts at once on a move in progress (Mint's FEEDRATEMODE 0).
-        self.live_speed = False
+        # Mint's FEEDRATEMODE: bit 0, a move keeps the speed it was loaded with; bit 1, `override` multiplies speeds.
+        self.feedrate_mode = 1
+        self.override = 1.0
+        self.suspended = False
         self.buffer_size = int(DEFAULTS["buffer_size"])
+        self.buffer_low = -1  # free places above which the listeners are told; -1: never
         self.buffer: list[Move] = []
+        self.move_id = 0  # the mark of moves loaded from now on
+        self.last_id = 0  # the mark of the last move that left the buffer
         self.move: Move | None = None
         self.arrival: Event | None = None
         self.target = 0.0
@@ -124,8 +134,17 @@ class Axis:
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
-    def rates(self) -> tuple[float, float]:
-        """Acceleration and deceleration in force, counts/s²; a time stands for speed over time."""
-        accel = self.accel if self.accel_time is None else self.speed / self.accel_time
-        decel = self.decel if self.decel_time is None else self.speed / self.decel_time
+    def rates(self, speed: float) -> tuple[float, float]:
+        """Acceleration and deceleration in force, counts/s²; a time stands for `speed` over time."""
+        accel = self.accel if self.accel_time is None else speed / self.accel_time
+        decel = self.decel if self.decel_time is None else speed / self.decel_time
         return accel, decel
+
+    @property
+    def live_speed(self) -> bool:
+        """Whether a new speed acts at once on a move in progress: bit 0 of the feed rate mode, the other way round."""
+        return not self.feedrate_mode & 1
+
+    @live_speed.setter
+    def live_speed(self, live: bool) -> None:
+        self.feedrate_mode = self.feedrate_mode & ~1 | (not live)

@@ -13,13 +13,14 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Move
 from motionlang.controller.readings import Readings
 from motionlang.controller.watch import arm
-from motionlang.profile import hold, plan, plan_stop, plan_velocity
+from motionlang.profile import hold, plan, plan_velocity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.trace import Trace
     from motionlang.profile import Profile
 
 # The log of one run; beyond it the run ends with a diagnostic rather than with the machine's memory.
@@ -128,15 +129,11 @@ class Controller(Readings):
         """Put a rest of `duration` seconds into the buffer."""
         buffer.put_action(self._ready(axis), buffer.Dwell(duration), command, line)
 
-    def load_output(
-        self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0
-    ) -> None:
+    def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
         """Put a change of outputs, channel to value, into the buffer; it takes no time."""
         buffer.put_action(self._ready(axis), buffer.Outputs(dict(values)), command, line)
 
-    def load_pulse(
-        self, axis: int, channel: int, duration: float, command: str = "", line: int = 0
-    ) -> None:
+    def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
         """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
         buffer.put_action(self._ready(axis), buffer.Pulse(channel, duration), command, line)
 
@@ -213,9 +210,7 @@ class Controller(Readings):
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
         """Come to rest at once and empty the buffer."""
-        a = self.axes[axis]
-        a.suspended = False
-        self._freeze(a, ended)
+        self._freeze(self.axes[axis], ended)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
         """Raise a fault on an axis and do what `action` (one of `limit.ACTIONS`) says about it."""
@@ -230,6 +225,13 @@ class Controller(Readings):
             self.disable(axis)
         if action != "ignore":
             self.tell("fault", axis)
+
+    @property
+    def trace(self) -> Trace:
+        """The motion so far, to be sampled; brings in numpy."""
+        from motionlang.controller.trace import Trace
+
+        return Trace(self)
 
     # ------------------------------------------------------------------------------------ the life of a move
 
@@ -271,7 +273,16 @@ class Controller(Readings):
         try:
             if last.shape == "hold":
                 return plan(
-                    a.shape, last.end, move.target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk
+                    a.shape,
+                    last.end,
+                    move.target,
+                    speed,
+                    accel,
+                    decel,
+                    0.0,
+                    a.ramp,
+                    a.accel_jerk,
+                    a.decel_jerk,
                 )
             s = last.at(now - a.starts[-1])
             return plan(
@@ -386,12 +397,15 @@ class Controller(Readings):
         """Close the log entry of a move that is about to be replaced; the motion itself goes on."""
         move = a.move
         if move is not None and move.profile is not None:
+            if move.action is not None:
+                move.action.leave(self, a, ended)
             move.profile = move.profile.cut(self.clock.now - move.start_time)
             move.ended = ended
             a.move = None
 
     def _freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
+        a.suspended = False
         a.buffer.clear()
         if a.arrival is not None:
             a.arrival.cancel()

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
     from motionlang.profile import Profile
 
 
@@ -13,17 +15,23 @@ class Move:
     `target` is the end point in counts, fixed when the move is loaded. `profile` and `start_time` are set when it
     starts. `ended` is "" for a move that ran out by itself, else what cut it short: "stop", "cancel", "fault",
     "retarget". `offset` is how far the axis's zero was moved while the move ran: the profile stays as planned.
+    `action` makes it something else than a move to a position. `speed` is the one it was loaded with, None for that
+    of the axis at the time; `overridden` says whether the axis's override multiplies it.
     """
 
     __slots__ = (
+        "action",
         "axis",
         "command",
         "ended",
+        "id",
         "line",
         "offset",
+        "overridden",
         "profile",
         "released",
         "scale",
+        "speed",
         "start_time",
         "target",
         "zero",
@@ -31,6 +39,10 @@ class Move:
 
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
         self.axis, self.command, self.line, self.target = axis, command, line, target
+        self.action: Action | None = None
+        self.id = 0
+        self.speed: float | None = None
+        self.overridden = False
         self.released = False
         self.start_time = 0.0
         self.profile: Profile | None = None
@@ -38,3 +50,37 @@ class Move:
         self.zero = 0.0
         self.ended = ""
         self.offset = 0.0
+
+
+class Action:
+    """What an entry of the buffer, or a motion in progress, is when it is not a move to a position."""
+
+    __slots__ = ()
+
+    def ready(self, controller: Controller, a: Axis, move: Move) -> bool:
+        """Whether it may begin, being the first of its buffer and released."""
+        return True
+
+    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+        """Begin; the entry has left the buffer."""
+        raise NotImplementedError
+
+    def plan(self, controller: Controller, a: Axis) -> Profile:
+        """The way on with the settings as they are now: what remains, as long as nothing else is said."""
+        return a.profiles[-1].after(controller.clock.now - a.starts[-1])
+
+    def stop(self, controller: Controller, a: Axis, ended: str) -> bool:
+        """Come to rest in a way of its own; False where the axis shall simply decelerate."""
+        return False
+
+    def suspend(self, controller: Controller, a: Axis) -> bool:
+        """Rest until `plan` is asked for the way on, in a way of its own; False where `plan` knows it."""
+        return False
+
+    def leave(self, controller: Controller, a: Axis, ended: str) -> None:
+        """The axis is about to leave the motion for another one, or is held where it is."""
+
+    @property
+    def live(self) -> bool:
+        """Whether a new speed or rate acts on it at once."""
+        return False

@@ -7,6 +7,7 @@ because running a program needs none of them.
 from __future__ import annotations
 
 from motionlang.profile.curve import Phase, Profile, State, hold
+from motionlang.profile.halted import halted, rest
 from motionlang.profile.jerk import plan_jerk
 from motionlang.profile.joint import on_line, path_length, scaled
 from motionlang.profile.parabolic import plan_parabolic
@@ -19,6 +20,7 @@ __all__ = [
     "Phase",
     "Profile",
     "State",
+    "halted",
     "hold",
     "on_line",
     "path_length",
@@ -30,5 +32,6 @@ __all__ = [
     "plan_stop",
     "plan_trapezoid",
     "plan_velocity",
+    "rest",
     "scaled",
 ]

@@ -1,0 +1,90 @@
+"""The move buffer: what may stand in it beside moves to a position, and how entries get into it and out."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action, Move
+from motionlang.profile import rest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+
+
+def put(a: Axis, move: Move) -> None:
+    """Put an entry into the buffer, stamped with the settings that it keeps."""
+    if len(a.buffer) >= a.buffer_size:
+        raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
+    a.buffer.append(stamped(a, move))
+
+
+def put_action(a: Axis, action: Action, command: str, line: int) -> None:
+    """Put something that is no move into the buffer: it ends where the entry before it does."""
+    move = Move(a.index, command, line, end(a))
+    move.action = action
+    put(a, move)
+
+
+def stamped(a: Axis, move: Move) -> Move:
+    """The move with what it remembers from the moment at which it is loaded."""
+    move.id = a.move_id
+    mode = a.feedrate_mode
+    if mode & 1:
+        move.speed = a.speed
+    move.overridden = mode > 1
+    return move
+
+
+def end(a: Axis) -> float:
+    """Where the axis will be when its buffer is empty: relative moves count from there."""
+    return a.buffer[-1].target if a.buffer else a.target
+
+
+def taken(controller: Controller, a: Axis) -> None:
+    """An entry has left the buffer: tell, when with it the free places came to exceed the level set."""
+    if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
+        controller.tell("buffer-low", a.index)
+
+
+class Dwell(Action):
+    """Rest for `duration` seconds."""
+
+    __slots__ = ("duration",)
+
+    def __init__(self, duration: float) -> None:
+        if not 0.0 <= duration < 1e300:
+            raise Refusal("range", f"an axis cannot dwell for {duration:g} seconds")
+        self.duration = duration
+
+    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+        here = a.position(controller.clock.now)
+        move.target = here
+        controller._run(a, move, rest("dwell", here, self.duration))
+
+
+class Outputs(Action):
+    """Set digital outputs, in no time."""
+
+    __slots__ = ("values",)
+
+    def __init__(self, values: dict[int, float]) -> None:
+        self.values = values
+
+    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+        for channel, value in self.values.items():
+            controller.outputs[channel] = value
+
+
+class Pulse(Action):
+    """Turn a digital output on and, `duration` seconds later, off again; a second pulse meanwhile prolongs it."""
+
+    __slots__ = ("channel", "duration")
+
+    def __init__(self, channel: int, duration: float) -> None:
+        if not 0.0 <= duration < 1e300:
+            raise Refusal("range", f"a pulse cannot last {duration:g} seconds")
+        self.channel, self.duration = channel, duration
+
+    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+        controller.pulse(self.channel, self.duration)

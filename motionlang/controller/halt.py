@@ -1,0 +1,119 @@
+"""Coming to rest before the end, and going on: stop, suspend, resume, and a new end for the move in progress."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action
+from motionlang.profile import halted, plan_stop
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.profile import Profile
+
+
+class Jog(Action):
+    """Running at a velocity, counts/s."""
+
+    __slots__ = ("velocity",)
+
+    def __init__(self, velocity: float) -> None:
+        self.velocity = velocity
+
+    def plan(self, controller: Controller, a: Axis) -> Profile:
+        return controller._plan_jog(a, self.velocity)
+
+
+class Played(Action):
+    """Following a ready-made profile."""
+
+    __slots__ = ()
+
+    def suspend(self, controller: Controller, a: Axis) -> bool:
+        raise Refusal("moving", f"axis {a.index} follows a ready-made profile, which cannot be suspended")
+
+
+class Stopping(Action):
+    """Coming to rest after a stop: nothing changes that any more."""
+
+    __slots__ = ()
+
+    def stop(self, controller: Controller, a: Axis, ended: str) -> bool:
+        return ended != "fault"
+
+    def suspend(self, controller: Controller, a: Axis) -> bool:
+        return True
+
+
+def stop(controller: Controller, a: Axis, ended: str) -> None:
+    """Decelerate to rest at the set rate, at `error_decel` for a fault."""
+    move = a.move
+    if move is None:
+        return
+    profile = braking(controller, a, a.error_decel if ended == "fault" else _decel(controller, a))
+    if move.action is not None:
+        move.action.leave(controller, a, ended)
+    move.action = Stopping()
+    controller._continue(a, profile, ended)
+    a.target = move.target = profile.end
+
+
+def braking(controller: Controller, a: Axis, decel: float) -> Profile:
+    """From the state of the axis to rest."""
+    state = a.at(controller.clock.now)
+    try:
+        return plan_stop(a.shape, state.position, state.velocity, decel, a.ramp, a.decel_jerk)
+    except ValueError as problem:
+        raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
+
+
+def standing(controller: Controller, a: Axis) -> Profile:
+    """From the state of the axis to rest, and at rest for as long as nothing else is said."""
+    return halted(braking(controller, a, _decel(controller, a)), "suspend")
+
+
+def _decel(controller: Controller, a: Axis) -> float:
+    speed = a.speed if a.move is None or a.move.speed is None else a.move.speed
+    return controller.rates(a, speed)[1]
+
+
+def suspend(controller: Controller, a: Axis) -> None:
+    """Ramp to rest and keep the moves; what is started while the axis is suspended waits too."""
+    if a.suspended:
+        return
+    action = a.move.action if a.move is not None else None
+    held = action is not None and action.suspend(controller, a)
+    a.suspended = True
+    if a.move is not None and not held:
+        controller._replan(a)
+
+
+def resume(controller: Controller, a: Axis) -> None:
+    """Go on to where the axis was going."""
+    if not a.suspended:
+        return
+    a.suspended = False
+    if a.move is not None:
+        controller._replan(a)
+
+
+def retarget(controller: Controller, a: Axis, position: float, command: str, line: int) -> None:
+    """Give the position move in progress another end; at rest it is a move of its own."""
+    move = a.move
+    if move is None:
+        controller.move_to(a.index, position, command, line)
+        return
+    if move.action is not None:
+        raise Refusal(
+            "moving",
+            f"axis {a.index} is not on a move to a position",
+            "only a positional move in progress can be given a new end point",
+        )
+    before, move.target = move.target, position
+    try:
+        controller._replan(a)
+    except Refusal:
+        move.target = before
+        raise
+    a.target = position

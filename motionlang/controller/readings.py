@@ -1,0 +1,130 @@
+"""What a controller has and what can be read off it: axes, channels, the clock, and watches that tell of motion."""
+
+from __future__ import annotations
+
+from motionlang.controller.axis import Axis
+from motionlang.controller.clock import INFINITY, Clock
+from motionlang.controller.inputs import Channels
+from motionlang.controller.watch import Watch, arm
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.clock import Event
+    from motionlang.controller.move import Move
+
+
+class Readings:
+    """`axes` axes numbered from `first`, channels, a clock, and the log of every move that was started."""
+
+    def __init__(self, axes: int = 8, first: int = 0) -> None:
+        self.clock = Clock()
+        self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
+        self.moves: list[Move] = []
+        self.inputs = Channels(self.clock)
+        self.outputs = Channels(self.clock)
+        self.analogue_inputs = Channels(self.clock)
+        self.analogue_outputs = Channels(self.clock)
+        # The events at which pulses of outputs end.
+        self._pulses: dict[int, Event] = {}
+        # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis).
+        self.listeners: list[Callable[[str, int], None]] = []
+
+    def heading(self, axis: int) -> int:
+        """+1 while the axis moves forward, -1 in reverse, 0 at rest: where the present profile is going."""
+        a = self.axes[axis]
+        if a.move is None:
+            return 0
+        velocity = a.velocity(self.clock.now) or a.profiles[-1].end_velocity or a.profiles[-1].distance
+        return (velocity > 0) - (velocity < 0)
+
+    # ------------------------------------------------------------------------------------------- reading
+
+    def position(self, axis: int) -> float:
+        return self.axes[axis].position(self.clock.now)
+
+    def velocity(self, axis: int) -> float:
+        return self.axes[axis].velocity(self.clock.now)
+
+    def following_error(self, axis: int) -> float:
+        """Demanded minus actual position: 0 until a motor is simulated."""
+        return 0.0
+
+    def target(self, axis: int) -> float:
+        return self.axes[axis].target
+
+    def remaining(self, axis: int) -> float:
+        """The distance still to go in the present move, signed; 0 at rest."""
+        a = self.axes[axis]
+        if a.move is None or a.target == INFINITY:
+            return 0.0
+        return a.target - a.position(self.clock.now)
+
+    def move_id(self, axis: int) -> int:
+        """The mark of the move in progress, or of the last one."""
+        return self.axes[axis].last_id
+
+    def is_enabled(self, axis: int) -> bool:
+        return self.axes[axis].enabled
+
+    def is_idle(self, axis: int) -> bool:
+        return self.axes[axis].move is None
+
+    def faults(self, axis: int) -> int:
+        return self.axes[axis].faults
+
+    def idle_time(self, axis: int) -> float:
+        """The time at which the axis will be idle if nothing else happens; infinite while it jogs."""
+        a = self.axes[axis]
+        return self.clock.now if a.move is None else a.end_of_motion()
+
+    def crossing_time(self, axis: int, position: float) -> float:
+        """The time at which the axis will pass `position`, infinite if the present motion never does."""
+        a, now = self.axes[axis], self.clock.now
+        start = a.starts[-1]
+        found = a.profiles[-1].crossing(position, now - start)
+        return INFINITY if found is None else start + found
+
+    def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
+        """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
+        a = self.axes[axis]
+        watch = Watch(position, call, physical)
+        a.watches.append(watch)
+        arm(a, watch, self.clock, self.clock.now)
+        return watch
+
+    def unwatch(self, axis: int, watch: Watch) -> None:
+        """End a watch."""
+        self.axes[axis].watches.remove(watch)
+        if watch.event is not None:
+            watch.event.cancel()
+
+    def input(self, channel: int) -> float:
+        return self.inputs[channel]
+
+    def output(self, channel: int) -> float:
+        return self.outputs[channel]
+
+    def set_output(self, channel: int, value: float) -> None:
+        self.outputs[channel] = value
+
+    def pulse(self, channel: int, duration: float) -> None:
+        """Turn a digital output on, and off again after `duration` seconds; a second pulse meanwhile prolongs it."""
+        due = self._pulses.get(channel)
+        if due is not None:
+            due.cancel()
+        self.outputs[channel] = 1
+        end = self.clock.now + duration
+        self._pulses[channel] = self.clock.at(end, lambda: self.outputs.__setitem__(channel, 0))
+
+    def analogue_input(self, channel: int) -> float:
+        return self.analogue_inputs[channel]
+
+    def set_analogue_output(self, channel: int, value: float) -> None:
+        self.analogue_outputs[channel] = value
+
+    def tell(self, what: str, axis: int) -> None:
+        """Let the listeners know; a listener may leave while it is told."""
+        for listener in tuple(self.listeners):
+            listener(what, axis)

@@ -1,0 +1,97 @@
+"""Suspend and resume, and a new end for the move in progress."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.controller.faults import Refusal
+from tests.controller.machines import machine, until
+
+
+def test_suspend_ramps_to_rest_and_resume_goes_on_to_the_same_target() -> None:
+    c = machine()
+    c.load_by(0, 20.0)
+    c.go([0])
+    until(c, 1.0).suspend(0)  # at 9.5
+    assert until(c, 1.1).velocity(0) == pytest.approx(0.0)
+    assert until(c, 7.0).position(0) == pytest.approx(10.0)
+    assert not c.is_idle(0)
+    assert c.idle_time(0) == float("inf")
+    c.resume(0)
+    assert c.idle_time(0) == pytest.approx(7.0 + 1.1)
+    assert until(c, 9.0).position(0) == 20.0
+    assert len(c.moves) == 1
+    assert c.moves[0].profile is not None
+    assert c.moves[0].profile.duration == pytest.approx(8.1)
+
+
+def test_resumed_before_it_has_come_to_rest_the_axis_goes_on_from_its_speed() -> None:
+    c = machine()
+    c.move_to(0, 20.0)
+    until(c, 1.0).suspend(0)
+    until(c, 1.05).resume(0)
+    assert c.velocity(0) == pytest.approx(5.0)
+    assert until(c, 1.1).velocity(0) == pytest.approx(10.0)
+    assert until(c, 9.0).position(0) == 20.0
+
+
+def test_moves_started_while_suspended_wait_for_resume() -> None:
+    c = machine()
+    c.suspend(0)
+    c.load_by(0, 10.0)
+    c.load_by(0, 10.0)
+    c.go([0])
+    assert until(c, 3.0).position(0) == 0.0
+    assert not c.is_idle(0)
+    c.resume(0)
+    assert until(c, 5.2).position(0) == 20.0
+    assert c.is_idle(0)
+
+
+def test_a_suspended_jog_takes_up_its_speed_again() -> None:
+    c = machine()
+    c.jog(0, -10.0)
+    until(c, 1.0).suspend(0)
+    assert until(c, 2.0).velocity(0) == 0.0
+    c.resume(0)
+    assert until(c, 3.0).velocity(0) == -10.0
+
+
+def test_stop_ends_what_is_suspended() -> None:
+    c = machine()
+    c.move_to(0, 20.0)
+    until(c, 1.0).suspend(0)
+    until(c, 2.0).stop(0)
+    assert until(c, 3.0).is_idle(0)
+    assert not c.is_suspended(0)
+    assert c.position(0) == pytest.approx(10.0)
+    assert c.moves[0].ended == "stop"
+
+
+def test_a_new_end_point_keeps_the_move() -> None:
+    c = machine()
+    c.move_to(0, 20.0)
+    until(c, 1.0).retarget_by(0, 10.0)
+    assert c.target(0) == 30.0
+    assert c.idle_time(0) == pytest.approx(3.1)
+    until(c, 1.5).retarget_to(0, 5.0)
+    assert until(c, 9.0).position(0) == 5.0
+    assert len(c.moves) == 1
+    assert c.moves[0].target == 5.0
+
+
+def test_an_axis_at_rest_starts_at_once() -> None:
+    c = machine()
+    c.retarget_by(0, 10.0, "INCR", 4)
+    assert until(c, 2.0).position(0) == 10.0
+    assert c.moves[0].command == "INCR"
+
+
+def test_a_jog_and_a_stop_have_no_end_point_to_change() -> None:
+    c = machine()
+    c.jog(0, 5.0)
+    with pytest.raises(Refusal, match="position"):
+        c.retarget_to(0, 3.0)
+    c.stop(0)
+    with pytest.raises(Refusal, match="position"):
+        c.retarget_to(0, 3.0)
