@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
+from traceback import walk_tb
 
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError
@@ -40,8 +41,10 @@ class Runner:
     ) -> None:
         self.dialect, self.machine = dialect, machine
         self._tell, self._poll = tell, poll
-        # A scheduler a command; background tasks move on from one to the next.
-        self._scheduler = self._schedule(_Passing(wait_until(machine.controller, 0.0, 0.0)), ())
+        # One for the whole session: background tasks and event handlers go on under every command.
+        controller = machine.controller
+        idle = _Passing(wait_until(controller, 0.0, 0.0))
+        self._scheduler = machine.scheduler = Scheduler(controller, idle, poll)
         self._interactive = dialect.interactive(machine)
 
     def is_complete(self, text: str) -> bool:
@@ -71,17 +74,9 @@ class Runner:
         controller = self.machine.controller
         return self._run(_Passing(wait_idle(controller, controller.clock.now, moving(self.machine))), NOWHERE)
 
-    def _schedule(self, task: Task, background: Iterable[Task]) -> Scheduler:
-        scheduler = self.machine.scheduler = Scheduler(self.machine.controller, task, self._poll)
-        for each in background:
-            scheduler.start(each)
-        return scheduler
-
     def _run(self, task: Task, source: Source) -> bool:
-        before = self._scheduler
-        background = [each for each in before.tasks if each is not before.parent and not each.done]
-        scheduler = self._scheduler = self._schedule(task, background)
-        clock = self.machine.controller.clock
+        scheduler, clock = self._scheduler, self.machine.controller.clock
+        self._let_run(task)
         end = clock.now + ONE_SHIFT
 
         def run() -> bool:
@@ -91,7 +86,15 @@ class Runner:
                 self._poll(clock.now)
             return True
 
-        return self._guard(scheduler, source, run)
+        return self._guard(source, run)
+
+    def _let_run(self, task: Task) -> None:
+        """Put a command in the place of the one before it."""
+        scheduler = self._scheduler
+        before = scheduler.parent
+        scheduler.tasks = [task, *(each for each in scheduler.tasks if each is not before and not each.done)]
+        scheduler.interrupts = [each for each in scheduler.interrupts if not each.done]
+        scheduler.parent = scheduler.current = task
 
     def _pass_on(self, source: Source) -> None:
         """Tell what the machine has complained of without ending the command."""
@@ -99,7 +102,7 @@ class Runner:
         if complaints:
             self._tell(complaints, source)
 
-    def _guard(self, scheduler: Scheduler, source: Source, work: Callable[[], bool]) -> bool:
+    def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
         """Do `work`; whatever goes wrong is told, and the machine lives on."""
         try:
             try:
@@ -107,19 +110,29 @@ class Runner:
             finally:
                 self._pass_on(source)
         except (Interrupted, KeyboardInterrupt):
-            self._tell_at(scheduler, source, "interrupted", "the command was ended from the keyboard")
+            self._tell_at(source, "interrupted", "the command was ended from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
             hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
-            self._tell_at(scheduler, source, "never", message, hint)
+            self._tell_at(source, "never", message, hint)
         except Exception as error:
-            self._explain(error, scheduler.current, source)
+            self._drop_if_broken(error)
+            self._explain(error, self._scheduler.current, source)
         return False
 
-    def _tell_at(self, scheduler: Scheduler, source: Source, code: str, message: str, hint: str = "") -> None:
+    def _tell_at(self, source: Source, code: str, message: str, hint: str = "") -> None:
         """Tell of trouble where the command stands."""
-        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, scheduler.parent.at)
+        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, self._scheduler.parent.at)
         self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
+
+    def _drop_if_broken(self, error: Exception) -> None:
+        """A task that an error went through cannot go on, be it the command or something in the background."""
+        task = self._scheduler.current
+        frames = (frame for frame, _ in walk_tb(error.__traceback__))
+        if any(frame.f_code.co_name == "resume" and frame.f_locals.get("self") is task for frame in frames):
+            for tasks in (self._scheduler.tasks, self._scheduler.interrupts):
+                if task in tasks:
+                    tasks.remove(task)
 
     def _explain(self, error: Exception, task: Task | None, source: Source) -> None:
         """Tell what went wrong; our own mistakes go on upwards."""

@@ -82,8 +82,9 @@ class Session:
         """Execute `text`, one line or more; the answer is all that it made appear."""
         self._answer.clear()
         for line in text.split("\n"):
-            if not self.over:
-                self._line(line)
+            if self.over or self.interrupted():
+                break
+            self._line(line)
         return "".join(self._answer)
 
     def finish(self) -> str:
@@ -166,6 +167,7 @@ class Session:
         if source.line(diagnostic.line):
             return source
         if diagnostic.line > self._ambiguous:
+            diagnostic.column = 0  # what was left behind is somewhere in that line
             return Source("input", "\n".join(self._lines))
         diagnostic.line = 0
         return None
