@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
@@ -161,7 +162,7 @@ def _from_file(args: argparse.Namespace) -> Move:
         return _from_program(args)
     from motionlang.copley.table import read_points
 
-    source = Source.read(args.file)
+    source = Source("standard input", sys.stdin.read()) if args.file == "-" else Source.read(args.file)
     try:
         table = read_points(source)
     except ProgramError as error:

@@ -112,9 +112,10 @@ class Master:
         base = self.status.next_number
         messages = packet.encode_points(points, base)
         done, result = 0, Streamed()
-        started, silent = False, 0
+        started, arrived, silent = False, False, 0
         while True:
-            lost = self._lost(base + done, everything=done == len(messages))
+            lost = self._lost(base + done, everything=done == len(messages) and not arrived)
+            arrived = done == len(messages) and not lost
             result.resent += lost
             done -= lost
             burst = messages[done : done + self._room(base + done)]
@@ -127,7 +128,7 @@ class Master:
                 started = True
             if done < len(messages):
                 result.lowest = min(result.lowest, SIZE - self.status.free)
-            elif not burst and not self._moving():
+            elif arrived and self.status.empty and not self._moving():
                 return result
             silent = self._wait(silent)
 
@@ -143,7 +144,7 @@ class Master:
                 self._start()
                 started = True
             self._check()
-            if result.sent == len(points) and not self._moving():
+            if result.sent == len(points) and self._at_rest():
                 return result
             if result.sent < len(points):
                 result.lowest = min(result.lowest, SIZE - self.status.free)
@@ -204,6 +205,12 @@ class Master:
         """Stop at an error that ends a move; the latest word of the drive counts."""
         if self.status.errors & (packet.UNDERFLOW | packet.OVERFLOW):
             raise StreamError(f"the drive reports: {packet.error_names(self.status.errors)}")
+
+    def _at_rest(self) -> bool:
+        """Whether the move is over: asked of the drive only once its buffer is said to be empty."""
+        if self.news == 0:
+            self.refresh()
+        return self.status.empty and not self._moving()
 
     def _moving(self) -> bool:
         self._check()

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.profile.curve import Profile
+    from motionlang.profile.pvt_points import Knot
 
 WIDTH = 120
 MOST_ROWS = 40
@@ -51,13 +52,18 @@ def segment_lines(profile: Profile, width: int = WIDTH) -> list[str]:
     lines = grid(columns, [[str(i), *row] for i, row in enumerate(shown[:MOST_ROWS])], width=width)
     if len(shown) > MOST_ROWS:
         lines.append(f"… and {len(shown) - MOST_ROWS} more segments")
-    largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
-    lines.append("")
-    lines.append(
-        f"{len(parts)} segment{'' if len(parts) == 1 else 's'}, {figure(profile.duration * 1000.0)} ms; "
-        f"largest acceleration jump {figure(largest)} counts/s²"
-    )
+    lines += ["", _summary(profile, marks, scale)]
     return lines
+
+
+def _summary(profile: Profile, marks: Sequence[Knot], scale: float) -> str:
+    count = len(marks) - 1
+    text = f"{count} segment{'' if count == 1 else 's'}, {figure(profile.duration * 1000.0)} ms"
+    step = max((abs(mark.next_velocity - mark.velocity) for mark in marks), default=0.0)
+    if quiet(step, profile.peak_speed):
+        text += f"; largest velocity jump {figure(step)} counts/s"
+    largest = max((abs(quiet(mark.jump, scale)) for mark in marks[1:-1]), default=0.0)
+    return f"{text}; largest acceleration jump {figure(largest)} counts/s²"
 
 
 def comparison_lines(
@@ -98,4 +104,5 @@ def _figures(rows: Sequence[Sequence[float]]) -> list[list[str]]:
 
 def _column(values: Sequence[float], most: int = 4) -> list[str]:
     decimals = decimals_of(values, most)
-    return [f"{value + 0.0:.{decimals}f}" for value in values]
+    texts = [f"{value:.{decimals}f}" for value in values]
+    return [text if float(text) else text.lstrip("-") for text in texts]

@@ -1,0 +1,58 @@
+"""The console blocks of a page: read, run, and (`python -m tests.copley.docs`) written anew.
+
+Only `motionlang pvt` is run; `cat FILE` makes the file that it shows.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import tempfile
+from contextlib import chdir
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tests.copley.command import pvt
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "docs" / "copley.md"
+BLOCK = re.compile(r"^```console\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+
+def blocks(text: str) -> Iterator[list[tuple[str, str]]]:
+    """Each block as commands with what the page says that they print."""
+    for match in BLOCK.finditer(text):
+        parts = re.split(r"^\$ (.*)\n", match[1], flags=re.MULTILINE)
+        yield list(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def answer(command: str, shown: str) -> str:
+    """What a command prints, standard error after standard output; `cat` makes its file of what is shown."""
+    program, *words = shlex.split(command)
+    if program == "cat":
+        Path(words[0]).write_text(shown, encoding="utf-8")
+        return shown
+    assert (program, words[0]) == ("motionlang", "pvt"), command
+    words = [str(ROOT / word) if word.startswith("scripts/") else word for word in words[1:]]
+    said = pvt(*words)
+    return said.out + said.err
+
+
+def rewritten(text: str) -> str:
+    """The page with every output as it is today."""
+
+    def fresh(match: re.Match[str]) -> str:
+        ((pairs),) = blocks(match[0])
+        return "```console\n" + "".join(f"$ {c}\n{answer(c, shown)}" for c, shown in pairs) + "```"
+
+    with tempfile.TemporaryDirectory() as folder, chdir(folder):
+        return BLOCK.sub(fresh, text)
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("PYTHONHASHSEED", "0")
+    PAGE.write_text(rewritten(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
