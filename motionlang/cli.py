@@ -28,6 +28,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         _silence()
         return PIPE_CLOSED
+    except OSError as error:
+        # Every file has answered for itself by now: what is left is standard output, on a full disk for one.
+        sys.stderr.write(
+            f"motionlang: the output cannot be written: {(error.strerror or str(error)).lower()}\n"
+        )
+        _silence()
+        return 1
     except KeyboardInterrupt:
         return INTERRUPTED
     return status
@@ -79,7 +86,7 @@ def _forgive_letters() -> None:
 
 
 def _silence() -> None:
-    """Nobody reads any more: let Python's own last flush go nowhere, instead of complaining."""
+    """Nothing can be written any more: let Python's own last flush go nowhere, instead of complaining."""
     import os
 
     try:

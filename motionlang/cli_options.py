@@ -50,6 +50,9 @@ examples:
 def parse(given: Sequence[str]) -> int:
     """Read a command line and run its command; argparse ends the process with 2 where it is wrong."""
     parser = build_parser(given[0] if given else "")
+    if not given:
+        parser.print_help(sys.stderr)
+        return 2
     arguments = parser.parse_args(_with_factor(given))
     if hasattr(arguments, "handler"):
         handler: Callable[[argparse.Namespace], int] = arguments.handler
@@ -248,7 +251,7 @@ def _setting(text: str) -> object:
 
     try:
         return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+    except (tomllib.TOMLDecodeError, RecursionError):
         return text
 
 

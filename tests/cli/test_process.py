@@ -21,6 +21,15 @@ def test_a_reader_that_goes_away_is_no_error(tmp_path: Path) -> None:
     assert (ran.returncode, ran.stderr) == (141, "")
 
 
+def test_a_full_disk_under_standard_output_is_said_once() -> None:
+    with open("/dev/full", "w") as full:
+        ran = subprocess.run(
+            [*COMMAND, "keywords"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    message = "motionlang: the output cannot be written: no space left on device\n"
+    assert (ran.returncode, ran.stderr) == (1, message)
+
+
 def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
     """The position is printed before the pace sleeps, so its line says that the run is under way."""
     program = tmp_path / "ballscrew.mcl"
