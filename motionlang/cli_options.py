@@ -13,7 +13,7 @@ from motionlang import __version__
 from motionlang.cli_run import PLOTS, RATE, REPORTS, TRACES, Options
 from motionlang.errors import nearest
 from motionlang.lang.machine_file import KEYS, check_setting
-from motionlang.run import ONE_SHIFT, dialects
+from motionlang.execution import ONE_SHIFT, dialects
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 PROGRAM = "motionlang"
 HIGHEST_RATE = 10e6
 # Commands with commands of their own, whose modules are imported only where they are meant.
-FAMILIES = {"pvt": ("motionlang.cli_pvt", "position-velocity-time moves for Copley drives")}
+FAMILIES = {
+    "pvt": ("motionlang.cli_pvt", "position-velocity-time moves for Copley drives"),
+    "servo": ("motionlang.cli_servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
+}
 
 EPILOG = """\
 examples:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from motionlang import cli_run
+from motionlang.cli_options import FAMILIES
 from tests.cli.programs import BALLSCREW, Cell
 
 TABLE = """\
@@ -299,3 +300,10 @@ def test_no_command_at_all_is_answered_with_the_help(cell: Cell) -> None:
     ran = cell()
     assert (ran.status, ran.out) == (2, "")
     assert "run a program on the virtual machine" in ran.err
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_commands_that_have_commands_of_their_own_are_listed_and_explained(cell: Cell, family: str) -> None:
+    assert f"\n    {family} " in cell("--help").out
+    assert cell(family, "--help").out.startswith(f"usage: motionlang {family} ")
+    assert cell(family).status == 2
