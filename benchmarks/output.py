@@ -18,7 +18,7 @@ import numpy as np
 from motionlang import report
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine import Machine
-from motionlang.run import Run
+from motionlang.execution import Run
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
 from motionlang.views.csv import Formatter

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.run import Run, run
+    from motionlang.execution import Run, run
 
 __version__ = "0.1.0"
 __all__ = ["Run", "__version__", "run"]
@@ -18,7 +18,7 @@ def __getattr__(name: str) -> object:
     if name in ("run", "Run"):
         from importlib import import_module
 
-        module = import_module("motionlang.run")
+        module = import_module("motionlang.execution")
         globals().update(run=module.run, Run=module.Run)
         return globals()[name]
     raise AttributeError(name)

@@ -7,7 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli_run import complain, no_dialect, read_source, unreadable
-from motionlang.run import dialect, dialect_of
+from motionlang.execution import dialect, dialect_of
 from motionlang.views.diagnostics import tally
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from motionlang.views.progress import Progress
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
 # Formats of the design that are not there yet, by option.
 LATER = {"--trace": (".parquet", ".vcd"), "--plot": (".html",)}

@@ -11,12 +11,12 @@ import os
 from typing import TYPE_CHECKING
 
 from motionlang.report import text
-from motionlang.run import dialect, dialects, run
+from motionlang.execution import dialect, dialects, run
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
 TOLERANCE = 1e-9
 # A figure this small is rounding, whatever it is compared with.

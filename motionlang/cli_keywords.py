@@ -8,7 +8,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, nearest
-from motionlang.run import dialect, dialects
+from motionlang.execution import dialect, dialects
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of

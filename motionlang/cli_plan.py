@@ -10,7 +10,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.profile.solve import NAMES, RULES, solve_move
-from motionlang.run import dialects
+from motionlang.execution import dialects
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 from motionlang.views.words import dialect_name

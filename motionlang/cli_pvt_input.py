@@ -192,16 +192,21 @@ class SourceError(Exception):
 def _from_program(args: argparse.Namespace) -> Move:
     """Run the program and fit what one axis did."""
     from motionlang.profile.pvt_fit import OutOfTolerance, fit_track, least_tolerance
-    from motionlang.run import run
+    from motionlang.execution import run
 
-    result = run(args.file, dialect=args.dialect)
+    try:
+        result = run(args.file, dialect=args.dialect)
+    except ValueError as problem:
+        raise UsageError(str(problem)) from None
     if result.status == "fault":
         raise SourceError(result.source, result.diagnostics)
     axes = result.controller.axes
     moved = sorted({move.axis for move in result.controller.moves})
-    if args.axis is None and len(moved) != 1:
-        many = f"axes {', '.join(map(str, moved))} move" if moved else "no axis moves"
-        raise UsageError(f"{many} in {result.source.name}: say which one with --axis")
+    if not moved:
+        raise ProgramError([Diagnostic("values", f"no axis moves in {result.source.name}")])
+    if args.axis is None and len(moved) > 1:
+        many = ", ".join(map(str, moved))
+        raise UsageError(f"axes {many} move in {result.source.name}: say which one with --axis")
     number = moved[0] if args.axis is None else args.axis
     if number not in moved:
         raise UsageError(f"axis {number} does not move in {result.source.name}")

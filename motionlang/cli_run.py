@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from motionlang.run import ONE_SHIFT, dialect_of, run
+from motionlang.execution import ONE_SHIFT, dialect_of, run
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.errors import Diagnostic
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
 REPORTS = ("table", "json", "none")
 TRACES = (".csv", ".npz")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli_golden import MOST_DIFFERENCES, differences, golden_files, programs, update
 from motionlang.cli_run import complain, no_dialect, unreadable
-from motionlang.run import dialect_of
+from motionlang.execution import dialect_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

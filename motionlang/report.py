@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.errors import Diagnostic
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
     Row = dict[str, object]
 

@@ -21,7 +21,7 @@ def main(
     from motionlang.errors import Diagnostic
     from motionlang.repl.commands import load_file
     from motionlang.repl.session import Session
-    from motionlang.run import dialect, dialect_of
+    from motionlang.execution import dialect, dialect_of
     from motionlang.views.diagnostics import render
     from motionlang.views.terminal import is_terminal, wants_colour
 

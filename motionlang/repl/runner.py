@@ -13,7 +13,7 @@ from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait, wait_idle, wait_until
 from motionlang.lang.trouble import explain
 from motionlang.repl.status import moving
-from motionlang.run import ONE_SHIFT
+from motionlang.execution import ONE_SHIFT
 from motionlang.source import Source
 
 # Machine time after which a busy command is asked again whether somebody pressed Ctrl-C.

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from motionlang.controller.trace import Trace
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
 QUANTITIES = {"position": "uu", "velocity": "uu/s", "acceleration": "uu/s²"}
 INK, FAINT = "#1c2733", "#6b7785"

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
     Row = dict[str, Any]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.run import Run
+    from motionlang.execution import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 _OUTCOMES = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 from motionlang.lang.keyword import Keyword
-from motionlang.run import dialect, dialects
+from motionlang.execution import dialect, dialects
 from motionlang.views.keywords import listing, page
 from tests.cli.programs import Cell
 

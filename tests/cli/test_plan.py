@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from motionlang.run import run
+from motionlang.execution import run
 from motionlang.source import Source
 from tests.cli.programs import Cell
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.run import run
+from motionlang.execution import run
 
 SCRIPTS = Path(__file__).parent.parent.parent / "scripts"
 Figures = list[tuple[str, float, float]]

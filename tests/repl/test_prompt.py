@@ -16,7 +16,7 @@ from motionlang.repl.complete import WordCompleter, candidates
 from motionlang.repl.highlight import styled
 from motionlang.repl.prompt import converse
 from motionlang.repl.session import Session
-from motionlang.run import dialect
+from motionlang.execution import dialect
 
 CTRL_C, CTRL_D, ENTER = "\x03", "\x04", "\r"
 

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from motionlang.repl import main
+from motionlang.repl.live import Live
 from motionlang.repl.session import Session
-from motionlang.run import ONE_SHIFT, dialect
+from motionlang.execution import ONE_SHIFT, dialect
 
 
 def after(polls: int) -> object:
@@ -78,3 +79,27 @@ def test_a_machine_that_the_language_does_not_know_is_said(
     monkeypatch.setattr("sys.stdin", io.StringIO("1TP\n"))
     assert main("mccl", None, {"controller.model": "abacus"}) == 1
     assert "abacus" in capsys.readouterr().err
+
+
+def test_live_mode_lets_the_machine_catch_up_with_the_wall(monkeypatch: pytest.MonkeyPatch) -> None:
+    wall = [100.0]
+    monkeypatch.setattr("time.monotonic", lambda: wall[0])
+    monkeypatch.setattr("time.sleep", lambda seconds: wall.__setitem__(0, wall[0] + seconds))
+    session = Session(dialect("mccl"))
+    clock = session.machine.controller.clock
+    live = Live(session)
+    session.live = False
+    wall[0] += 5.0
+    live.catch_up()
+    assert clock.now == 0.0
+
+    session.live = True
+    wall[0] += 1.5
+    live.catch_up()
+    assert clock.now == pytest.approx(1.5)
+
+    live.begin()
+    session.feed("WA2")
+    live.end()
+    assert wall[0] == pytest.approx(108.5, abs=0.03)
+    assert clock.now == pytest.approx(3.5, abs=1e-3)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.repl.session import Session
-from motionlang.run import dialect, dialects
+from motionlang.execution import dialect, dialects
 
 FOLDER = Path(__file__).parent
 PROMPTS = {f"{name}> ": name for name in dialects()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.controller import Controller
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine import Machine
-from motionlang.run import Run
+from motionlang.execution import Run
 from motionlang.source import Source
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.run import Run
+from motionlang.execution import Run
 from motionlang.views.outline import outline
 from tests.views.runs import ballscrew, pick, shift
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.run import Run
+from motionlang.execution import Run
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
 from tests.views.runs import ballscrew, ended, new_run, pick, shift

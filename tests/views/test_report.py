@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.errors import Diagnostic
 from motionlang.report import SCHEMA, build, failure, text
-from motionlang.run import Run
+from motionlang.execution import Run
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 

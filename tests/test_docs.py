@@ -1,0 +1,92 @@
+"""What the documents show is what the program does: their code blocks are run.
+
+` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line stands for
+lines left out. ` ```mint ` and ` ```mccl ` blocks are programs that run without a complaint, ` ```python ` blocks are
+executed. Blocks of other kinds (`sh` for set-up) are for reading.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from _pytest.mark import ParameterSet
+
+from motionlang.cli import main
+from motionlang.execution import run
+from motionlang.source import Source
+
+ROOT = Path(__file__).parent.parent
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+_BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def blocks(*kinds: str) -> list[ParameterSet]:
+    found = []
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        for match in _BLOCK.finditer(text):
+            if match[1] in kinds:
+                line = text.count("\n", 0, match.start()) + 1
+                found.append(pytest.param(match[1], match[2], id=f"{page.relative_to(ROOT)}:{line}"))
+    return found
+
+
+def commands(block: str) -> Iterator[tuple[str, str]]:
+    """Each command of a console block with the output shown below it."""
+    parts = re.split(r"^\$ ", block, flags=re.MULTILINE)
+    for part in filter(None, parts):
+        command, _, output = part.partition("\n")
+        yield command, output
+
+
+def matches(shown: str, output: str) -> bool:
+    """Whether `output` is what is shown, with `…` lines standing for anything."""
+    pattern = re.escape(shown.rstrip("\n")).replace(re.escape("\n…\n"), r"\n(?:.*\n)*")
+    return re.fullmatch(pattern, output.rstrip("\n")) is not None
+
+
+@pytest.fixture
+def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """In a copy-free checkout: commands see the gallery, and what they write goes to a scratch folder."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("scripts", "docs"):
+        os.symlink(ROOT / name, tmp_path / name)
+    monkeypatch.setenv("COLUMNS", "100")
+
+
+@pytest.mark.usefixtures("at_root")
+@pytest.mark.parametrize(("kind", "text"), blocks("console"))
+def test_console(kind: str, text: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for command, shown in commands(text):
+        output = answer(shlex.split(command, comments=True), capsys)
+        assert matches(shown, output), f"$ {command}\n{output}"
+
+
+def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+    """What one command of a console block prints; `cat` is the only one that is not ours."""
+    if words[0] == "cat":
+        return Path(words[1]).read_text(encoding="utf-8")
+    assert words[0] == "motionlang", words
+    try:
+        main(words[1:])
+    except SystemExit:
+        pass  # argparse ends --help and mistakes that way
+    captured = capsys.readouterr()
+    return captured.out + captured.err
+
+
+@pytest.mark.parametrize(("kind", "text"), blocks("mint", "mccl"))
+def test_programs(kind: str, text: str) -> None:
+    result = run(Source("block", text), dialect=kind, cache=False)
+    assert result.diagnostics == []
+
+
+@pytest.mark.usefixtures("at_root")
+@pytest.mark.parametrize(("kind", "text"), blocks("python"))
+def test_python(kind: str, text: str) -> None:
+    exec(compile(text, "block", "exec"), {})
