@@ -13,7 +13,7 @@ PACKAGE = ROOT / "motionlang"
 # From the top down; a package may import its own level's name and anything below it.
 LEVELS: dict[str, int] = {
     "cli": 10,
-    "__main__": 10,
+    "__main__": 11,
     "repl": 9,
     "views": 8,
     "execution": 7,

@@ -1,7 +1,7 @@
 """What the documents show is what the program does: their code blocks are run.
 
 ` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line stands for
-lines left out. ` ```mint ` and ` ```mccl ` blocks are programs that run without a complaint, ` ```python ` blocks are
+lines left out. `$ cat FILE` shows a file, and makes one that is not there. ` ```mint ` and ` ```mccl ` blocks are programs that run without a complaint, ` ```python ` blocks are
 executed. Blocks of other kinds (`sh` for set-up) are for reading.
 """
 
@@ -63,7 +63,10 @@ def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 @pytest.mark.parametrize(("kind", "text"), blocks("console"))
 def test_console(kind: str, text: str, capsys: pytest.CaptureFixture[str]) -> None:
     for command, shown in commands(text):
-        output = answer(shlex.split(command, comments=True), capsys)
+        words = shlex.split(command, comments=True)
+        if words[0] == "cat" and not Path(words[1]).exists():
+            Path(words[1]).write_text(shown, encoding="utf-8")
+        output = answer(words, capsys)
         assert matches(shown, output), f"$ {command}\n{output}"
 
 
