@@ -2,8 +2,8 @@
 
 A row's `verb` is a setting of the controller, converted by its unit, or one of the operations written out below. A
 new keyword needs a row and, if its verb is new, one function here: `_read_…`, `_write_…`, `_load_…` or `_do_…` and
-the verb. What it returns is called with the indices, then the value, then (moves, commands and the group "motion")
-the line of the statement. `_load_…` answers true while there is no room and the statement must wait.
+the verb. What it returns is called with the indices, then the value, then (moves, commands of axes, and the whole
+group "motion") the line of the statement. `_load_…` answers true while there is no room and the statement must wait.
 """
 
 from __future__ import annotations
@@ -42,6 +42,10 @@ class Row:
 def bind(environment: Environment, how: str, row: Row) -> Operation:
     """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
     special = globals().get(f"_{how}_{row.verb}")
+    if special is None and row.verb not in SETTINGS:
+        from motionlang.mint import binding_program
+
+        special = getattr(binding_program, f"_{how}_{row.verb}", None)
     if special is not None:
         operation: Operation = special(environment, row)
         return operation
@@ -321,11 +325,11 @@ def _do_cancel(environment: Environment, row: Row) -> Operation:
 
 def _do_cancel_all(environment: Environment, row: Row) -> Operation:
     cancel = _cancel(environment)
-    return lambda: [cancel(axis) for axis in environment.controller.axes]
+    return lambda line: [cancel(axis) for axis in environment.controller.axes]
 
 
 def _do_abort_all(environment: Environment, row: Row) -> Operation:
-    return lambda: [environment.controller.abort(axis) for axis in environment.controller.axes]
+    return lambda line: [environment.controller.abort(axis) for axis in environment.controller.axes]
 
 
 # ----------------------------------------------------------------------------------------------------- time

@@ -39,24 +39,26 @@ class Value:
 class Whole:
     """What all functions of a program share: names, problems, and the run-time objects the text refers to.
 
-    `specs[n]` tells the runtime what `kN` is; `costs` are the N for which the text uses `dN`.
+    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs); `costs` are the N for which the text uses `dN`.
     """
 
-    __slots__ = ("axes", "costs", "line", "names", "problems", "spec_names", "specs", "table", "typed")
+    __slots__ = ("axes", "costs", "guarded", "line", "names", "problems", "spec_names", "specs", "suffix", "table", "typed")
 
-    def __init__(self, table: Table, problems: Problems, names: Names, axes: range) -> None:
+    def __init__(self, table: Table, problems: Problems, names: Names, axes: range, suffix: str) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes
-        self.typed = names.typed
+        self.typed, self.suffix = names.typed, suffix
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
         self.costs: set[int] = set()
         self.line = problems.line
+        # Whether an ONERROR handler takes what fails, so that the program goes on.
+        self.guarded = any(f.kind == "event" and f.name.lower() == "onerror" for f in names.functions)
 
     def use(self, *spec: object) -> str:
         """The name, in the generated text, of what `spec` describes."""
         name = self.spec_names.get(spec)
         if name is None:
-            name = self.spec_names[spec] = f"k{len(self.specs)}"
+            name = self.spec_names[spec] = f"k{len(self.specs)}{self.suffix}"
             self.specs.append(spec)
         return name
 
@@ -165,6 +167,14 @@ class Body:
         """After something that may have made an event: it may be nearer than the horizon."""
         self.emit("if C.horizon < H: H = C.horizon")
 
+    # ------------------------------------------------------------------------------------------- labels
+
+    def labels_body(self) -> list[tuple[str, list[nodes.Stmt]]]:
+        """The stretches between labels."""
+        from motionlang.mint.jumping import stretches
+
+        return stretches(self.function.body)
+
     # ------------------------------------------------------------------------------------------- errors
 
     def problem(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
@@ -176,8 +186,8 @@ class Body:
     # ---------------------------------------------------------------------------------------- variables
 
     def use_outside(self, symbol: Symbol) -> None:
-        """Note that the function assigns to a variable that lives outside it."""
-        if symbol.home is not self.function or (self.whole.typed and self.scope is self.whole.names.module):
+        """Note that the function assigns to a variable that lives outside it (or outside its dispatcher)."""
+        if self.function.jumps or symbol.home is not self.function or (self.whole.typed and self.scope is self.whole.names.module):
             self.outside.add(symbol.python)
 
     def range_of(self, symbol: Symbol, node: nodes.Node) -> ranges.Range:

@@ -12,10 +12,13 @@ A line typed at a prompt has no `make`: its names are the globals of one namespa
 
 from __future__ import annotations
 
+from motionlang.mint import jumping
 from motionlang.mint.body import Body, Line, Whole
+from motionlang.mint.events import kind_and_number
 from motionlang.mint.flow import Flow, analysed
 from motionlang.mint.keywords import table
-from motionlang.mint.names import Names
+from motionlang.mint.names import Names, walk
+from motionlang.mint.nodes import Jump
 from motionlang.mint.overriding import override
 from motionlang.mint.parser import parse
 from motionlang.mint.problems import Problems
@@ -37,39 +40,46 @@ DEFAULT_AXES = 8
 
 
 class Compiled:
-    """The code, the place (`at`) of each of its lines, and what each `kN` in it stands for."""
+    """The code, the place (`at`) of each of its lines, and what each `kN` in it stands for.
 
-    __slots__ = ("blocks", "code", "costs", "places", "problems", "scope", "specs", "text")
+    `blocks` are the tasks and event handlers by "task blink", "event timer", with their names in the code.
+    """
 
-    def __init__(self, whole: Whole, lines: list[Line], blocks: list[tuple[str, str]]) -> None:
+    __slots__ = ("blocks", "code", "costs", "operations", "places", "problems", "specs", "text")
+
+    def __init__(self, whole: Whole, lines: list[Line], file: str) -> None:
         self.text = "\n".join(line for line, _ in lines)
-        self.code: CodeType = compile(self.text, FILE, "exec")
+        self.code: CodeType = compile(self.text, file, "exec")
         self.places = [0, *(at for _, at in lines)]
-        self.specs: list[Spec] = whole.specs
+        self.specs, self.operations = whole.specs, list(whole.spec_names.values())
         self.costs = sorted(whole.costs)
         self.problems = whole.problems
-        self.scope = whole.names.module
-        # Name and kind of every task and event handler.
-        self.blocks = blocks
+        self.blocks = {_key(f): f.python for f in whole.names.functions if f.kind in ("task", "event")}
 
 
 def compile_module(
-    module: Module, settings: dict[str, object] | None = None, scope: Scope | None = None
+    module: Module,
+    settings: dict[str, object] | None = None,
+    scope: Scope | None = None,
+    suffix: str = "",
+    file: str = FILE,
 ) -> Compiled:
     """Compile a program, or with `scope` a line typed at a prompt; ProgramError with every mistake."""
     problems = Problems(module)
-    axes = range(_number_of_axes(settings))
-    known_before = set(scope.names) if scope is not None else set()
+    known_before = dict(scope.names) if scope is not None else {}
     names = Names(table(), problems, scope)
     names.declare_module(module)
-    whole = Whole(table(), problems, names, axes)
+    whole = Whole(table(), problems, names, range(_number_of_axes(settings)), suffix)
     bodies = {function: _function(whole, function) for function in names.functions}
-    warn_of_misspellings(whole)
+    if not names.typed:
+        warn_of_misspellings(whole)
     problems.raise_errors()
-    assemble = _assemble_line if names.typed else _assemble
-    lines = assemble(whole, bodies, known_before)
-    blocks = [(f.name.lower(), f.kind) for f in names.functions if f.kind in ("task", "event")]
-    return Compiled(whole, lines, blocks)
+    lines = _assemble_line(whole, bodies, known_before) if names.typed else _assemble(whole, bodies)
+    return Compiled(whole, lines, file)
+
+
+def _key(function: Function) -> str:
+    return f"{function.kind} {function.name.lower()}"
 
 
 def _number_of_axes(settings: dict[str, object] | None) -> int:
@@ -90,6 +100,11 @@ def _function(whole: Whole, function: Function) -> Body:
         b.analysed = analysed(function)
         if b.analysed:
             b.facts = Flow(function, b.analysed, whole.table).run()
+    if function.jumps:
+        b.indent += 1
+        jumping.write(b, block)
+        b.indent -= 1
+        return b
     block(b, function.body)
     leave(b)
     if not (function.plain or b.waits):
@@ -97,13 +112,59 @@ def _function(whole: Whole, function: Function) -> Body:
     return b
 
 
+def _dispatched(whole: Whole, b: Body) -> list[Line]:
+    """The lines of a function: those of its dispatcher inside it, where it has labels."""
+    if not b.function.jumps:
+        return b.lines
+    function, indent = b.function, " " * b.indent
+    word = "global" if whole.typed else "nonlocal"
+    own = {symbol.python for symbol in _kept_inside(whole, function)} & b.outside
+    name = jumping.dispatcher(function)
+    lines = [f"{indent}def {name}(pc):", f"{indent} {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}"]
+    if own:
+        lines.append(f"{indent} nonlocal {', '.join(sorted(own))}")
+    out = [(line, function.at) for line in lines] + b.lines
+    for number, (label, _) in enumerate(b.labels_body()):
+        out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
+    out.append((f"{indent}yield from {name}(0)", function.at))
+    last = f"return {function.result.python}" if function.result else "return" if function.kind == "sub" else "return t"
+    return [*out, (indent + last, function.at)]
+
+
+def _label_handler(whole: Whole, function: Function, label: str, number: int) -> list[str]:
+    """v4: a label with the name of an event, to which nothing jumps, is its handler."""
+    if function.kind != "main" or kind_and_number(label) is None:
+        return []
+    if any(type(node) is Jump and node.name.lower() == label for node in walk(function.body)):
+        return []
+    word = "global" if whole.typed else "nonlocal"
+    return [
+        f"def e_{label}(t_, H_):",
+        f" {word} t, H",
+        " t = t_; H = H_",
+        f" yield from {jumping.dispatcher(function)}({number})",
+        " return t",
+        f"E.blocks['event {label}'] = e_{label}; E.listen()",
+    ]
+
+
+def _kept_inside(whole: Whole, function: Function) -> list[Symbol]:
+    """The variables that live in the Python function itself."""
+    if whole.typed and function is whole.names.main:
+        return []
+    mine = [s for s in function.scope.names.values() if s.kind in ("variable", "parameter")]
+    if function.result is not None:
+        mine.append(function.result)
+    return [s for s in mine if not (function.kind == "main" and s.shared)]
+
+
 def _head(whole: Whole, b: Body) -> list[Line]:
     """The line `def …` and what must be done on entry."""
     function = b.function
     indent = " " * (b.indent - 1)
     # A sub runs on its caller's time, which therefore lives in cells that all functions share.
-    shared_time = function.kind == "sub" or bool(function.calls)
-    outside = set(b.outside)
+    shared_time = function.kind == "sub" or bool(function.calls) or function.jumps
+    outside = set() if function.jumps else set(b.outside)
     if shared_time:
         outside.add("t")
         if not function.plain:
@@ -148,7 +209,7 @@ def _first(symbol: Symbol, followed: bool) -> str:
 # ------------------------------------------------------------------------------------------------- assembly
 
 
-def _assemble(whole: Whole, bodies: dict[Function, Body], _: set[str]) -> list[Line]:
+def _assemble(whole: Whole, bodies: dict[Function, Body]) -> list[Line]:
     lines: list[Line] = [("def make(E, C, P, dt, K):", 0)]
     if whole.specs:
         lines.append((f" {', '.join(f'k{n}' for n in range(len(whole.specs)))}, = K", 0))
@@ -162,21 +223,21 @@ def _assemble(whole: Whole, bodies: dict[Function, Body], _: set[str]) -> list[L
         if function not in inner:
             lines += _head(whole, b)
             for each in function.inner:
-                lines += _head(whole, bodies[each]) + bodies[each].lines
-            lines += b.lines
-    named = [f"{f.kind + ' ' + f.name.lower()!r}: {f.python}" for f in bodies if f.kind in ("task", "event")]
+                lines += _head(whole, bodies[each]) + _dispatched(whole, bodies[each])
+            lines += _dispatched(whole, b)
+    named = [f"{_key(f)!r}: {f.python}" for f in bodies if f.kind in ("task", "event")]
     everything = ", ".join(["'main': main", *named])
     lines.append((f" return {{{everything}}}", 0))
     return lines
 
 
-def _assemble_line(whole: Whole, bodies: dict[Function, Body], known_before: set[str]) -> list[Line]:
+def _assemble_line(whole: Whole, bodies: dict[Function, Body], known_before: dict[str, Symbol]) -> list[Line]:
     lines: list[Line] = []
     for key, symbol in whole.names.module.names.items():
-        if symbol.kind == "variable" and key not in known_before:
+        if symbol.kind == "variable" and known_before.get(key) is not symbol:
             lines.append((f"{symbol.python} = {_first(symbol, False)}", symbol.at))
     for b in bodies.values():
-        lines += _head(whole, b) + b.lines
+        lines += _head(whole, b) + _dispatched(whole, b)
     return lines
 
 

@@ -10,6 +10,10 @@ if TYPE_CHECKING:
 
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Steps
+    from motionlang.mint.errors import Errors
+    from motionlang.mint.events import Events
+
+    Make = Callable[[float, float], Steps]
 
 INFINITY = float("inf")
 # The profiler's period: how often a condition is tested that can neither be solved nor told by an event.
@@ -19,17 +23,52 @@ _MILLISECOND = 1e-6
 
 
 class Environment:
-    """One program on one machine. `task` is the task that is running; each has its own TIME."""
+    """One program on one machine. `task` is the task that is running; each has its own TIME.
 
-    def __init__(self, machine: Machine, places: Sequence[int]) -> None:
+    `blocks` holds the tasks and event handlers by "task blink", "event timer"; `files` the places in the program of
+    the lines of each piece of generated code.
+    """
+
+    def __init__(self, machine: Machine) -> None:
         self.machine = machine
         self.controller = machine.controller
         self.clock = machine.controller.clock
-        self.places = places
+        # What the operator will type at INPUT; None until the first one.
+        self.answers: list[str] | None = None
+        self.files: dict[str, Sequence[int]] = {}
+        self.blocks: dict[str, Make] = {}
+        self.tasks: dict[str, MintTask] = {}
+        # Priorities given to tasks, also to those that do not run yet.
+        self.priorities: dict[str, int] = {}
+        self.quanta: dict[str, int] = {}
         self.jogs: dict[int, float] = {}
         self.task: MintTask
-        self.blocks: dict[str, Callable[[float, float], Steps]] = {}
+        self._events: Events | None = None
+        self._errors: Errors | None = None
         self._random: Callable[[], float] | None = None
+
+    def prepare(self) -> None:
+        """Make the controller behave as Mint expects it to."""
+        for axis in self.controller.axes:
+            self.controller.configure(axis, "live_speed", True)
+
+    @property
+    def events(self) -> Events:
+        """Events and their handlers, from the first use on."""
+        if self._events is None:
+            from motionlang.mint.events import Events
+
+            self._events = Events(self)
+        return self._events
+
+    @property
+    def errors(self) -> Errors:
+        """What has gone wrong so far, from the first use on."""
+        if self._errors is None:
+            from motionlang.mint.errors import Errors
+
+            self._errors = Errors(self)
+        return self._errors
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
         """What each `kN` of the text stands for."""
@@ -42,10 +81,14 @@ class Environment:
             from motionlang.mint import functions
 
             return getattr(functions, str(details[0]))
-        if how in ("show", "using"):
+        if how == "show":
             from motionlang.mint import printing
 
-            return getattr(printing, f"{how}_{details[0]}")
+            return getattr(printing, f"show_{details[0]}")
+        if how == "using":
+            from motionlang.mint import formats
+
+            return getattr(formats, f"using_{details[0]}")
         from motionlang.mint.binding import Row, bind
 
         return bind(self, how, Row(*details))  # type: ignore[arg-type]
@@ -76,7 +119,7 @@ class Environment:
 
     def wait(self, t: float, milliseconds: float) -> Wait:
         """`WAIT`."""
-        if not milliseconds >= 0:
+        if not 0 <= milliseconds < INFINITY:
             from motionlang.controller.faults import Refusal
 
             raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
@@ -89,7 +132,9 @@ class Environment:
     def room(self, t: float, axis: int) -> Wait:
         """A move waits for room in the buffer of its axis."""
         room = self.controller.room
-        return Wait(t, lambda: room(axis) > 0, lambda: INFINITY, f"for room in the move buffer of axis {axis}")
+        return Wait(
+            t, lambda: room(axis) > 0, lambda: INFINITY, f"for room in the move buffer of axis {axis}"
+        )
 
     def pause(self, t: float, ready: Callable[[], object], watches: tuple[tuple[object, ...], ...]) -> Wait:
         """`PAUSE`."""
@@ -97,15 +142,104 @@ class Environment:
 
         return watch(self, t, ready, watches)
 
+    def input(self, t: float) -> Wait:
+        """`INPUT` waits for the operator's answer."""
+        from motionlang.mint.answers import wait_for_answer
+
+        return wait_for_answer(self, t)
+
+    def typed(self, as_text: bool) -> object:
+        """The operator's answer."""
+        from motionlang.mint.answers import take
+
+        return take(self, as_text)
+
     # --------------------------------------------------------------------------------------------- tasks
 
-    def end_program(self, t: float) -> None:
-        """`End` in a task or a sub: the parent task ends, and with it everything."""
-        raise ProgramEnd(t)
+    def start_task(self, name: str, make: Make) -> None:
+        """`Run`: a task that is running goes on as it is."""
+        task = self.tasks.get(name)
+        if task is not None and not task.done:
+            return
+        scheduler = self.machine.scheduler
+        assert scheduler is not None
+        task = self.tasks[name] = MintTask(name, make, self)
+        task.priority = self.priorities.get(name, 0)
+        scheduler.start(task)
+
+    def end_task(self, name: str) -> None:
+        """`End name`."""
+        task = self.tasks.get(name)
+        if task is None or task.done:
+            return
+        if task is self.task:
+            raise TaskEnd(self.clock.now)
+        task.done = True
+        scheduler = self.machine.scheduler
+        if scheduler is not None and task in scheduler.tasks:
+            scheduler.tasks.remove(task)
+
+    def suspend(self, name: str, hold: bool) -> None:
+        """`TASKSUSPEND` and `TASKRESUME`; a task that holds itself is held at its next turn."""
+        task = self.tasks.get(name)
+        if task is None or task.done or task.suspended is hold:
+            return
+        task.suspended = hold
+        if hold and task is self.task:
+            self.clock.at(self.clock.now, _nothing)
+        elif hold:
+            task.held, task.wait = task.wait, task.never()
+        else:
+            task.wait, task.held = task.held, None
+
+    def end_this(self, t: float) -> None:
+        """The task that is running ends."""
+        raise TaskEnd(t)
+
+    def end_main(self, t: float) -> None:
+        """`End`: the parent task ends, and with it everything."""
+        scheduler = self.machine.scheduler
+        if scheduler is not None:
+            scheduler.parent.done = True
+        raise TaskEnd(t)
 
 
-class ProgramEnd(Exception):
-    """The program ends here."""
+    # -------------------------------------------------------------------------------------------- events
+
+    def listen(self) -> None:
+        """Enter the handlers of the program."""
+        from motionlang.mint.events import listen
+
+        listen(self)
+
+    @property
+    def Jump(self) -> type[Exception]:  # noqa: N802 - a name of generated code
+        """How a Goto leaves loops."""
+        return Jump
+
+    @property
+    def TROUBLE(self) -> tuple[type[Exception], ...]:  # noqa: N802 - a name of generated code
+        """What a guarded statement may fail with."""
+        from motionlang.mint.errors import TROUBLE
+
+        return TROUBLE
+
+    def failed(self, trouble: Exception, t: float, line: int) -> float:
+        """A guarded statement has failed; answers with the time at which the program goes on."""
+        self.errors.failed(trouble, line)
+        return max(t, self.clock.now) + self.machine.instruction_time
+
+
+def _nothing() -> None:
+    """An event whose only purpose is that everybody looks around."""
+
+
+class Jump(Exception):
+    """A Goto out of loops."""
+
+
+class TaskEnd(Exception):
+    """The running task ends here."""
 
     def __init__(self, time: float) -> None:
         super().__init__()
@@ -115,19 +249,32 @@ class ProgramEnd(Exception):
 class MintTask(GeneratorTask):
     """A task of a Mint program; TIME counts from its start."""
 
-    __slots__ = ("environment", "time_base")
+    __slots__ = ("environment", "held", "suspended", "time_base")
 
-    def __init__(
-        self, name: str, make: Callable[[float, float], Steps], file: str, environment: Environment
-    ) -> None:
-        super().__init__(name, make, file, environment.places)
+    def __init__(self, name: str, make: Make, environment: Environment) -> None:
+        file = make.__code__.co_filename  # type: ignore[attr-defined]
+        super().__init__(name, make, file, environment.files[file])
         self.environment = environment
         self.time_base = environment.clock.now
+        self.suspended = False
+        self.held: Wait | None = None
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        self.environment.task = self
+        environment = self.environment
+        environment.task = self
+        quantum = environment.quanta.get(self.name)
+        if quantum is not None:
+            horizon = min(horizon, now + quantum * environment.machine.instruction_time)
         try:
-            return super().resume(now, horizon)
-        except ProgramEnd as end:
+            time, wait = super().resume(now, horizon)
+        except TaskEnd as end:
             self.done = True
             return end.time, None
+        if self.suspended:
+            self.held, wait = wait, self.never()
+        return time, wait
+
+    def never(self) -> Wait:
+        """The wait of a suspended task."""
+        now = self.environment.clock.now
+        return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})")

@@ -57,6 +57,8 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return _NOTHING
     b.observes = True
     arguments = indices(b, node, row, single=True)
+    if row.unit == "text":
+        return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", STRING, ranges.ANY)
     kind = type_of(row.unit)
     range_ = ranges.BOOL if row.unit == "bool" else ranges.INTEGER if kind == INTEGER else ranges.FLOAT
     return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
@@ -144,6 +146,8 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
 
 
 def _index(b: Body, node: nodes.Expr, kind: str) -> str:
+    if kind == "task":
+        return _task(b, node)
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
     if found.const is not None:
         if found.const != int(found.const):  # type: ignore[call-overload,operator]
@@ -153,6 +157,17 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
             b.problem("axis", f"there is no axis {found.const}", node, f"this controller has axes 0 to {last}")
             return "0"
     return as_integer(b, found)
+
+
+def _task(b: Body, node: nodes.Expr) -> str:
+    """The name of a task, which is not an expression."""
+    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    if symbol is None or symbol.kind != "task":
+        tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
+        word = node.name if type(node) is nodes.Name else ""
+        b.whole.problems.unknown(f"there is no task {word}".rstrip(), word, tasks, node.at)
+        return "''"
+    return repr(symbol.name.lower())
 
 
 def _many(count: int, what: str) -> str:
@@ -276,7 +291,9 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     b.settle()
     if row.index == "axes":
         where = [f"({', '.join(where)},)"]
-    arguments = ", ".join([*where, str(b.whole.line(node.at))] if row.index != "none" else where)
+    if row.index in ("axes", "axis") or row.group == "motion":
+        where.append(str(b.whole.line(node.at)))
+    arguments = ", ".join(where)
     b.emit(f"{b.whole.operation('do', row)}({arguments})")
     b.events()
     b.pending += 1

@@ -32,6 +32,13 @@ def override(module: nodes.Module, overrides: Mapping[str, float | str]) -> None
         raise ProgramError([_unknown(name, names) for name in missing])
 
 
+def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
+    """The same for a line that is typed: a name that it does not have may come in another line."""
+    wanted = {name.lower(): value for name, value in overrides.items()}
+    if wanted:
+        _replace(module.body, wanted, set(), [])
+
+
 def _unknown(name: str, names: list[str]) -> Diagnostic:
     near = nearest(name, names)
     hint = f"did you mean {near}?" if near else f"the program's own names are {', '.join(names) or 'none'}"

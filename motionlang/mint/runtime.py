@@ -55,9 +55,9 @@ class MintProgram(Program):
 
     def run(self, machine: Machine) -> Task:
         """The parent task of the program as it stands."""
-        environment = Environment(machine, self.places)
-        for axis in machine.controller.axes:
-            machine.controller.configure(axis, "live_speed", True)
+        environment = Environment(machine)
+        environment.prepare()
+        environment.files[FILE] = self.places
         namespace: dict[str, object] = {}
         exec(self.code, namespace)  # noqa: S102 - the compiler's own output
         make = namespace["make"]
@@ -65,7 +65,9 @@ class MintProgram(Program):
         environment.blocks = make(  # type: ignore[operator]
             environment, environment.clock, machine.terminal.write, machine.instruction_time, operations
         )
-        return MintTask("main", environment.blocks["main"], FILE, environment)
+        if len(environment.blocks) > 1:
+            environment.listen()
+        return MintTask("main", environment.blocks["main"], environment)
 
 
 def load(payload: bytes) -> MintProgram:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.mint import keyword_use, loops, nodes, pausing
+from motionlang.mint import jumping, keyword_use, loops, nodes, pausing
+from motionlang.mint.body import Value
 from motionlang.mint.calls import call
 from motionlang.mint.expressions import condition, converted, number, place, unknown, value
 from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, STRING, TIME, Symbol, Type
@@ -11,15 +12,36 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mint.body import Body, Value
+    from motionlang.mint.body import Body
 
 
 def block(b: Body, body: list[nodes.Stmt]) -> None:
     """Statements one after the other."""
+    guarded = b.whole.guarded and b.function.name.lower() != "onerror"
     for node in body:
         b.at = node.at
         b.begin()
-        _STATEMENTS[type(node)](b, node)
+        if guarded and type(node) in _CAN_FAIL:
+            _guard(b, node)
+        else:
+            _STATEMENTS[type(node)](b, node)
+
+
+def _guard(b: Body, node: nodes.Stmt) -> None:
+    """A statement whose failure is ONERROR's business; the program goes on with the next one."""
+    b.flush()
+    b.emit("try:")
+    b.indent += 1
+    before = len(b.lines)
+    _STATEMENTS[type(node)](b, node)
+    b.flush()
+    if len(b.lines) == before:
+        b.emit("pass")
+    b.indent -= 1
+    b.at = node.at
+    b.noted = True
+    b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
+    b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
 
 
 def inner(b: Body, body: list[nodes.Stmt]) -> None:
@@ -48,6 +70,7 @@ def _assign(b: Body, node: nodes.Assign) -> None:
             symbol = b.scope.find(target.name)
         result = b.function.result
         if result is not None and target.name.lower() == result.name.lower() and target.args is None:
+            b.use_outside(result)
             _give(b, node, result.python, result.type, result)
             return
         if symbol is None:
@@ -201,7 +224,7 @@ def _run(b: Body, node: nodes.Run) -> None:
         return
     b.observes = True
     b.settle()
-    b.emit(f"{b.whole.use('env', 'run')}({symbol.name.lower()!r}, {symbol.python})")
+    b.emit(f"{b.whole.use('env', 'start_task')}({symbol.name.lower()!r}, {symbol.python})")
     b.flush()
     b.emit("H = t")  # the new task may have something to do before the next event
     b.pending += 1
@@ -349,7 +372,10 @@ def _end(b: Body, node: nodes.End) -> None:
         return
     b.flush()
     b.noted = True
-    b.emit("return t" if b.function.kind == "main" else f"{b.whole.use('env', 'end_program')}(t)")
+    if b.function.kind == "main" and not b.function.jumps:
+        b.emit("return t")
+    else:
+        b.emit(f"{b.whole.use('env', 'end_main')}(t)")
 
 
 def leave(b: Body) -> None:
@@ -357,7 +383,9 @@ def leave(b: Body) -> None:
     b.flush()
     b.noted = True
     result = b.function.result
-    if b.function.kind == "sub":
+    if b.function.jumps:
+        b.emit("return")
+    elif b.function.kind == "sub":
         b.emit(f"return {result.python}" if result is not None else "return")
     else:
         b.emit("return t")
@@ -376,22 +404,48 @@ def _exit(b: Body, node: nodes.Exit) -> None:
 
 
 def _return(b: Body, node: nodes.Return) -> None:
-    if b.function.kind == "main":
+    if b.function.jumps:
+        jumping.return_(b, node)
+    elif b.function.kind == "main":
         b.problem("stray-end", "Return has nothing to go back to: no Gosub leads here", node)
+    else:
+        leave(b)
+
+
+# ---------------------------------------------------------------------------------------------------- input
+
+
+def _input(b: Body, node: nodes.Input) -> None:
+    target: nodes.Expr = node.target
+    if type(target) is nodes.Name and (b.scope.find(target.name) is None):
+        unknown(b, target)
         return
-    leave(b)
-
-
-def _unsupported(b: Body, node: nodes.Stmt) -> None:
-    word = {nodes.Input: "INPUT", nodes.Label: "a label", nodes.Jump: "Goto"}[type(node)]
-    b.problem("not-simulated", f"{word} is not simulated yet", node)
+    text, kind, _ = place(b, node.target)
+    if type(target) is nodes.Name and (symbol := b.scope.find(target.name)) is not None:
+        if symbol.kind not in ("variable", "parameter"):
+            b.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", target)
+            return
+        if not (symbol.is_array or symbol.boxed or symbol.by_ref):
+            b.use_outside(symbol)
+    if node.terminal is not None:
+        number(b, node.terminal, "the number of a terminal")
+    b.observes = True
+    b.flush()
+    b.settle()
+    if node.prompt is not None:
+        b.emit(f"P({value(b, node.prompt).text})")
+    b.wait(f"{b.whole.use('env', 'input')}(t)")
+    typed = f"{b.whole.use('env', 'typed')}({kind.name == STRING})"
+    found = Value(typed, STRING if kind.name == STRING else FLOAT)
+    b.emit(f"{text} = {converted(b, found, kind, node)}")
+    b.pending += 1
 
 
 _STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Assign: _assign,
     nodes.Call: _call,
     nodes.Print: _print,
-    nodes.Input: _unsupported,
+    nodes.Input: _input,
     nodes.Dim: _dim,
     nodes.Const: _nothing,
     nodes.Define: _nothing,
@@ -405,9 +459,15 @@ _STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Pause: pausing.pause,
     nodes.Run: _run,
     nodes.End: _end,
-    nodes.Label: _unsupported,
-    nodes.Jump: _unsupported,
+    nodes.Label: jumping.label,
+    nodes.Jump: jumping.jump,
     nodes.Return: _return,
     nodes.Auto: _nothing,
 }
 
+
+# What ONERROR can be told of; the statements inside a loop are guarded each for itself.
+_CAN_FAIL = frozenset(
+    (nodes.Assign, nodes.Call, nodes.Print, nodes.Input, nodes.Dim, nodes.If, nodes.Select, nodes.For, nodes.While,
+     nodes.Repeat, nodes.Pause, nodes.Run)
+)  # fmt: skip

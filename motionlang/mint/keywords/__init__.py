@@ -28,10 +28,11 @@ def _rows() -> list[Keyword]:
         language,
         motion,
         state,
+        tasks,
         terminal,
     )
 
-    groups = (axis, motion, state, control, terminal, functions, constants, language)
+    groups = (axis, motion, state, control, tasks, terminal, functions, constants, language)
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
     for row in _not_simulated():

@@ -1,0 +1,144 @@
+"""Mint's own errors: their numbers and texts, what has gone wrong so far, and the registers that tell of it."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.environment import Environment
+
+# Diagnostic code -> number of the synchronous error and its short text. Up to 999 they are MintMT's (their numbers are
+# positions in a table, see docs/fidelity.md); the virtual machine's errors have no number that could be read and are
+# counted from 1001 here, in the order of the manual's list.
+NUMBERS: dict[str, tuple[int, str]] = {
+    "axis": (2, "axis number invalid"),
+    "range": (3, "value invalid"),
+    "zero-speed": (3, "value invalid"),
+    "zero-acceleration": (3, "value invalid"),
+    "channel": (4, "channel invalid"),
+    "moving": (10, "axis is moving"),
+    "disabled-axis": (40, "drive disabled"),
+    "buffer-full": (59, "move buffer full"),
+    "not-simulated": (17, "not supported here"),
+    "division-by-zero": (1001, "divide by zero"),
+    "argument": (1002, "invalid argument"),
+    "recursion": (1003, "stack overflow"),
+    "index": (1004, "index out of range"),
+    "overflow": (1005, "integer out of range"),
+    "not-primed": (1006, "error registers not primed"),
+    "limit": (1007, "out of memory"),
+}
+GENERIC = (1, "keyword error")
+AXIS_ERROR = 10000  # the asynchronous error of an axis; ERRDATA(1) is the axis, ERRDATA(2) its error bits
+
+# The groups of ERRORPRESENT and its family.
+ALL, SYNCHRONOUS, AXIS, MISC = 0, 1, 2, 3
+
+_PYTHON: tuple[tuple[type[BaseException], str, str], ...] = (
+    (ZeroDivisionError, "division-by-zero", "division by zero"),
+    (OverflowError, "overflow", "the result is too large for a number"),
+    (RecursionError, "recursion", "calls are nested too deeply"),
+)
+# What a handler of ONERROR can be told of.
+TROUBLE = (Refusal, ZeroDivisionError, OverflowError, RecursionError)
+
+
+class Error:
+    """One error: `number`, the texts, the line of the program, the axis (or -1)."""
+
+    __slots__ = ("data", "group", "line", "number", "text")
+
+    def __init__(self, number: int, text: str, line: int, group: int, data: tuple[int, ...]) -> None:
+        self.number, self.text, self.line, self.group, self.data = number, text, line, group, data
+
+
+class Errors:
+    """The list of errors, oldest first, and the one that the registers show."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        self.found: list[Error] = []
+        self.shown: Error | None = None
+
+    # ----------------------------------------------------------------------------------------- noting
+
+    def failed(self, trouble: BaseException, line: int) -> None:
+        """A statement has failed: note it and call ONERROR."""
+        code, message = _said(trouble)
+        number, _ = NUMBERS.get(code, GENERIC)
+        self._note(Error(number, message, line, SYNCHRONOUS, ()))
+
+    def axis_fault(self, axis: int) -> None:
+        """An axis has faulted."""
+        bits = self.environment.controller.faults(axis)
+        self._note(Error(AXIS_ERROR, f"axis {axis} has an error", 0, AXIS, (axis, bits)))
+
+    def _note(self, error: Error) -> None:
+        self.found.append(error)
+        del self.found[:-100]  # a controller's log does not grow for ever either
+        self.environment.events.raise_("onerror")
+
+    # ---------------------------------------------------------------------------------------- reading
+
+    def present(self, group: int, data: int) -> int:
+        """ERRORPRESENT."""
+        return int(any(self._of(group, data)))
+
+    def read_next(self, group: int, data: int) -> int:
+        """ERRORREADNEXT: show the oldest error of a group and take it off the list."""
+        for error in self._of(group, data):
+            self.found.remove(error)
+            self.shown = error
+            return 1
+        return 0
+
+    def read_code(self, code: int, data: int) -> int:
+        """ERRORREADCODE: show the newest error of a number."""
+        for error in reversed(self.found):
+            if error.number == code and (not error.data or data < 0 or error.data[0] == data):
+                self.shown = error
+                return 1
+        return 0
+
+    def clear(self, group: int, data: int) -> None:
+        """ERRORCLEAR: forget the errors of a group; those of an axis are cleared on the axis too."""
+        for error in list(self._of(group, data)):
+            self.found.remove(error)
+            if error.group == AXIS:
+                self.environment.controller.clear_faults(error.data[0])
+
+    def _of(self, group: int, data: int) -> list[Error]:
+        return [
+            error
+            for error in self.found
+            if group in (ALL, error.group) and (error.group != AXIS or group == ALL or error.data[0] == data)
+        ]
+
+    def register(self) -> Error:
+        """The error that ERRCODE, ERRLINE, ERRSTRING and ERRDATA tell of."""
+        if self.shown is None and self.found:
+            self.shown = self.found[-1]
+        if self.shown is None:
+            raise Refusal(
+                "not-primed", "the error registers hold nothing yet", "read an error with ERRORREADNEXT first"
+            )
+        return self.shown
+
+
+def _said(trouble: BaseException) -> tuple[str, str]:
+    if isinstance(trouble, Refusal):
+        return trouble.code, trouble.message
+    for kind, code, message in _PYTHON:
+        if isinstance(trouble, kind):
+            return code, message
+    return "", str(trouble)
+
+
+def text_of(number: int) -> str:
+    """ERRORSTRING: the text of an error's number."""
+    if number == 0:
+        return "no error"
+    if number == AXIS_ERROR:
+        return "axis error"
+    return next((text for each, text in NUMBERS.values() if each == number), f"error {number}")

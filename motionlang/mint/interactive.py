@@ -1,0 +1,63 @@
+"""Mint at a prompt: every line is compiled for itself, names stay.
+
+All variables are globals of one namespace. Types, subs and tasks that a line declares are known to the next; a name
+that is declared again takes its new meaning from then on.
+"""
+
+from __future__ import annotations
+
+from motionlang.errors import ProgramError
+from motionlang.lang.dialect import Interactive
+from motionlang.mint.compiler import compile_module
+from motionlang.mint.environment import Environment, MintTask
+from motionlang.mint.overriding import override_if_there
+from motionlang.mint.parser import is_complete, parse
+from motionlang.mint.symbols import Function, Scope
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.machine import Machine
+    from motionlang.lang.task import Task
+    from motionlang.source import Source
+
+
+class MintInteractive(Interactive):
+    """One session's names on one machine."""
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        self.environment = Environment(machine)
+        self.environment.prepare()
+        self._inputs = 0
+        self._scope = Scope(Function("main", "main", "main", [], None), None)
+        self._namespace: dict[str, object] = {
+            "E": self.environment,
+            "C": self.environment.clock,
+            "P": machine.terminal.write,
+            "t": 0.0,
+            "H": 0.0,
+        }
+
+    def is_complete(self, text: str) -> bool:
+        return is_complete(text)
+
+    def task(self, source: Source) -> Task:
+        module = parse(source)
+        override_if_there(module, self.machine.overrides)
+        before = dict(self._scope.names)
+        file = f"<mint {self._inputs}>"
+        try:
+            compiled = compile_module(module, self.machine.settings, self._scope, f"_{self._inputs}", file)
+        except ProgramError:
+            self._scope.names = before  # a line with mistakes declares nothing
+            raise
+        self._inputs += 1
+        names, dt = self._namespace, self.machine.instruction_time
+        names.update({f"d{count}": count * dt for count in compiled.costs})
+        names.update(zip(compiled.operations, self.environment.make_operations(compiled.specs), strict=True))
+        exec(compiled.code, names)
+        self.environment.files[file] = compiled.places
+        self.environment.blocks.update((key, names[name]) for key, name in compiled.blocks.items())  # type: ignore[misc]
+        if compiled.blocks:
+            self.environment.listen()
+        return MintTask("main", names["main"], self.environment)  # type: ignore[arg-type]

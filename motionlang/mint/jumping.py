@@ -1,0 +1,113 @@
+"""Labels, Goto and Gosub: a function that has them becomes a dispatcher over the stretches between its labels.
+
+    def j_main(pc):
+     while True:
+      try:
+       if pc == 0: …; pc = 1
+       if pc == 1: …
+      except J as jump: pc = jump.args[0]
+
+A Goto sets `pc`, a Gosub calls the dispatcher at a label, Return leaves that call. Labels stand between statements of
+the outermost level; a jump out of loops is an exception, as Python has no other way out of several at once.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint import nodes
+from motionlang.mint.symbols import Function
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.body import Body
+
+
+def dispatcher(function: Function) -> str:
+    """The name of a function's dispatcher."""
+    return f"j_{function.python}"
+
+
+def stretches(body: list[nodes.Stmt]) -> list[tuple[str, list[nodes.Stmt]]]:
+    """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
+    out: list[tuple[str, list[nodes.Stmt]]] = [("", [])]
+    for node in body:
+        if type(node) is nodes.Label:
+            out.append((node.name.lower(), []))
+        else:
+            out[-1][1].append(node)
+    return out
+
+
+def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
+    """The lines of the dispatcher, without its head."""
+    _check(b)
+    b.emit("while True:")
+    b.emit(" try:")
+    b.indent += 2
+    for number, (_, body) in enumerate(b.labels_body()):
+        b.emit(f"if pc == {number}:")
+        b.indent += 1
+        block(b, body)
+        b.flush()
+        b.emit(f"pc = {number + 1}")
+        b.indent -= 1
+    _end(b)
+    b.indent -= 2
+    b.emit(f" except {b.whole.use('env', 'Jump')} as jump: pc = jump.args[0]")
+
+
+def _end(b: Body) -> None:
+    """The text ends here, and with it the task: also within a Gosub."""
+    if b.function.kind in ("sub", "event"):
+        b.emit("return")
+    else:
+        b.emit(f"{b.whole.use('env', 'end_main' if b.function.kind == 'main' else 'end_this')}(t)")
+
+
+def _check(b: Body) -> None:
+    """Labels twice, and labels inside a block."""
+    from motionlang.mint.names import walk
+
+    seen: set[str] = set()
+    outer = {id(node) for node in b.function.body}
+    for node in sorted(walk(b.function.body), key=lambda each: each.at):
+        if type(node) is not nodes.Label:
+            continue
+        if id(node) not in outer:
+            b.problem("syntax", f"the label {node.name} stands inside a block", node,
+                      "a label stands between statements that are in no block")  # fmt: skip
+        elif node.name.lower() in seen:
+            b.problem("duplicate", f"there is already a label {node.name}", node)
+        seen.add(node.name.lower())
+
+
+def jump(b: Body, node: nodes.Jump) -> None:
+    """Goto and Gosub."""
+    labels = [name for name, _ in b.labels_body()]
+    key = node.name.lower()
+    if key not in labels:
+        b.whole.problems.unknown(f"there is no label {node.name}", node.name, [n for n in labels if n], node.at)
+        return
+    number = labels.index(key)
+    b.pending += 1
+    b.flush()
+    b.horizon()
+    if node.kind == "gosub":
+        b.emit(f"yield from {dispatcher(b.function)}({number})")
+    elif any(kind for kind, _ in b.loops):
+        b.emit(f"raise {b.whole.use('env', 'Jump')}({number})")
+    else:
+        b.emit(f"pc = {number}; continue")
+
+
+def return_(b: Body, node: nodes.Return) -> None:
+    """Return from a Gosub."""
+    b.pending += 1
+    b.flush()
+    b.noted = True
+    b.emit("return")
+
+
+def label(b: Body, node: nodes.Label) -> None:
+    """Labels are where stretches begin; one that stands elsewhere has been reported."""
