@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.pvt/1"
+NOISE = 1e-6
+"""Counts below which a difference is the arithmetic's."""
 
 
 def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -103,7 +105,8 @@ def export(args: argparse.Namespace) -> int:
         raise ProgramError([Diagnostic("range", str(problem))]) from None
     error, when = _error(move, from_wire(made.read_back), args.start or 0.0)
     span = sum(p.time for p in points)
-    head = f"# {move.name}: {len(points) - 1} segments, {span:.3f} s, largest error {error:.3g} counts at {when:.3f} s"
+    worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
+    head = f"# {move.name}: {len(points) - 1} segments, {span:.3f} s, {worst}"
     _write(args.output, [head, *made.lines])
     if args.plot:
         _draw([_planned(from_wire(made.read_back), args.start)], [move.name], args.plot)

@@ -191,8 +191,8 @@ class SourceError(Exception):
 
 def _from_program(args: argparse.Namespace) -> Move:
     """Run the program and fit what one axis did."""
-    from motionlang.profile.pvt_fit import OutOfTolerance, fit_track, least_tolerance
     from motionlang.execution import run
+    from motionlang.profile.pvt_fit import OutOfTolerance, fit_track, least_tolerance
 
     try:
         result = run(args.file, dialect=args.dialect)

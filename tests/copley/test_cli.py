@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+import io
 import json
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import pytest
 
 from motionlang.copley.table import read_points
 from motionlang.source import Source
 from tests.copley.command import pvt
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 BAD = """position,velocity,time
 0,0,10
@@ -213,3 +211,73 @@ def test_a_picture_that_cannot_be_written_is_a_diagnostic(tmp_path: Path) -> Non
     answer = pvt("plot", "--scurve", "10", "--time", "5", "--plot", str(tmp_path / "no" / "where.png"))
     assert answer.status == 1
     assert answer.err.startswith("error[file]: ")
+
+
+SCRIPTS = Path(__file__).parents[2] / "scripts"
+
+
+def test_a_program_is_fitted() -> None:
+    """AN00115's exercise: a trapezoid, which cubics follow exactly."""
+    answer = pvt("export", str(SCRIPTS / "mint" / "ballscrew.mnt"))
+    assert answer.out.splitlines() == [
+        "# ballscrew.mnt, axis 0: 5 segments, 1.000 s, no error",
+        "position,velocity,time",
+        "0,0,200",
+        "30000,300000,90",
+        "57000,300000,255",
+        "133500,300000,255",
+        "210000,300000,200",
+        "240000,0,0",
+    ]
+
+
+def test_the_tolerance_counts() -> None:
+    lines = [
+        len(pvt("export", str(SCRIPTS / "mccl" / "scurve.mcl"), "--tolerance", t).out.splitlines())
+        for t in ("0.6", "2", "50")
+    ]
+    assert lines[0] > lines[1] > lines[2]
+
+
+def test_a_program_is_streamed() -> None:
+    file = str(SCRIPTS / "mint" / "shuttle.mnt")
+    report = json.loads(pvt("stream", file, "--tolerance", "2", "--report", "json").out)
+    assert report["error"] < 1e-6
+    assert report["log"][-1]["what"] == "move ended at 0"
+
+
+@pytest.mark.parametrize(
+    ("program", "words", "status", "message"),
+    [
+        ("PRINT 1", [], 1, "error[values]: no axis moves in p.mnt\n"),
+        (
+            "MOVER(0) = 5 : MOVER(1) = 5 : GO(0, 1)",
+            [],
+            2,
+            "axes 0, 1 move in p.mnt: say which one with --axis",
+        ),
+        ("MOVER(0) = 5 : GO(0)", ["--axis", "3"], 2, "axis 3 does not move in p.mnt"),
+        ("MOVR(0) = 5", [], 1, "error["),
+        ("MOVER(0) = 5 : GO(0)", ["--velocities", "exact"], 2, "--velocities has nothing to do here"),
+    ],
+)
+def test_programs_that_give_no_move(
+    program: str, words: list[str], status: int, message: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "p.mnt"
+    file.write_text(program + "\n")
+    answer = pvt("export", str(file), *words)
+    assert answer.status == status
+    assert message in answer.err
+
+
+def test_a_file_of_no_language_is_a_wrong_command_line(tmp_path: Path) -> None:
+    file = tmp_path / "move.foo"
+    file.write_text("1\n")
+    assert pvt("export", str(file)).status == 2
+
+
+def test_points_come_from_standard_input(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO("0\n10\n30\n"))
+    answer = pvt("export", "-", "--time", "10", "--velocities", "zero")
+    assert answer.out.splitlines()[1:] == ["position,velocity,time", "0,0,10", "10,0,10", "30,0,0"]

@@ -1,0 +1,87 @@
+"""Fitting, encoding and streaming PVT moves: how fast, against virtual time.
+
+Prints `name value unit`. Every figure is the best of a few rounds in one process.
+"""
+
+from __future__ import annotations
+
+import gc
+import math
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.copley import packet, serial
+from motionlang.copley.bus import LockstepBus
+from motionlang.copley.drive import Drive
+from motionlang.copley.master import Master
+from motionlang.copley.point import to_wire
+from motionlang.profile import Profile, plan_sinusoidal
+from motionlang.profile.pvt_fit import fit_track
+from motionlang.profile.pvt_points import points_from
+from motionlang.profile.pvt_velocities import smooth_velocities
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.copley.point import WirePoint
+
+POINTS = 10_000
+
+
+def best(rounds: int, job: Callable[[], object]) -> float:
+    """Seconds of a job, the best of `rounds`."""
+    times = []
+    for _ in range(rounds):
+        begin = perf_counter()
+        job()
+        times.append(perf_counter() - begin)
+    return min(times)
+
+
+def history(seconds: float) -> tuple[list[float], list[Profile], float]:
+    """Sinusoidal moves one after the other for about `seconds`, and when they end."""
+    draw = np.random.default_rng(3)
+    starts, profiles, time, place = list[float](), list[Profile](), 0.0, 0.0
+    while time < seconds:
+        move = plan_sinusoidal(place, float(draw.uniform(-20_000, 20_000)), 4e4, 1e5, 1e5)
+        starts.append(time)
+        profiles.append(move)
+        time, place = time + move.duration, move.end
+    return starts, profiles, time
+
+
+def winding() -> tuple[list[float], list[WirePoint]]:
+    """The positions and points of a move of `POINTS` points, 2 ms apart."""
+    places = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(POINTS)]
+    return places, to_wire(points_from(places, smooth_velocities(places, 0.002), 0.002))
+
+
+def stream(points: list[WirePoint]) -> float:
+    """Stream to a simulated drive over the virtual bus; the virtual time it took."""
+    drive = Drive()
+    with LockstepBus(drive) as bus:
+        Master(bus).stream(points)
+    return drive.now
+
+
+def main() -> None:
+    """Measure and print."""
+    starts, profiles, end = history(60.0)
+    places, points = winding()
+    gc.disable()
+    for tolerance in (0.6, 2.0, 20.0):
+        count = fit_track(starts, profiles, tolerance, 0.0, end).segments
+        seconds = best(3, lambda t=tolerance: fit_track(starts, profiles, t, 0.0, end))  # type: ignore[misc]
+        print(f"fit, tolerance {tolerance:g} {end / seconds:.0f} x real time ({count} segments)")
+    print(f"exact velocities {POINTS / best(5, lambda: smooth_velocities(places, 0.002)):.0f} points/s")
+    print(f"0x2010 packets {POINTS / best(5, lambda: packet.encode_points(points)):.0f} points/s")
+    print(f"0x115 words {POINTS / best(5, lambda: list(map(serial.encode_point, points))):.0f} points/s")
+    seconds = best(3, lambda: stream(points))
+    print(f"stream over CANopen {POINTS / seconds:.0f} points/s")
+    print(f"stream over CANopen {stream(points) / seconds:.0f} x real time")
+
+
+if __name__ == "__main__":
+    main()
