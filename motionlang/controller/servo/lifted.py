@@ -193,6 +193,12 @@ class Lifted:
         return states, z
 
 
+def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
+    """One step without limits, and the columns at its beginning, over (state, demand, feed-forward, 1)."""
+    names = discretise(plant, loop.period).names
+    return _Probe(loop, plant, columns, True, _kept(loop, names), len(names) + len(MEMORY)).sampled
+
+
 class _Level:
     """GROUP steps of z' = F z + g as one: `free` from the first state, `driven` from the inputs, to all states."""
 

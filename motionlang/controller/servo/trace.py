@@ -78,7 +78,8 @@ class ServoTrace:
     def _offset(self) -> Array:
         """What the zero of the program has been moved by, at every sample."""
         lengths = [len(each.columns[0]) for each in self._stretches]
-        return np.repeat([each.offset for each in self._stretches], lengths)
+        made: Array = np.repeat(np.array([each.offset for each in self._stretches]), lengths)
+        return made
 
     def __getitem__(self, name: str) -> Array:
         if name not in UNITS:
@@ -104,7 +105,8 @@ class ServoTrace:
     @property
     def measured(self) -> Array:
         """The position as the encoder gives it, counts."""
-        return self._measured() - self._offset
+        made: Array = self._measured() - self._offset
+        return made
 
     def _measured(self) -> Array:
         position = self._columns["position"]
@@ -157,6 +159,21 @@ class ServoTrace:
         return np.diff(self.velocity, append=self.velocity[-1:]) * self.loop.servo_rate
 
     @property
+    def onset(self) -> Array:
+        """Acceleration just after the output has changed, counts/s²: what a DAC step does first (friction left out)."""
+        made = discretise(self.plant, self.loop.period)
+        row = next(iter(made.regimes.values())).drive
+        total: Array = row[-2] * self.output + row[-1]
+        for name, factor in zip(made.names, row, strict=False):
+            if factor and name not in self._columns:
+                raise ValueError(
+                    f"the onset of the acceleration needs the {name.replace('_', ' ')}, not recorded"
+                )
+            if factor:
+                total = total + factor * self._columns[name]
+        return total
+
+    @property
     def jerk(self) -> Array:
         """Change of that acceleration over one sample, counts/s³."""
         return np.diff(self.acceleration, prepend=0.0) * self.loop.servo_rate
@@ -183,6 +200,11 @@ class ServoTrace:
     def rms_torque(self) -> float:
         """Root of the mean square of the torque, N m."""
         return float(np.sqrt(np.mean(self.torque**2))) if len(self) else 0.0
+
+    def rms_torque_between(self, begin: float, end: float) -> float:
+        """The same over the samples from `begin` to `end` seconds."""
+        part = self.torque[(self.time >= begin) & (self.time <= end)]
+        return float(np.sqrt(np.mean(part**2))) if len(part) else 0.0
 
     @property
     def peak_output(self) -> float:

@@ -1,0 +1,137 @@
+"""First gains for a plant and a bandwidth: a place to start tuning from, not to end at.
+
+The plant is taken as K/(s (tau s + 1)) and three closed-loop poles are put at one frequency; then that frequency is
+moved until the real loop, sampled and with everything the plant has, has the bandwidth that was asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import inf, pi
+from typing import TYPE_CHECKING
+
+from motionlang.controller.servo.loop import Loop
+from motionlang.controller.servo.plant import Drive, Motor
+from motionlang.controller.servo.response import LoopFigures, bandwidth, is_stable, loop_figures
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+SUSPECT = 30.0
+"""A phase margin below this many degrees is worth a warning."""
+
+
+@dataclass(frozen=True, slots=True)
+class Suggestion:
+    """A loop, the figures that it has on the linear plant, and what to beware of."""
+
+    loop: Loop
+    figures: LoopFigures
+    warnings: tuple[str, ...]
+
+
+def suggest(
+    plant: Motor | Drive, target: float, base: Loop | None = None, *, integral: bool = True
+) -> Suggestion:
+    """Gains for a closed-loop bandwidth of `target` Hz; rates and limits from `base`.
+
+    ValueError says what bandwidth is possible when this one is not.
+    """
+    base = base or Loop()
+    if not 0.0 < target < inf:
+        raise ValueError(f"the bandwidth must be greater than zero, not {target}")
+    linear = linearised(plant)
+    shaped = _shape(
+        linear, replace(base, override=None, dac_bits=0, arithmetic="real", derivative_every=1), integral
+    )
+    low, high = _range(linear, shaped, target)
+    for _ in range(50):
+        middle = (low * high) ** 0.5
+        if bandwidth(shaped(middle), linear) < target:
+            low = middle
+        else:
+            high = middle
+    loop = shaped(high)
+    figures = loop_figures(loop, linear)
+    return Suggestion(loop, figures, _warnings(plant, figures))
+
+
+def linearised(plant: Motor | Drive) -> Motor | Drive:
+    """The plant without friction, backlash and encoder steps."""
+    if isinstance(plant, Drive):
+        return replace(plant, quantised=False)
+    return replace(plant, coulomb=0.0, breakaway=0.0, backlash=0.0, quantised=False, load_torque=0.0)
+
+
+def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float], Loop]:
+    """A loop for every triple-pole frequency (rad/s).
+
+    tau s³ + (1 + K Kd) s² + K Kp s + K Ki = tau (s + w)³ gives K/tau Kd = 3w - 1/tau, K/tau Kp = 3w², K/tau Ki = w³;
+    where the plant damps more than that there is no derivative, and (s + w)² of the slower part is left.
+    """
+    push, damping = _constants(plant)
+
+    def shaped(w: float) -> Loop:
+        kd, kp, ki = 3.0 * w - damping, 3.0 * w * w, w**3
+        if kd < 0.0:
+            kd, kp, ki = 0.0, 2.0 * w * damping, w * w * damping
+        if not integral:
+            kd, kp, ki = max(0.0, 2.0 * w - damping), w * max(w, 0.5 * damping), 0.0
+        return replace(
+            base,
+            proportional=kp / push,
+            integral=ki / push / base.servo_rate,
+            derivative=kd / push * base.servo_rate,
+            velocity_feedback=0.0,
+            velocity_ff=damping / push,
+            accel_ff=1.0 / push,
+            decel_ff=1.0 / push,
+        )
+
+    return shaped
+
+
+def _constants(plant: Motor | Drive) -> tuple[float, float]:
+    """K/tau (counts/s² per volt) and 1/tau (1/s)."""
+    if isinstance(plant, Drive):
+        return plant.speed_per_volt / plant.time_constant, 1.0 / plant.time_constant
+    torque = plant.torque_constant * plant.amplifier_gain
+    if plant.amplifier == "voltage":
+        torque /= plant.resistance
+    return torque * plant.counts_per_radian / plant.total_inertia, 1.0 / plant.mechanical_time_constant
+
+
+def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float) -> tuple[float, float]:
+    """Pole frequencies below and above the target, all of them stable."""
+    low = 2.0 * pi * target
+    while bandwidth(shaped(low), plant) >= target or not is_stable(shaped(low), plant):
+        low *= 0.7
+        if low < 1e-4 * target:
+            raise ValueError("this plant cannot be closed stably with a PID loop at this servo rate")
+    high, best = low, 0.0
+    while True:
+        high *= 1.05
+        loop = shaped(high)
+        if not is_stable(loop, plant):
+            where = f"this plant at {loop.servo_rate:g} servo samples a second"
+            raise ValueError(
+                f"a bandwidth of {target:g} Hz is beyond {where}: about {best:.3g} Hz is possible"
+            )
+        best = max(best, bandwidth(loop, plant))
+        if best >= target:
+            return low, high
+
+
+def _warnings(plant: Motor | Drive, figures: LoopFigures) -> tuple[str, ...]:
+    found = []
+    if figures.phase_margin < SUSPECT:
+        found.append(f"the phase margin is only {figures.phase_margin:.0f} degrees: ask for less bandwidth")
+    if isinstance(plant, Motor) and plant.coulomb:
+        found.append(
+            "Coulomb friction is not in these figures: expect a slow last count, and let the integral act"
+        )
+    if isinstance(plant, Motor) and plant.backlash:
+        found.append("backlash is not in these figures: the loop may hunt inside it")
+    if isinstance(plant, Motor) and plant.resonance and figures.bandwidth > plant.resonance / 3.0:
+        found.append(f"the resonance at {plant.resonance:g} Hz is less than three times the bandwidth away")
+    return tuple(found)

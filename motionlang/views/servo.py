@@ -1,0 +1,298 @@
+"""Servo figures for a person: tables of plain text, the same on every machine."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import TYPE_CHECKING
+
+from motionlang.profile.dissect import ERRATA
+from motionlang.views.grid import Column, grid
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Mapping, Sequence
+
+    from motionlang.controller.servo.chapter12 import ListingRun, Settings
+    from motionlang.controller.servo.compare import Row
+    from motionlang.controller.servo.override import OverrideRun
+    from motionlang.controller.servo.response import LoopFigures, StepFigures
+    from motionlang.controller.servo.slip import Slip
+    from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.controller.servo.tuning import Suggestion
+    from motionlang.profile.dissect import DacTiming
+
+WIDTH = 120
+SHAPE_NAMES = {
+    "trapezoid": "trapezoidal",
+    "sinusoidal": "sinusoidal S-curve",
+    "scurve": "trapezoidal S-curve",
+    "parabolic": "parabolic",
+}
+
+
+def slip_lines(args: argparse.Namespace, figures: Mapping[str, float]) -> list[str]:
+    """The chapter's example: the force that friction passes on, and what follows from it."""
+    unit, speed = args.unit, f"{figure(args.speed)} {args.unit}/{'min' if args.per == 'minute' else 's'}"
+    friction, gravity = figure(args.friction), figure(args.gravity)
+    rows = [
+        ("friction force", f"{figure(figures['friction_force'])}", f"{figure(args.weight)} · {friction}"),
+        (
+            "fastest acceleration",
+            f"{figure(figures['limit'])} {unit}/s²",
+            f"{friction} · {gravity}, whatever the weight",
+        ),
+        (
+            f"fastest time to {speed}",
+            f"{figures['fastest_time']:.7f} s",
+            f"{figure(figures['speed'])} / {figure(figures['limit'])}",
+        ),
+    ]
+    return _listed(rows)
+
+
+def slip_check_lines(name: str, found: Slip, unit: str) -> list[str]:
+    """Whether one move keeps the load where it is, when not, and by which margin."""
+    title = SHAPE_NAMES.get(name, name)
+    peak = f"peak {figure(found.peak)} of {figure(found.limit)} {unit}/s² at {figure(found.peak_time)} s"
+    if not found.slips:
+        return [f"{title}: the load stays; {peak}, margin {found.margin:.1%}"]
+    spans = ", ".join(f"{a:.6f} to {b:.6f} s" for a, b in found.spans[:4])
+    more = f" and {len(found.spans) - 4} more" if len(found.spans) > 4 else ""
+    return [
+        f"{title}: the load slips; {peak}, margin {found.margin:.1%}",
+        f"  beyond the limit from {spans}{more}",
+    ]
+
+
+def dac_lines(timings: Sequence[DacTiming], args: argparse.Namespace) -> list[str]:
+    """One DAC step for each number of bits: its speed, and the times that follow."""
+    per = "min" if args.per == "minute" else "s"
+    seconds = 60.0 if args.per == "minute" else 1.0
+    columns = (
+        Column("DAC"),
+        Column("steps"),
+        Column("one step", f"{args.unit}/{per}"),
+        Column("takes at least", "µs"),
+        Column("time constant", "µs"),
+        Column("hold", "µs"),
+    )
+    rows = [
+        [
+            f"{t.bits} bits",
+            f"±{t.steps}",
+            figure(t.step_speed * seconds, 9),
+            f"{t.step_time * 1e6:.4f}",
+            f"{t.electrical_time_constant * 1e6:.4f}",
+            f"{t.hold_time * 1e6:.4f}",
+        ]
+        for t in timings
+    ]
+    return grid(columns, rows, width=WIDTH)
+
+
+def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
+    """The same move with and without the override: accelerations as multiples of the limit."""
+    columns = (
+        Column("DAC", align="<"),
+        Column("override", align="<"),
+        Column("onset", "× limit"),
+        Column("over an update", "× limit"),
+        Column("slid", unit),
+        Column("largest error", unit),
+    )
+    rows = [
+        [
+            run.name,
+            f"{run.steps} step{'' if run.steps == 1 else 's'}, held {run.hold}" if run.steps else "none",
+            f"{run.onset / run.limit:.3f}",
+            f"{run.mean / run.limit:.3f}",
+            f"{run.slid:.6f}",
+            f"{run.error:.6f}",
+        ]
+        for run in runs
+    ]
+    limit = runs[0].limit
+    return [
+        *grid(columns, rows, width=WIDTH),
+        "",
+        f"limit {figure(limit)} {unit}/s²; beyond it the load slips",
+    ]
+
+
+def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
+    """The four profiles side by side."""
+    columns = (
+        Column("profile", align="<"),
+        Column("acceleration", "counts/s²"),
+        Column("time", "s"),
+        Column("settle", "s"),
+        Column("peak error", "counts"),
+        Column("RMS torque", "N m"),
+        Column("jerk demanded", "counts/s³"),
+        Column("jerk of the motor", "counts/s³"),
+    )
+    cells = [
+        [
+            SHAPE_NAMES[row.shape],
+            f"{row.accel:.0f}",
+            f"{row.time:.6f}",
+            "never" if row.settle == inf else f"{row.settle:.5f}",
+            f"{row.peak_error:.3f}",
+            f"{row.rms_torque:.6f}",
+            "∞" if row.jerk == inf else f"{row.jerk:.4g}",
+            f"{row.motor_jerk:.4g}",
+        ]
+        for row in rows
+    ]
+    title = "equal peak acceleration" if basis == "acceleration" else "equal time"
+    head = f"{title}; settled: within {figure(window)} count{'' if window == 1.0 else 's'} of the demand for good"
+    return [head, *grid(columns, cells, width=WIDTH)]
+
+
+def step_lines(figures: StepFigures, linear: LoopFigures | None) -> list[str]:
+    """Rise, overshoot, settling; of a linear loop bandwidth and margins too."""
+    rows = [
+        ("rise, 10 to 90 %", _seconds(figures.rise), ""),
+        (
+            "overshoot",
+            f"{figures.overshoot:.2%}",
+            f"{figures.peak:.4f} counts at {_seconds(figures.peak_time)}",
+        ),
+        ("settling, 2 %", _seconds(figures.settling), ""),
+        ("error at the end", f"{_quiet(figures.final_error):.4f} counts", ""),
+        ("largest output", f"{figures.peak_output:.4f} V", ""),
+        ("bandwidth", f"{figures.bandwidth:.2f} Hz", "0.35 / rise"),
+    ]
+    return _listed([*rows, *_linear_rows(linear)])
+
+
+def _linear_rows(linear: LoopFigures | None) -> list[tuple[str, str, str]]:
+    if linear is None:
+        return [("linear loop", "no", "quantisation, friction or a slow derivative: no frequency response")]
+    if not linear.stable:
+        return [("linear loop", "unstable", "without its limits it would not settle")]
+    margin = "∞" if linear.gain_margin == inf else f"× {linear.gain_margin:.3f}"
+    return [
+        ("bandwidth, linear", f"{linear.bandwidth:.2f} Hz", "-3 dB of the closed loop"),
+        ("phase margin", f"{linear.phase_margin:.2f}°", f"at {linear.crossover:.2f} Hz"),
+        ("gain margin", margin, ""),
+    ]
+
+
+def tune_lines(
+    made: Suggestion, figures: StepFigures, mint: Mapping[str, float], mccl: Mapping[str, float]
+) -> list[str]:
+    """The gains in volts, as both languages write them, and the step they give."""
+    loop = made.loop
+    rows = [
+        ("proportional", f"{loop.proportional:.6g}", "V per count"),
+        ("integral", f"{loop.integral:.6g}", "V per count and sample"),
+        ("derivative", f"{loop.derivative:.6g}", "V per count and sample"),
+        ("velocity feed-forward", f"{loop.velocity_ff:.6g}", "V per count/s"),
+        ("acceleration feed-forward", f"{loop.accel_ff:.6g}", "V per count/s²"),
+    ]
+    words = ", ".join(f"{word} = {value:.6g}" for word, value in mint.items())
+    commands = ",".join(f"1{word}{value:.6g}" for word, value in mccl.items())
+    lines = [
+        *_listed(rows),
+        "",
+        f"Mint: {words}",
+        f"MCCL: {commands}",
+        "",
+        *step_lines(figures, made.figures),
+    ]
+    return [*lines, *(f"warning: {text}" for text in made.warnings)]
+
+
+def listing_lines(settings: Settings, made: ListingRun) -> list[str]:
+    """What the listing did: a few rows of it, and the largest accelerations."""
+    columns = (
+        Column("update"),
+        Column("demand", "counts"),
+        Column("position", "counts"),
+        Column("velocity", "counts/update"),
+        Column("DAC", "steps"),
+    )
+    last = len(made.demand) - 1
+    shown = sorted({0, 1, 2, *(round(last * k / 10) for k in range(11))} & set(range(last + 1)))
+    rows = [
+        [
+            str(i),
+            str(made.demand[i]),
+            f"{_quiet(made.position[i]):.2f}",
+            f"{_quiet(made.velocity[i]):.3f}",
+            str(made.dac[i]),
+        ]
+        for i in shown
+    ]
+    asked = settings.accel / settings.hold
+    return [
+        *grid(columns, rows, width=WIDTH),
+        "",
+        f"demanded acceleration {figure(asked)} counts/update²; largest over an update {figure(made.peak_mean)}, "
+        f"just after a DAC change {figure(made.peak_onset)}",
+    ]
+
+
+def run_figures(axis: int, trace: ServoTrace, settled: float) -> dict[str, object]:
+    """One axis of a run, as JSON has it."""
+    return {
+        "axis": axis,
+        "peak_error": trace.peak_error,
+        "final_error": float(trace.error[-1]),
+        "settled_at": None if settled == inf else settled,
+        "rms_torque": trace.rms_torque,
+        "peak_torque": float(abs(trace.torque).max()),
+        "peak_output": trace.peak_output,
+    }
+
+
+def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> list[str]:
+    """The axes of a run: error, settling, torque and output."""
+    columns = (
+        Column("axis"),
+        Column("peak error", "counts"),
+        Column("error at the end", "counts"),
+        Column("settled at", "s"),
+        Column("RMS torque", "N m"),
+        Column("peak torque", "N m"),
+        Column("peak output", "V"),
+    )
+    cells = [
+        [
+            str(axis),
+            f"{trace.peak_error:.3f}",
+            f"{_quiet(float(trace.error[-1])):.3f}",
+            "never" if settled == inf else f"{settled:.5f}",
+            f"{trace.rms_torque:.6f}",
+            f"{float(abs(trace.torque).max()):.6f}",
+            f"{trace.peak_output:.4f}",
+        ]
+        for axis, trace, settled in rows
+    ]
+    return [*grid(columns, cells, width=WIDTH), "", f"settled: within {figure(window)} counts for good"]
+
+
+def errata_lines() -> list[str]:
+    """What the chapter's scan has wrong."""
+    return [f"* {text}" for text in ERRATA]
+
+
+def figure(value: float, digits: int = 7) -> str:
+    """A number to seven figures, with nothing that says nothing."""
+    return f"{value:.{digits}g}"
+
+
+def _seconds(value: float) -> str:
+    return "never" if value == inf else f"{value:.5f} s"
+
+
+def _quiet(value: float) -> float:
+    """No minus sign on what rounds to zero, and no rounding noise."""
+    return 0.0 if abs(value) < 5e-4 else value
+
+
+def _listed(rows: Sequence[tuple[str, str, str]]) -> list[str]:
+    first = max(len(name) for name, _, _ in rows)
+    second = max(len(value) for _, value, _ in rows)
+    return [f"{name:<{first}}  {value:<{second}}  {note}".rstrip() for name, value, note in rows]

@@ -1,0 +1,143 @@
+"""Servo pictures: what the motor did under what was asked of it. matplotlib is imported when one is drawn."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from motionlang.views.files import replacing
+from motionlang.views.plot import DPI, FAINT, INK, STYLE
+from motionlang.views.servo import SHAPE_NAMES
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from motionlang.controller.servo.chapter12 import ListingRun
+    from motionlang.controller.servo.compare import Row
+    from motionlang.controller.servo.override import OverrideRun
+    from motionlang.controller.servo.trace import ServoTrace
+
+BLUE, GREEN, RED, GREY, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#9aa6b2", "#6b4fa0"
+COLOURS = (BLUE, GREEN, RED, VIOLET)
+WIDTH = 10.0
+MOST_POINTS = 20_000
+TAKE_OFF = 0.06
+"""Seconds of the start of a move that show what the DAC does."""
+
+
+@contextmanager
+def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
+    """A figure that is written to `path` (.png or .svg) at the end, the same bytes for the same picture."""
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+
+    kind = os.path.splitext(path)[1].lower()[1:]
+    with rc_context(STYLE), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        figure = Figure(figsize=(width, height), facecolor="white", layout="constrained")
+        yield figure
+        metadata: dict[str, Any] = {"Date": None} if kind == "svg" else {"Software": "motionlang"}
+        with replacing(path) as file:
+            figure.savefig(file, format=kind, dpi=DPI, metadata=metadata)
+
+
+def dress(panel: Axes, label: str, unit: str = "") -> None:
+    """Labels, a light grid, no frame."""
+    panel.set_ylabel(f"{label}\n({unit})" if unit else label, fontsize=8.5)
+    panel.grid(True, color="#8496a8", alpha=0.25, linewidth=0.7)
+    panel.set_axisbelow(True)
+    panel.tick_params(length=0, labelsize=8)
+    for side in ("top", "right"):
+        panel.spines[side].set_visible(False)
+
+
+def plot_trace(trace: ServoTrace, title: str, path: str) -> None:
+    """Position over demand, velocity, following error, output with integral, and torque of one axis."""
+    every = max(1, len(trace) // MOST_POINTS)
+    time = trace.time[::every]
+    rows: list[tuple[str, str, list[tuple[str, str, str]]]] = [
+        ("position", "counts", [("demand", GREY, "demand"), ("position", BLUE, "motor")]),
+        ("velocity", "counts/s", [("velocity", GREEN, "")]),
+        ("following error", "counts", [("error", RED, "")]),
+        ("output", "V", [("output", VIOLET, "output"), ("integral", GREY, "integral")]),
+        ("torque", "N m", [("torque", INK, "")]),
+    ]
+    with drawing(path, WIDTH, 8.4) as figure:
+        panels = figure.subplots(len(rows), 1, sharex=True)
+        figure.suptitle(title, x=0.01, ha="left", fontsize=12, fontweight="bold")
+        for panel, (label, unit, lines) in zip(panels, rows, strict=True):
+            for name, colour, legend in lines:
+                panel.plot(time, trace[name][::every], color=colour, linewidth=1.3, label=legend or None)
+            dress(panel, label, unit)
+            if any(legend for _, _, legend in lines):
+                panel.legend(loc="upper right", frameon=False, fontsize=8, ncols=2)
+        panels[-1].set_xlabel("time (s)")
+
+
+def plot_comparison(tables: Mapping[str, Sequence[Row]], path: str) -> None:
+    """Velocity, motor acceleration and following error of the four profiles, a column for each comparison."""
+    with drawing(path, 5.6 * len(tables) + 0.6, 7.2) as figure:
+        grid = figure.subplots(3, len(tables), sharex="col", squeeze=False)
+        for column, (basis, rows) in enumerate(tables.items()):
+            title = "equal peak acceleration" if basis == "acceleration" else "equal time"
+            grid[0][column].set_title(title, loc="left", fontsize=10.5, fontweight="bold")
+            for row, colour in zip(rows, COLOURS, strict=True):
+                time = row.trace.time
+                for panel, name in zip(grid[:, column], ("velocity", "acceleration", "error"), strict=True):
+                    panel.plot(
+                        time, row.trace[name], color=colour, linewidth=1.2, label=SHAPE_NAMES[row.shape]
+                    )
+            for panel, label, unit in zip(
+                grid[:, column],
+                ("velocity", "acceleration", "following error"),
+                ("counts/s", "counts/s²", "counts"),
+                strict=True,
+            ):
+                dress(panel, label, unit)
+            grid[2][column].set_xlabel("time (s)")
+        lines, names = grid[0][0].get_legend_handles_labels()
+        figure.legend(lines, names, loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+
+
+def plot_override(runs: Sequence[OverrideRun], limit: float, unit: str, path: str) -> None:
+    """How each run takes off: acceleration against the limit, and the DAC."""
+    with drawing(path, WIDTH, 1.9 * len(runs) + 0.8) as figure:
+        grid = figure.subplots(
+            len(runs), 2, squeeze=False, sharex=True, sharey="col", width_ratios=(1.6, 1.0)
+        )
+        for (left, right), run in zip(grid, runs, strict=True):
+            trace = run.trace
+            scale = float(abs(trace.onset).max()) / run.onset
+            early = trace.time < TAKE_OFF
+            time = trace.time[early] * 1000.0
+            left.vlines(time, 0.0, trace.onset[early] / scale, color=RED, linewidth=1.0)
+            for edge in (limit, -limit):
+                left.axhline(edge, color=INK, linewidth=0.9, linestyle="--")
+            dress(left, f"{run.name}\nacceleration", f"{unit}/s²")
+            volts = trace.output[early] / trace.loop.dac_step * 2.0 ** (12 - run.bits)
+            right.step(time, volts, where="post", color=VIOLET, linewidth=1.1)
+            dress(right, "DAC", "12-bit steps")
+        grid[-1][0].set_xlabel("time (ms); dashed: beyond this the load slips")
+        grid[-1][1].set_xlabel("time (ms)")
+
+
+def plot_listing(made: ListingRun, path: str) -> None:
+    """Velocity and DAC of the listing, update by update."""
+    updates = range(len(made.demand))
+    with drawing(path, WIDTH, 5.4) as figure:
+        first, second, third = figure.subplots(3, 1, sharex=True)
+        first.plot(updates, made.demand, color=GREY, linewidth=1.3, label="demand")
+        first.plot(updates, made.position, color=BLUE, linewidth=1.3, label="motor")
+        first.legend(loc="lower right", frameon=False, fontsize=8)
+        dress(first, "position", "counts")
+        second.plot(updates, made.velocity, color=GREEN, linewidth=1.3)
+        dress(second, "velocity", "counts/update")
+        third.step(updates, made.dac, where="post", color=VIOLET, linewidth=1.1)
+        dress(third, "DAC", "steps")
+        third.set_xlabel("update")
+        third.tick_params(colors=FAINT)
