@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import logging
 import sys
 from typing import TYPE_CHECKING
 
 from motionlang.copley.buffer import SIZE
-from motionlang.copley.bus import LockstepBus, RealBus
+from motionlang.copley.bus import BusError, LockstepBus, RealBus
 from motionlang.copley.drive import Drive
 from motionlang.copley.master import WAYS, Master, StreamError
 from motionlang.copley.point import from_wire, to_wire
@@ -32,11 +33,19 @@ LINEAR = (*FIXED, "-2")
 
 def run_stream(args: argparse.Namespace, move: Move) -> int:
     """Stream, print what came of it, and answer the exit status."""
+    logging.getLogger("canopen").setLevel(logging.CRITICAL)  # what matters is told as a diagnostic
+    try:
+        return _stream_to_real(args, move) if args.real else _stream_to_simulated(args, move)
+    except BusError as problem:
+        hint = "python-can needs an interface that this machine has; virtual works everywhere"
+        sys.stderr.write(render(Diagnostic("file", str(problem), hint=hint)))
+        return 1
+
+
+def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
     start = _standing(args, move)
     points = relative(move.points, start) if args.relative else move.points
     wire = to_wire(points)
-    if args.real:
-        return _to_real_drive(args, wire)
     drive = Drive(start)
     with LockstepBus(drive, args.node, max(1, round(args.look * 1000)), args.interface, args.channel) as bus:
         problem, done = "", None
@@ -53,7 +62,9 @@ def run_stream(args: argparse.Namespace, move: Move) -> int:
     return 1 if problem else 0
 
 
-def _to_real_drive(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
+def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
+    points = relative(move.points, _standing(args, move)) if args.relative else move.points
+    wire = to_wire(points)
     try:
         with RealBus(args.node, args.interface, args.channel) as bus:
             done = Master(bus, args.node).stream(wire, args.by)

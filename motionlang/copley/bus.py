@@ -27,6 +27,19 @@ NEWS_TIMEOUT = 0.05
 _CHANNELS = itertools.count(1)
 
 
+class BusError(Exception):
+    """The CAN bus cannot be opened."""
+
+
+def open_bus(interface: str, channel: str) -> can.BusABC:
+    """One end of a bus; `BusError` where python-can or the machine has no such interface or channel."""
+    try:
+        return can.Bus(interface=interface, channel=channel)
+    except (can.CanError, OSError, ValueError) as problem:
+        where = f"{interface} {channel}".strip()
+        raise BusError(f"the CAN bus {where!r} cannot be opened: {problem}") from None
+
+
 class LockstepNetwork(canopen.Network):
     """A network whose frames are delivered by the bus it belongs to, not by a thread."""
 
@@ -46,11 +59,11 @@ class RealBus:
     patience = 100
 
     def __init__(self, node_id: int, interface: str, channel: str) -> None:
-        self.network = canopen.Network()
+        self.network = canopen.Network(open_bus(interface, channel))
         self.network.NOTIFIER_CYCLE = NEWS_TIMEOUT
         self._news = threading.Event()
         self.network.subscribe(0x180 + node_id, lambda *_: self._news.set())
-        self.network.connect(interface=interface, channel=channel)
+        self.network.connect()
 
     def __enter__(self) -> Self:
         return self
@@ -85,7 +98,7 @@ class LockstepBus:
         self._delivering = False
         # A virtual bus has nothing in flight; a kernel may need a moment to loop a frame back.
         self._patience = 0.0 if interface == VIRTUAL else 0.01
-        near, far = (can.Bus(interface=interface, channel=name) for _ in range(2))
+        near, far = (open_bus(interface, name) for _ in range(2))
         self.network, self._far = LockstepNetwork(self, near), LockstepNetwork(self, far)
         self.node = DriveNode(node_id, drive)
         self._far.add_node(self.node)

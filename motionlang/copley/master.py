@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
+import can
 import canopen
 
 from motionlang.copley import packet
@@ -90,6 +91,16 @@ class Master:
         """Run a whole move by one of `WAYS`; `StreamError` where the drive or the points do not allow it."""
         if way not in WAYS:
             raise StreamError(f"there is no way {way!r} to stream; there is {', '.join(WAYS)}")
+        try:
+            return self._stream(points, way)
+        except canopen.SdoCommunicationError:
+            raise StreamError(f"node {self.node_id} does not answer") from None
+        except canopen.SdoAbortedError as refusal:
+            raise StreamError(f"the drive refused a message: {refusal}") from None
+        except can.CanError as problem:
+            raise StreamError(f"the bus failed: {problem}") from None
+
+    def _stream(self, points: Sequence[WirePoint], way: str) -> Streamed:
         self.prepare()
         if way in ("pdo", "sdo"):
             self._write(

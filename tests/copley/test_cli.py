@@ -281,3 +281,18 @@ def test_points_come_from_standard_input(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr("sys.stdin", io.StringIO("0\n10\n30\n"))
     answer = pvt("export", "-", "--time", "10", "--velocities", "zero")
     assert answer.out.splitlines()[1:] == ["position,velocity,time", "0,0,10", "10,0,10", "30,0,0"]
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--interface", "nope"], "error[file]: the CAN bus 'nope motionlang-"),
+        (["--interface", "nope", "--real"], "error[file]: the CAN bus 'nope' cannot be opened"),
+        (["--real", "--channel", "nobody"], "error[never]: the stream failed: node 1 does not answer\n"),
+    ],
+)
+def test_a_bus_that_is_not_there(words: list[str], message: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("canopen.sdo.SdoClient.RESPONSE_TIMEOUT", 0.001)
+    answer = pvt("stream", "--scurve", "10", "--time", "5", *words)
+    assert answer.status == 1
+    assert answer.err.startswith(message)
