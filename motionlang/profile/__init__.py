@@ -1,20 +1,49 @@
 """Motion mathematics: planners that return a `Profile`, position as an exact function of time.
 
-`sample` and `verify` use NumPy, the `pvt` modules serve drives: they are imported by name, never from here,
-because running a program needs none of them.
+The planners are brought in when they are first asked for: a program that moves nothing should not wait for them.
+`sample` and `verify` use NumPy, the `pvt` modules serve drives: they are imported by name, never from here.
 """
 
 from __future__ import annotations
 
 from motionlang.profile.curve import Phase, Profile, State, hold
-from motionlang.profile.halted import halted, rest
-from motionlang.profile.jerk import plan_jerk
-from motionlang.profile.joint import on_line, path_length, scaled
-from motionlang.profile.parabolic import plan_parabolic
-from motionlang.profile.plan import plan
-from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
-from motionlang.profile.stop import plan_stop, plan_velocity
-from motionlang.profile.trapezoid import plan_trapezoid
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.profile.halted import halted, rest
+    from motionlang.profile.jerk import plan_jerk
+    from motionlang.profile.joint import on_line, path_length, scaled
+    from motionlang.profile.parabolic import plan_parabolic
+    from motionlang.profile.plan import plan
+    from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
+    from motionlang.profile.stop import plan_stop, plan_velocity
+    from motionlang.profile.trapezoid import plan_trapezoid
+
+_HOMES = {
+    "halted": "halted",
+    "rest": "halted",
+    "plan_jerk": "jerk",
+    "on_line": "joint",
+    "path_length": "joint",
+    "scaled": "joint",
+    "plan_parabolic": "parabolic",
+    "plan": "plan",
+    "plan_ratio": "scurve",
+    "plan_sinusoidal": "scurve",
+    "plan_stop": "stop",
+    "plan_velocity": "stop",
+    "plan_trapezoid": "trapezoid",
+}
+
+
+def __getattr__(name: str) -> object:
+    home = _HOMES.get(name)
+    if home is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(f"{__name__}.{home}"), name)
+
 
 __all__ = [
     "Phase",

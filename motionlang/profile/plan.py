@@ -5,9 +5,6 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.profile.curve import Profile
-from motionlang.profile.jerk import plan_jerk
-from motionlang.profile.parabolic import plan_parabolic
-from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
 from motionlang.profile.trapezoid import plan_trapezoid
 
 
@@ -31,13 +28,22 @@ def plan(
     """
     if shape == "trapezoid":
         return plan_trapezoid(start, target, speed, accel, decel, v0)
+    # The other shapes are seldom asked for: a program without them starts without them.
     if shape == "sinusoidal":
+        from motionlang.profile.scurve import plan_sinusoidal
+
         return plan_sinusoidal(start, target, speed, accel, decel, v0)
     if shape == "parabolic":
+        from motionlang.profile.parabolic import plan_parabolic
+
         return plan_parabolic(start, target, speed, accel, decel, v0)
     if shape != "scurve":
         raise ValueError(f"there is no profile shape {shape!r}")
     if accel_jerk == inf:
+        from motionlang.profile.scurve import plan_ratio
+
         return plan_ratio(start, target, speed, accel, decel, ramp, v0)
+    from motionlang.profile.jerk import plan_jerk
+
     braking = accel_jerk if decel_jerk == inf else decel_jerk
     return plan_jerk(start, target, speed, accel, decel, accel_jerk, braking, v0, a0)
