@@ -19,9 +19,9 @@ def main(
 
     from motionlang.controller.faults import Refusal
     from motionlang.errors import Diagnostic
+    from motionlang.execution import dialect, dialect_of
     from motionlang.repl.commands import load_file
     from motionlang.repl.session import Session
-    from motionlang.execution import dialect, dialect_of
     from motionlang.views.diagnostics import render
     from motionlang.views.terminal import is_terminal, wants_colour
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from os.path import expanduser
 
 from motionlang.errors import Diagnostic, nearest
-from motionlang.repl import status
 from motionlang.execution import ONE_SHIFT, Run, dialect_of
+from motionlang.repl import status
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
 from motionlang.views.files import reason

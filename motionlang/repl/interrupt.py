@@ -17,7 +17,6 @@ class Interrupts:
         return self._pressed
 
     def __enter__(self) -> Interrupts:
-        self._pressed = False
         self._before = signal.signal(signal.SIGINT, self._press)
         return self
 
@@ -25,6 +24,7 @@ class Interrupts:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         signal.signal(signal.SIGINT, self._before)
+        self._pressed = False
 
     def _press(self, number: int, frame: FrameType | None) -> None:
         if self._pressed:

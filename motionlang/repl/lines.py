@@ -10,14 +10,19 @@ from motionlang.source import Source
 
 
 def read_lines(session: Session) -> int:
-    """Execute every line of standard input; 1 if anything was wrong."""
+    """Execute every line of standard input; 1 if anything was wrong.
+
+    Nobody is there to go on after Ctrl-C: the command is ended in good order, and KeyboardInterrupt follows.
+    """
     interrupts = Interrupts()
     session.interrupted = interrupts.pressed
-    with interrupts:
-        for raw in getattr(sys.stdin, "buffer", sys.stdin):
-            line = raw if isinstance(raw, str) else Source.from_bytes("", raw).text
+    for raw in getattr(sys.stdin, "buffer", sys.stdin):
+        line = raw if isinstance(raw, str) else Source.from_bytes("", raw).text
+        with interrupts:
             session.feed(line.rstrip("\n"))
-            if session.over or interrupts.pressed():
-                break
-        session.finish()
+            if interrupts.pressed():
+                raise KeyboardInterrupt
+        if session.over:
+            break
+    session.finish()
     return 1 if session.failed else 0

@@ -7,13 +7,13 @@ from traceback import walk_tb
 
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.execution import ONE_SHIFT
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait, wait_idle, wait_until
 from motionlang.lang.trouble import explain
 from motionlang.repl.status import moving
-from motionlang.execution import ONE_SHIFT
 from motionlang.source import Source
 
 # Machine time after which a busy command is asked again whether somebody pressed Ctrl-C.

@@ -127,7 +127,7 @@ class Session:
         self.machine.terminal.close()
         self.machine.terminal.forget()
         axes = moving(self.machine)
-        if axes and not self._remarked:
+        if axes and not self._remarked and not self.live:
             self._remarked = True
             self.remark(REMARK_ON_MOTION.format(", ".join(map(str, axes))))
         return fine

@@ -21,9 +21,10 @@ def test_ctrl_c_is_a_request_first_and_an_order_the_second_time() -> None:
     assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_every_command_begins_unpressed() -> None:
+def test_what_was_asked_for_is_over_with_the_command() -> None:
     interrupts = Interrupts()
     with interrupts:
         signal.raise_signal(signal.SIGINT)
+    assert not interrupts.pressed()
     with interrupts:
         assert not interrupts.pressed()

@@ -12,11 +12,11 @@ from prompt_toolkit.document import Document
 from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.output import DummyOutput
 
+from motionlang.execution import dialect
 from motionlang.repl.complete import WordCompleter, candidates
 from motionlang.repl.highlight import styled
 from motionlang.repl.prompt import converse
 from motionlang.repl.session import Session
-from motionlang.execution import dialect
 
 CTRL_C, CTRL_D, ENTER = "\x03", "\x04", "\r"
 

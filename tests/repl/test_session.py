@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.execution import ONE_SHIFT, dialect
 from motionlang.repl import main
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
-from motionlang.execution import ONE_SHIFT, dialect
 
 
 def after(polls: int) -> object:

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.repl.session import Session
 from motionlang.execution import dialect, dialects
+from motionlang.repl.session import Session
 
 FOLDER = Path(__file__).parent
 PROMPTS = {f"{name}> ": name for name in dialects()}
