@@ -2,8 +2,10 @@
 
 A row's `verb` is a setting of the controller, converted by its unit, or one of the operations written out below. A
 new keyword needs a row and, if its verb is new, one function here: `_read_…`, `_write_…`, `_load_…` or `_do_…` and
-the verb. What it returns is called with the indices, then the value, then (moves, commands of axes, and the whole
-group "motion") the line of the statement. `_load_…` answers true while there is no room and the statement must wait.
+the verb. A verb with a dot names its module: "inputs.bit" is `read_bit` and the like of
+`motionlang.mint.operations.inputs`, which only programs that use it import. What an operation's maker returns is called
+with the indices, then the value, then (moves, commands of axes, and the whole group "motion") the line of the statement.
+`_load_…` answers true while there is no room and the statement must wait.
 """
 
 from __future__ import annotations
@@ -41,6 +43,11 @@ class Row:
 
 def bind(environment: Environment, how: str, row: Row) -> Operation:
     """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
+    place, _, verb = row.verb.rpartition(".")
+    if place:
+        module = __import__(f"motionlang.mint.operations.{place}", fromlist=[verb])
+        made: Operation = getattr(module, f"{how}_{verb}")(environment, row)
+        return made
     special = globals().get(f"_{how}_{row.verb}")
     if special is None and row.verb not in SETTINGS:
         from motionlang.mint import binding_program

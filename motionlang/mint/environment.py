@@ -7,6 +7,7 @@ from motionlang.lang.task import GeneratorTask, Wait, wait_until
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from typing import TypeVar
 
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Steps
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.mint.events import Events
 
     Make = Callable[[float, float], Steps]
+    Part = TypeVar("Part")
 
 INFINITY = float("inf")
 # The profiler's period: how often a condition is tested that can neither be solved nor told by an event.
@@ -43,6 +45,7 @@ class Environment:
         self.quanta: dict[str, int] = {}
         self.jogs: dict[int, float] = {}
         self.task: MintTask
+        self._parts: dict[type, object] = {}
         self._events: Events | None = None
         self._errors: Errors | None = None
         self._random: Callable[[], float] | None = None
@@ -51,6 +54,13 @@ class Environment:
         """Make the controller behave as Mint expects it to."""
         for axis in self.controller.axes:
             self.controller.configure(axis, "live_speed", True)
+
+    def part(self, kind: type[Part]) -> Part:
+        """What a group of keywords works on, made of this environment at its first use."""
+        found = self._parts.get(kind)
+        if found is None:
+            found = self._parts[kind] = kind(self)  # type: ignore[call-arg]
+        return found  # type: ignore[return-value]
 
     @property
     def events(self) -> Events:

@@ -17,6 +17,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "zero-speed": (3, "value invalid"),
     "zero-acceleration": (3, "value invalid"),
     "channel": (4, "channel invalid"),
+    "axis-error": (12, "axis has an error"),
     "moving": (10, "axis is moving"),
     "disabled-axis": (40, "drive disabled"),
     "buffer-full": (59, "move buffer full"),
