@@ -7,10 +7,21 @@ from __future__ import annotations
 
 import json
 import sys
-from math import inf, isfinite
+from math import isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.cli_servo_input import add_loop, add_plant, loop_of, plant_of
+from motionlang.cli_servo_input import loop_of, pairs, plant_of
+from motionlang.cli_servo_options import (
+    SECONDS,
+    compare_options,
+    dac_options,
+    figure_options,
+    listing_options,
+    run_options,
+    slip_options,
+    step_options,
+    tune_options,
+)
 from motionlang.profile import dissect
 
 if TYPE_CHECKING:
@@ -48,7 +59,7 @@ def slip(args: argparse.Namespace) -> int:
     from motionlang.views import servo as view
 
     limit = dissect.slip_acceleration(args.friction, args.gravity)
-    per_second = args.speed / _SECONDS[args.per]
+    per_second = args.speed / SECONDS[args.per]
     figures = {
         "weight": args.weight,
         "friction_force": dissect.friction_force(args.weight, args.friction),
@@ -64,7 +75,7 @@ def slip(args: argparse.Namespace) -> int:
         for name, found in checked:
             _print(["", *view.slip_check_lines(name, found, args.unit)])
     if args.plot:
-        from motionlang.views.chapter12 import draw_figure
+        from motionlang.views.chapter12_plot import draw_figure
 
         draw_figure("12.3", args.plot)
     return WRONG if any(found.slips for _, found in checked) else OK
@@ -76,7 +87,7 @@ def dac(args: argparse.Namespace) -> int:
     from motionlang.views import servo as view
 
     limit = dissect.slip_acceleration(args.friction, args.gravity)
-    speed = args.speed / _SECONDS[args.per]
+    speed = args.speed / SECONDS[args.per]
     timings = [dissect.dac_timing(speed, limit, bits) for bits in args.bits or (12, 16)]
     runs = demonstrate(speed, limit, args.friction, args.gravity, args.share, args.gain)
     if args.report == "json":
@@ -147,7 +158,6 @@ def step(args: argparse.Namespace) -> int:
 
 def tune(args: argparse.Namespace) -> int:
     """First gains for a motor and a bandwidth, as Mint and as MCCL have them."""
-    from motionlang.cli_servo_input import pairs
     from motionlang.controller.servo.gains import mccl_values, mint_values
     from motionlang.controller.servo.response import step_figures, step_response
     from motionlang.controller.servo.settings import SERVO, make_loop
@@ -174,7 +184,7 @@ def tune(args: argparse.Namespace) -> int:
 
 def figure(args: argparse.Namespace) -> int:
     """The figures of chapter 12: what they show in numbers, and as a picture."""
-    from motionlang.views.chapter12 import FIGURES, draw_figure, figure_lines
+    from motionlang.views.chapter12 import FIGURES, figure_lines
 
     if args.report == "json":
         _print_json(
@@ -183,6 +193,8 @@ def figure(args: argparse.Namespace) -> int:
     elif args.report == "table":
         _print(figure_lines(args.number))
     if args.plot:
+        from motionlang.views.chapter12_plot import draw_figure
+
         draw_figure(args.number, args.plot)
     return OK
 
@@ -245,183 +257,24 @@ def run(args: argparse.Namespace) -> int:
     return OK
 
 
-# ---------------------------------------------------------------------------------------------------- the options
-
-_SECONDS = {"second": 1.0, "minute": 60.0}
-
-
-def _slip_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    _add_friction(parser)
-    add("--weight", type=_positive, default=dissect.WEIGHT_LB, metavar="W", help="weight of the load (5 lb)")
-    add("--distance", type=_positive, metavar="D", help="check a move of this distance")
-    add("--move-speed", type=_positive, metavar="V", help="its speed, units a second (the --speed)")
-    add("--accel", type=_positive, metavar="A", help="its acceleration, units/s²")
-    add("--profile", choices=["trapezoid", "sinusoidal", "scurve", "parabolic"], help="its shape (all four)")
-    add("--ramp", type=_positive, default=0.1, metavar="N", help="the ramp of the S-curve (0.1)")
-
-
-def _dac_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    _add_friction(parser)
-    add(
-        "--bits",
-        type=_bits,
-        action="append",
-        metavar="N",
-        help="bits of the DAC; may be repeated (12 and 16)",
-    )
-    add("--share", type=_positive, default=0.25, metavar="X", help="demanded share of the limit (0.25)")
-    add("--gain", type=_count, default=60, metavar="KP", help="proportional gain of the loop (60)")
-
-
-def _add_friction(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    add(
-        "--friction",
-        type=_positive,
-        default=dissect.FRICTION,
-        metavar="MU",
-        help="coefficient of friction (0.1)",
-    )
-    add("--gravity", type=_positive, default=dissect.GRAVITY_FT, metavar="G", help="32.2, for ft; 9.81 for m")
-    add("--speed", type=_positive, default=dissect.SPEED_FT_MIN, metavar="V", help="speed to reach (100)")
-    add("--per", choices=list(_SECONDS), default="minute", help="what the speed is per (minute)")
-    add("--unit", default="ft", help="the name of the length unit (ft)")
-
-
-def _compare_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    add_plant(parser)
-    add_loop(parser)
-    add("--distance", type=_positive, default=40_000.0, metavar="D", help="counts (40000, as in TN1069)")
-    add("--speed", type=_positive, default=40_000.0, metavar="V", help="counts/s (40000)")
-    add("--accel", type=_positive, default=100_000.0, metavar="A", help="counts/s² (100000)")
-    add("--equal", choices=["acceleration", "time"], help="only this comparison")
-    add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
-    add("--ramp", type=_positive, default=0.1, metavar="N", help="the ramp of the trapezoidal S-curve (0.1)")
-
-
-def _step_options(parser: argparse.ArgumentParser) -> None:
-    add_plant(parser)
-    add_loop(parser)
-    parser.add_argument("--size", type=_positive, default=100.0, metavar="C", help="counts (100)")
-    parser.add_argument("--time", type=_positive, default=0.5, metavar="S", help="seconds to watch (0.5)")
-
-
-def _tune_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    add_plant(parser)
-    add("--loop", action="append", default=[], metavar="NAME=VALUE", help="rates and limits of the loop")
-    add("--bandwidth", type=_positive, default=50.0, metavar="HZ", help="wanted closed-loop bandwidth (50)")
-    add("--no-integral", action="store_true", help="leave the integral out")
-    add("--size", type=_positive, default=100.0, metavar="C", help="counts of the step shown (100)")
-    add(
-        "--scale",
-        type=_positive,
-        default=1.0,
-        metavar="C",
-        help="counts per user unit, for VG, AG and DG (1)",
-    )
-
-
-def _figure_options(parser: argparse.ArgumentParser) -> None:
-    numbers = [f"12.{k}" for k in range(1, 12)]
-    parser.add_argument("number", choices=numbers, metavar="N", help="12.1 to 12.11")
-
-
-def _listing_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    add("--distance", type=_count, default=20_000, metavar="D", help="counts (20000)")
-    add("--speed", type=_count, default=50, metavar="V", help="MxVel, counts per update (50)")
-    add("--accel", type=_count, default=1, metavar="A", help="what the velocity changes by (1)")
-    add("--hold", type=_count, default=4, metavar="N", help="RegCnt: updates a DAC value is held (4)")
-    add("--steps", type=_whole, default=32, metavar="N", help="MxDAC_Stps; 0: no override (32)")
-    add("--kp", type=_whole, default=40, metavar="K", help="proportional gain (40)")
-    add("--ki", type=_whole, default=0, metavar="K", help="integral gain (0)")
-    add("--kd", type=_whole, default=80, metavar="K", help="differential gain (80)")
-    add("--bits", type=_bits, default=12, metavar="N", help="bits of the DAC (12)")
-    add(
-        "--full-speed",
-        type=_positive,
-        default=100.0,
-        metavar="V",
-        help="counts per update at full scale (100)",
-    )
-    add("--time-constant", type=_positive, default=2.0, metavar="T", help="of the drive, in updates (2)")
-    add("--updates", type=_count, default=1000, metavar="N", help="updates to run (1000)")
-
-
-def _run_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
-    add("file", metavar="FILE", help="the program")
-    add("--dialect", choices=["mint", "mccl"], help="the language, where the suffix does not say it")
-    add("--until", type=_positive, default=600.0, metavar="S", help="end after this machine time (600)")
-    add("--rest", type=_positive, default=0.5, metavar="S", help="seconds to watch after the program (0.5)")
-    add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
-    add_plant(parser)
-    add_loop(parser)
-
-
 _COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], None]]] = {
     "slip": (
         "how fast a load held by friction may be accelerated, and whether a move keeps to it",
         slip,
-        _slip_options,
+        slip_options,
     ),
-    "dac": ("what one DAC step asks of a motor, and the override that holds it back", dac, _dac_options),
+    "dac": ("what one DAC step asks of a motor, and the override that holds it back", dac, dac_options),
     "compare": (
         "the four profiles of TN1069 under servo, at equal acceleration and equal time",
         compare,
-        _compare_options,
+        compare_options,
     ),
-    "step": ("the answer of a simulated axis to a step", step, _step_options),
-    "tune": ("first gains for a motor and a bandwidth, as Mint and as MCCL have them", tune, _tune_options),
-    "run": ("a program's motion through a servo and a motor", run, _run_options),
-    "listing": ("the C program that closes chapter 12, run", listing, _listing_options),
-    "figure": ("the figures of chapter 12, in numbers and drawn", figure, _figure_options),
+    "step": ("the answer of a simulated axis to a step", step, step_options),
+    "tune": ("first gains for a motor and a bandwidth, as Mint and as MCCL have them", tune, tune_options),
+    "run": ("a program's motion through a servo and a motor", run, run_options),
+    "listing": ("the C program that closes chapter 12, run", listing, listing_options),
+    "figure": ("the figures of chapter 12, in numbers and drawn", figure, figure_options),
 }
-
-
-def _positive(text: str) -> float:
-    value = _number(text, float)
-    if not 0.0 < value < inf:
-        raise _refused(text, "a number greater than zero")
-    return value
-
-
-def _count(text: str) -> int:
-    value = _number(text, int)
-    if not 1 <= value <= 10**9:
-        raise _refused(text, "a whole number from 1 on")
-    return int(value)
-
-
-def _whole(text: str) -> int:
-    value = _number(text, int)
-    if not 0 <= value <= 32767:
-        raise _refused(text, "a whole number from 0 to 32767")
-    return int(value)
-
-
-def _bits(text: str) -> int:
-    value = _number(text, int)
-    if not 8 <= value <= 16:
-        raise _refused(text, "a whole number from 8 to 16")
-    return int(value)
-
-
-def _number(text: str, kind: Callable[[str], float]) -> float:
-    try:
-        return kind(text)
-    except ValueError:
-        raise _refused(text, "a whole number" if kind is int else "a number") from None
-
-
-def _refused(text: str, wanted: str) -> Exception:
-    from argparse import ArgumentTypeError
-
-    return ArgumentTypeError(f"{text!r} is not {wanted}")
 
 
 # ---------------------------------------------------------------------------------------------------- in and out
@@ -430,7 +283,7 @@ def _refused(text: str, wanted: str) -> Exception:
 def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
     from motionlang.controller.servo.compare import SHAPES
     from motionlang.controller.servo.slip import check_profile
-    from motionlang.profile import plan
+    from motionlang.profile.plan import plan
 
     if args.distance is None:
         if args.accel is not None or args.profile is not None:
@@ -438,7 +291,7 @@ def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
         return []
     if args.accel is None:
         raise ValueError("to check a move give its --accel as well")
-    speed = args.move_speed or args.speed / _SECONDS[args.per]
+    speed = args.move_speed or args.speed / SECONDS[args.per]
     found = []
     for shape in (args.profile,) if args.profile else SHAPES:
         profile = plan(shape, 0.0, args.distance, speed, args.accel, args.accel, ramp=args.ramp)

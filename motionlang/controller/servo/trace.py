@@ -90,7 +90,8 @@ class ServoTrace:
     @property
     def time(self) -> Array:
         """Seconds."""
-        return np.arange(len(self)) * self.loop.period
+        made: Array = np.arange(len(self), dtype=np.float64) * self.loop.period
+        return made
 
     @property
     def demand(self) -> Array:
