@@ -7,27 +7,25 @@ The planners are brought in when they are first asked for: a program that moves 
 from __future__ import annotations
 
 from motionlang.profile.curve import Phase, Profile, State, hold
+from motionlang.profile.halted import halted, rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.profile.halted import halted, rest
     from motionlang.profile.jerk import plan_jerk
     from motionlang.profile.joint import on_line, path_length, scaled
     from motionlang.profile.parabolic import plan_parabolic
-    from motionlang.profile.plan import plan
+    from motionlang.profile.shapes import plan
     from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
     from motionlang.profile.stop import plan_stop, plan_velocity
     from motionlang.profile.trapezoid import plan_trapezoid
 
 _HOMES = {
-    "halted": "halted",
-    "rest": "halted",
     "plan_jerk": "jerk",
     "on_line": "joint",
     "path_length": "joint",
     "scaled": "joint",
     "plan_parabolic": "parabolic",
-    "plan": "plan",
+    "plan": "shapes",
     "plan_ratio": "scurve",
     "plan_sinusoidal": "scurve",
     "plan_stop": "stop",

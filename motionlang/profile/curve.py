@@ -73,6 +73,8 @@ class Profile:
     __slots__ = ("_curve", "_recipe", "duration", "end", "shape", "start")
 
     _curve: Curve
+    # False for a `Formula`, whose pieces are only good for drawing.
+    pieced = True
 
     # Called in the running program for every move: five stores, nothing computed. `_curve` stays unset.
     def __init__(self, shape: str, start: float, end: float, duration: float, recipe: Recipe) -> None:
@@ -231,6 +233,10 @@ class Profile:
 
     def then(self, other: Profile) -> Profile:
         """This profile followed by `other`, which must begin where this one ends."""
+        if not other.pieced:
+            from motionlang.profile.chain import chained
+
+            return chained(self, other)
         gap = abs(other.start - self.end)
         assert gap <= 1e-9 * max(1.0, abs(self.end), abs(self.distance)), f"a jump of {gap} between profiles"
         if self.duration == 0.0:

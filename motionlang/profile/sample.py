@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.profile.evaluate import evaluate
 from motionlang.profile.table import piece_columns
 
 if TYPE_CHECKING:
@@ -50,9 +51,12 @@ def sample_track(
 
 
 class PieceTable:
-    """The pieces of a history as columns: when each begins, and its seven coefficients (7 x pieces)."""
+    """The pieces of a history as columns: when each begins, and its seven coefficients (7 x pieces).
 
-    __slots__ = ("begins", "columns", "origins")
+    Formulas are there as cubics to draw; they are sampled as what they are.
+    """
+
+    __slots__ = ("_formulas", "begins", "columns", "origins")
 
     def __init__(self, starts: Sequence[float], profiles: Sequence[Profile]) -> None:
         origins, columns = piece_columns(starts, profiles)
@@ -64,6 +68,12 @@ class PieceTable:
         self.begins = origins.copy()
         self.begins[:1] = -np.inf
         self.columns = columns
+        ends = [*starts[1:], np.inf]
+        self._formulas = [
+            (start, min(start + profile.duration, end), profile)
+            for start, end, profile in zip(starts, ends, profiles, strict=True)
+            if not profile.pieced
+        ]
 
     def sample(self, t0: float, dt: float, n: int, order: int = 0, out: Array | None = None) -> Array:
         """n values of derivative `order` at t0, t0 + dt ..., into `out` if given (n doubles)."""
@@ -83,6 +93,8 @@ class PieceTable:
         _sample_cubics(out, edges, origins, columns, dt, np.flatnonzero(long & ~wavy))
         for i in np.flatnonzero(long & wavy):
             _sample_wave(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
+        for begin, finish, profile in self._formulas:
+            _sample_formula(out, profile, begin, finish, (t0, dt, order))
         return out
 
     def _edges(self, t0: float, dt: float, n: int) -> NDArray[np.int64]:
@@ -90,6 +102,20 @@ class PieceTable:
         rounding = min(1e-9, 1e-15 * (abs(t0) / dt + n))
         first = np.ceil((self.begins - t0) / dt - rounding)
         return np.append(np.clip(first, 0, n), n).astype(np.int64)
+
+
+def _sample_formula(
+    out: Array, profile: Profile, begin: float, finish: float, how: tuple[float, float, int]
+) -> None:
+    """The points from `begin` up to `finish` of one formula, CHUNK at a time."""
+    t0, dt, order = how
+    rounding = min(1e-9, 1e-15 * (abs(t0) / dt + len(out)))
+    edges = np.ceil((np.array([begin, finish]) - t0) / dt - rounding)
+    first, last = np.clip(edges, 0, len(out)).astype(np.int64).tolist()
+    for low in range(first, last, CHUNK):
+        high = min(low + CHUNK, last)
+        times = np.maximum(t0 + np.arange(low, high) * dt - begin, 0.0)
+        out[low:high] = evaluate(profile, times, order)
 
 
 def _derivative(columns: Array, order: int) -> Array:
