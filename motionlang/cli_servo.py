@@ -283,7 +283,7 @@ _COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], Non
 def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
     from motionlang.controller.servo.compare import SHAPES
     from motionlang.controller.servo.slip import check_profile
-    from motionlang.profile.plan import plan
+    from motionlang.profile import plan
 
     if args.distance is None:
         if args.accel is not None or args.profile is not None:
@@ -339,8 +339,6 @@ def _guarded(name: str, handler: Handler) -> Handler:
             return handler(args)
         except OSError as problem:
             return _complain(name, f"{problem.filename or 'a file'}: {problem.strerror or problem}", WRONG)
-        except ImportError:
-            return _complain(name, "a plot needs matplotlib: pip install 'motionlang[plot]'", USAGE)
         except (ValueError, OverflowError) as problem:
             return _complain(name, str(problem), USAGE)
 
@@ -348,8 +346,12 @@ def _guarded(name: str, handler: Handler) -> Handler:
 
 
 def _check_plot(path: str | None) -> None:
+    from importlib.util import find_spec
+
     if path is not None and not path.lower().endswith(PLOTS):
         raise ValueError(f"--plot writes {' and '.join(PLOTS)} files, not {path}")
+    if path is not None and find_spec("matplotlib") is None:
+        raise ValueError("a plot needs matplotlib: pip install 'motionlang[plot]'")
 
 
 def _complain(name: str, message: str, status: int) -> int:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from motionlang.profile import dissect
-from motionlang.profile.plan import plan
+from motionlang.profile import dissect, plan
 from motionlang.views.grid import Column, grid
 
 if TYPE_CHECKING:

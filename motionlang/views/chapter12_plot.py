@@ -5,8 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from motionlang.profile import dissect
-from motionlang.profile.plan import plan
+from motionlang.profile import dissect, plan
 from motionlang.views.chapter12 import (
     BLOCKS,
     CHANGES,

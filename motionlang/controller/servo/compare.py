@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.demand import Track
 from motionlang.controller.servo.servo import simulate
+from motionlang.profile import plan
 from motionlang.profile.curve import hold
-from motionlang.profile.plan import plan
 
 if TYPE_CHECKING:
     from motionlang.controller.servo.loop import Loop

@@ -11,9 +11,9 @@ from motionlang.controller.servo.loop import FULL_SCALE, Loop, Override
 from motionlang.controller.servo.plant import Drive
 from motionlang.controller.servo.servo import simulate
 from motionlang.controller.servo.slip import check_trace
+from motionlang.profile import plan
 from motionlang.profile.curve import hold
 from motionlang.profile.dissect import dac_timing
-from motionlang.profile.plan import plan
 
 if TYPE_CHECKING:
     from motionlang.controller.servo.trace import ServoTrace
