@@ -83,6 +83,7 @@ class Session:
         self._answer.clear()
         for line in text.split("\n"):
             if self.over or self.interrupted():
+                self._block.clear()
                 break
             self._line(line)
         return "".join(self._answer)
