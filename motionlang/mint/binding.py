@@ -343,11 +343,11 @@ def _do_abort_all(environment: Environment, row: Row) -> Operation:
 
 
 def _read_time(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.elapsed(environment.task.time_base)
+    return lambda: environment.elapsed(environment.task.timer[0])
 
 
 def _write_time(environment: Environment, row: Row) -> Operation:
     def write(value: int) -> None:
-        environment.task.time_base = environment.since(value)
+        environment.task.timer[0] = environment.since(value)
 
     return write

@@ -187,7 +187,9 @@ class Body:
 
     def use_outside(self, symbol: Symbol) -> None:
         """Note that the function assigns to a variable that lives outside it (or outside its dispatcher)."""
-        if self.function.jumps or symbol.home is not self.function or (self.whole.typed and self.scope is self.whole.names.module):
+        function = self.function
+        around = function.kind == "main" and (symbol.shared or self.whole.typed)
+        if function.jumps or symbol.home is not function or around:
             self.outside.add(symbol.python)
 
     def range_of(self, symbol: Symbol, node: nodes.Node) -> ranges.Range:

@@ -45,6 +45,8 @@ class Environment:
         self.quanta: dict[str, int] = {}
         self.jogs: dict[int, float] = {}
         self.task: MintTask
+        # The moment from which the parent task's TIME counts; event handlers belong to the parent.
+        self.timer = [self.clock.now]
         self._parts: dict[type, object] = {}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -257,15 +259,15 @@ class TaskEnd(Exception):
 
 
 class MintTask(GeneratorTask):
-    """A task of a Mint program; TIME counts from its start."""
+    """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
-    __slots__ = ("environment", "held", "suspended", "time_base")
+    __slots__ = ("environment", "held", "suspended", "timer")
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
         file = make.__code__.co_filename  # type: ignore[attr-defined]
         super().__init__(name, make, file, environment.files[file])
         self.environment = environment
-        self.time_base = environment.clock.now
+        self.timer = [environment.clock.now]
         self.suspended = False
         self.held: Wait | None = None
 

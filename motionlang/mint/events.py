@@ -139,6 +139,7 @@ class EventTask(MintTask):
 
     def __init__(self, name: str, make: Callable[[float, float], Steps], environment: Environment) -> None:
         super().__init__(name, make, environment)
+        self.timer = environment.timer
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         time, wait = super().resume(now, horizon)

@@ -115,6 +115,9 @@ def _string(b: Body, node: nodes.String) -> Value:
 
 def _name(b: Body, node: nodes.Name) -> Value:
     symbol = b.scope.find(node.name)
+    result = b.function.result
+    if result is not None and node.args is None and result.name.lower() == node.name.lower():
+        return load(b, node, result)  # inside a function its bare name is the value it will have
     if symbol is not None:
         if symbol.kind == "const" and node.args is None:
             assert symbol.const is not None
@@ -129,9 +132,6 @@ def _name(b: Body, node: nodes.Name) -> Value:
             return load(b, node, symbol)
         b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
         return _NOTHING
-    result = b.function.result
-    if result is not None and result.name.lower() == node.name.lower() and node.args is None:
-        return load(b, node, result)
     row = b.whole.table.get(node.name)
     if row is None:
         unknown(b, node)

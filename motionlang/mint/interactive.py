@@ -60,4 +60,6 @@ class MintInteractive(Interactive):
         self.environment.blocks.update((key, names[name]) for key, name in compiled.blocks.items())  # type: ignore[misc]
         if compiled.blocks:
             self.environment.listen()
-        return MintTask("main", names["main"], self.environment)  # type: ignore[arg-type]
+        task = MintTask("main", names["main"], self.environment)  # type: ignore[arg-type]
+        task.timer = self.environment.timer  # TIME goes on from one line to the next
+        return task

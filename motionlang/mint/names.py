@@ -274,7 +274,7 @@ class Names:
             for inner in walk([symbol.node]):
                 if type(inner) is nodes.Name:
                     self._use_name(function, inner)
-        elif symbol.kind == "sub":
+        elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
             function.calls.add(symbol.home)
             self._box_arguments(function, node, symbol.home)
 

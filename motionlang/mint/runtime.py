@@ -67,7 +67,9 @@ class MintProgram(Program):
         )
         if len(environment.blocks) > 1:
             environment.listen()
-        return MintTask("main", environment.blocks["main"], environment)
+        task = MintTask("main", environment.blocks["main"], environment)
+        task.timer = environment.timer
+        return task
 
 
 def load(payload: bytes) -> MintProgram:

@@ -78,7 +78,7 @@ class _Waiting:
             return INFINITY if all(map(controller.is_idle, controller.axes)) else _next_tick(now)
         assert level is not None
         if kind == "time":
-            return _counted(now, self.task.time_base, level())
+            return _counted(now, self.task.timer[0], level())
         assert axis is not None
         return self._crossing(kind, axis(), level())
 

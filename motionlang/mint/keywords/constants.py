@@ -7,11 +7,7 @@ from motionlang.lang.keyword import Keyword
 
 def _constant(name: str, value: str, unit: str, help: str, source: str, trust: str) -> Keyword:
     return Keyword(name, "", "constant", "R", "none", unit, value, help, f"PRINT {name}",
-                   source=source, trust=trust, group="constants"    _constant("_egALL", "0", "integer", "ERRORPRESENT and its family: every error.", *_MEMORY),
-    _constant("_egSYNCHRONOUS", "1", "integer", "ERRORPRESENT and its family: errors of statements.", *_MEMORY),
-    _constant("_egAXIS", "2", "integer", "ERRORPRESENT and its family: errors of an axis.", *_MEMORY),
-    _constant("_egMISC", "3", "integer", "ERRORPRESENT and its family: errors of the controller.", *_MEMORY),
-)  # fmt: skip
+                   source=source, trust=trust, group="constants")  # fmt: skip
 
 
 _CODE = ("symbol table of a Baldor drive", "code")
@@ -28,4 +24,8 @@ ROWS = (
     _constant("_MININT", "-2147483648", "integer", "The smallest Integer.", *_MEMORY),
     _constant("_pmTRAPEZOIDAL", "0", "integer", "PROFILEMODE: trapezoidal moves.", *_MEMORY),
     _constant("_pmSRAMP", "1", "integer", "PROFILEMODE: S-ramp moves, with limited jerk.", *_MEMORY),
+    _constant("_egALL", "0", "integer", "ERRORPRESENT and its family: every error.", *_MEMORY),
+    _constant("_egSYNCHRONOUS", "1", "integer", "ERRORPRESENT and its family: errors of statements.", *_MEMORY),
+    _constant("_egAXIS", "2", "integer", "ERRORPRESENT and its family: errors of an axis.", *_MEMORY),
+    _constant("_egMISC", "3", "integer", "ERRORPRESENT and its family: errors of the controller.", *_MEMORY),
 )  # fmt: skip
