@@ -1,0 +1,67 @@
+"""The drive's serial end: the two parameters and the op-code that a PVT move needs.
+
+The framing of the serial protocol is another document; a message here is what goes into a parameter or comes
+out of it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.copley import serial
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.copley.drive import Drive
+
+
+class Refused(Exception):
+    """What the drive's serial end does not accept."""
+
+
+class SerialPort:
+    """Parameters 0xC8 and 0x115 and op-code 17 of one drive."""
+
+    def __init__(self, drive: Drive) -> None:
+        self.drive = drive
+        self.configuration = 0
+
+    def write(self, parameter: int, message: Sequence[int]) -> None:
+        """Write a parameter; `Refused` says why not. A point that finds the buffer full is an overflow."""
+        if parameter == serial.TRAJECTORY_PARAMETER:
+            if list(message) not in ([0], [serial.PVT_CONFIGURATION]):
+                raise Refused(f"trajectory configuration {list(message)} is not simulated: 3 is PVT")
+            self.configuration = message[0]
+        elif parameter == serial.PARAMETER:
+            self._fill(message)
+        else:
+            raise Refused(f"parameter {parameter:#x} is not simulated")
+
+    def read(self, parameter: int) -> tuple[int, ...]:
+        """Read a parameter."""
+        if parameter == serial.TRAJECTORY_PARAMETER:
+            return (self.configuration,)
+        if parameter == serial.PARAMETER:
+            return serial.status_words(self.drive.buffer.free)
+        raise Refused(f"parameter {parameter:#x} is not simulated")
+
+    def command(self, opcode: int) -> None:
+        """Execute an op-code: 17 starts the move in the buffer."""
+        if opcode != serial.START_OPCODE:
+            raise Refused(f"op-code {opcode} is not simulated: {serial.START_OPCODE} starts a move")
+        if self.configuration != serial.PVT_CONFIGURATION:
+            raise Refused("parameter 0xC8 must be 3 (PVT interpolation) before a PVT move starts")
+        self.drive.start()
+
+    def _fill(self, message: Sequence[int]) -> None:
+        try:
+            content = serial.decode(message)
+        except serial.BadWord as problem:
+            raise Refused(str(problem)) from None
+        if not isinstance(content, serial.BufferCommand):
+            self.drive.add(content)
+        elif content.code == serial.CLEAR:
+            self.drive.clear()
+        else:
+            self.drive.pop(content.data)
