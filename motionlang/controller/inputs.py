@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from motionlang.controller.clock import Clock
 
@@ -12,14 +12,16 @@ if TYPE_CHECKING:
 class Channels:
     """Numbered values, 0 until something sets them; `changes` is the log of (time, channel, value).
 
-    `listeners` are called with (channel, value) after a value has changed.
+    `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital channels that
+    are on while their level is low: an input's value is its level, an output's value is whether it is on.
     """
 
-    __slots__ = ("_clock", "_values", "changes", "listeners")
+    __slots__ = ("_clock", "_values", "active_low", "changes", "listeners")
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._values: dict[int, float] = {}
+        self.active_low: frozenset[int] = frozenset()
         self.changes: list[tuple[float, int, float]] = []
         self.listeners: list[Callable[[int, float], None]] = []
 
@@ -31,8 +33,22 @@ class Channels:
             return
         self._values[channel] = value
         self.changes.append((self._clock.now, channel, value))
-        for listener in self.listeners:
+        self._tell(channel)
+
+    def _tell(self, channel: int) -> None:
+        value = self[channel]
+        for listener in tuple(self.listeners):
             listener(channel, value)
+
+    def inverted(self, channel: int) -> bool:
+        """The channel as a logical state where its value is a level, and as a level where its value is a state."""
+        return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
+
+    def set_active_low(self, channels: Iterable[int]) -> None:
+        """Say which channels are on while low; those that this turns over are told of."""
+        before, self.active_low = self.active_low, frozenset(channels)
+        for channel in sorted(before ^ self.active_low):
+            self._tell(channel)
 
     def bank(self, first: int, count: int) -> int:
         """`count` channels from `first` on as the bits of a number, the first one lowest."""

@@ -11,17 +11,18 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.watch import Watch
 
-# What an axis does about a fault. "stop" uses DECEL, "error-stop" ERRORDECEL.
-ACTIONS = ("ignore", "stop", "error-stop", "abort", "off")
+# What an axis does about a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only tells of it.
+ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")
 
 
 class Limit:
     """One end of an axis's travel: `sign` +1 or -1 says which, `bit` is the fault it raises.
 
-    `position` is in counts; a `physical` limit stays where the machine has it.
+    `position` is in counts; a `physical` limit stays where the machine has it. A limit may have no position at all and
+    only be a switch that somebody opens and closes. Listeners of the controller hear "limit" when it changes.
     """
 
-    __slots__ = ("_controller", "_watch", "action", "active", "axis", "bit", "enabled", "physical", "sign")
+    __slots__ = ("_controller", "_switch", "_watch", "action", "axis", "bit", "enabled", "physical", "sign")
 
     def __init__(
         self, controller: Controller, axis: int, sign: int, bit: int, action: str, physical: bool = False
@@ -30,8 +31,13 @@ class Limit:
         self._controller, self.axis, self.sign, self.bit = controller, axis, sign, bit
         self.action, self.physical = action, physical
         self.enabled = True
-        self.active = False
+        self._switch = False
         self._watch: Watch | None = None
+
+    @property
+    def active(self) -> bool:
+        """Whether the axis is beyond the limit or its switch is closed."""
+        return self._switch or (self._watch is not None and self._watch.side == self.sign)
 
     def place(self, position: float | None) -> None:
         """Set where the limit is; None takes it away."""
@@ -39,19 +45,15 @@ class Limit:
         if self._watch is not None:
             controller.unwatch(self.axis, self._watch)
             self._watch = None
-        if position is None:
-            self.active = False
-            return
-        a = controller.axes[self.axis]
-        here = a.position(controller.clock.now) - (a.datum if self.physical else 0.0)
-        self.active = (here - position) * self.sign > 0
-        self._watch = controller.watch(self.axis, position, self._pass, self.physical)
+        if position is not None:
+            self._watch = controller.watch(self.axis, position, self._pass, self.physical)
 
     def set_active(self, active: bool) -> None:
         """The switch has opened or closed."""
-        self.active = active
-        if active and self._controller.heading(self.axis) == self.sign:
-            self.trip()
+        changed, self._switch = self._switch is not active, active
+        self._act()
+        if changed:
+            self._controller.tell("limit", self.axis)
 
     def trip(self) -> None:
         """Raise the fault and do what the action says."""
@@ -59,4 +61,9 @@ class Limit:
             self._controller.fault(self.axis, self.bit, self.action)
 
     def _pass(self, direction: int) -> None:
-        self.set_active(direction == self.sign)
+        self._act()
+        self._controller.tell("limit", self.axis)
+
+    def _act(self) -> None:
+        if self.active and self._controller.heading(self.axis) == self.sign:
+            self.trip()

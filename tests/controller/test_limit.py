@@ -84,4 +84,25 @@ def test_listeners_hear_of_faults_and_of_rest() -> None:
     c.listeners.append(lambda what, axis: heard.append((what, axis)))
     c.move_to(0, 12.0)
     c.clock.advance(9.0)
-    assert heard == [("idle", 0), ("fault", 0)]
+    assert heard == [("idle", 0), ("fault", 0), ("limit", 0)]
+
+
+def test_a_new_zero_takes_the_axis_out_of_a_software_limit() -> None:
+    c, limit = limited("abort", -5.0)
+    assert limit.active
+    c.define_position(0, -20.0)
+    assert not limit.active
+    c.move_to(0, -10.0)
+    c.clock.advance(9.0)
+    assert (c.position(0), c.faults(0)) == (-10.0, 0)
+
+
+def test_a_limit_that_is_only_a_switch() -> None:
+    c = machine()
+    limit = Limit(c, 0, +1, LIMIT_FORWARD, "error-stop", True)
+    c.axes[0].limits.append(limit)
+    c.move_to(0, 12.0)
+    c.clock.at(1.0, lambda: limit.set_active(True))
+    c.clock.advance(9.0)
+    assert c.position(0) == pytest.approx(6.0 + 8.0**2 / 64.0)
+    assert (c.faults(0), limit.active) == (LIMIT_FORWARD, True)
