@@ -10,8 +10,8 @@ import json
 import os
 from typing import TYPE_CHECKING
 
-from motionlang.report import text
 from motionlang.execution import dialect, dialects, run
+from motionlang.report import text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, NoReturn
 from motionlang import __version__
 from motionlang.cli_run import PLOTS, RATE, REPORTS, TRACES, Options
 from motionlang.errors import nearest
-from motionlang.lang.machine_file import KEYS, check_setting
 from motionlang.execution import ONE_SHIFT, dialects
+from motionlang.lang.machine_file import KEYS, check_setting
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -9,8 +9,8 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.profile.solve import NAMES, RULES, solve_move
 from motionlang.execution import dialects
+from motionlang.profile.solve import NAMES, RULES, solve_move
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
 from motionlang.views.words import dialect_name

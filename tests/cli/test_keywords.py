@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 
-from motionlang.lang.keyword import Keyword
 from motionlang.execution import dialect, dialects
+from motionlang.lang.keyword import Keyword
 from motionlang.views.keywords import listing, page
 from tests.cli.programs import Cell
 
