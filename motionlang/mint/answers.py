@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from motionlang.lang.task import Wait
 from motionlang.mint.environment import INFINITY
 
@@ -43,5 +45,5 @@ def keys(environment: Environment) -> Callable[[], int]:
     pressed: list[int] = []
     for entry in environment.machine.settings.get("key", ()):  # type: ignore[attr-defined]
         codes = [ord(each) & 0xFF for each in str(entry["text"])]
-        clock.at(max(float(entry.get("at", 0.0)), clock.now), lambda codes=codes: pressed.extend(codes))
+        clock.at(max(float(entry.get("at", 0.0)), clock.now), partial(pressed.extend, codes))
     return lambda: pressed.pop(0) if pressed else 0

@@ -4,7 +4,7 @@ A row's `verb` is a setting of the controller, converted by its unit, or one of 
 new keyword needs a row and, if its verb is new, one function here: `_read_…`, `_write_…`, `_load_…` or `_do_…` and
 the verb. A verb with a dot names its module: "inputs.bit" is `read_bit` and the like of
 `motionlang.mint.operations.inputs`, which only programs that use it import. What an operation's maker returns is called
-with the indices, then the value, then (moves, commands of axes, and the whole group "motion") the line of the statement.
+with the indices, then the value, then (moves, commands of axes, the whole group "motion") the line of the statement.
 `_load_…` answers true while there is no room and the statement must wait.
 """
 
@@ -37,7 +37,7 @@ class Row:
         """Refuse a value outside the row's range; NaN is outside every range."""
         low, high = self.low, self.high
         if (low is not None and not value >= low) or (high is not None and not value <= high):
-            limits = f"it takes {low:g} to {high:g}" if low is not None and high is not None else ""
+            limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
             raise Refusal("range", f"{self.name} cannot be {value:g}", limits)
 
 
@@ -332,11 +332,22 @@ def _do_cancel(environment: Environment, row: Row) -> Operation:
 
 def _do_cancel_all(environment: Environment, row: Row) -> Operation:
     cancel = _cancel(environment)
-    return lambda line: [cancel(axis) for axis in environment.controller.axes]
+
+    def do(line: int) -> None:
+        for axis in environment.controller.axes:
+            cancel(axis)
+
+    return do
 
 
 def _do_abort_all(environment: Environment, row: Row) -> Operation:
-    return lambda line: [environment.controller.abort(axis) for axis in environment.controller.axes]
+    abort = environment.controller.abort
+
+    def do(line: int) -> None:
+        for axis in environment.controller.axes:
+            abort(axis)
+
+    return do
 
 
 # ----------------------------------------------------------------------------------------------------- time

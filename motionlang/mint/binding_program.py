@@ -85,7 +85,7 @@ def _read_event_disable(environment: Environment, row: Row) -> Operation:
 
 
 def _write_event_disable(environment: Environment, row: Row) -> Operation:
-    return lambda value: environment.events.disable(value)
+    return environment.events.disable
 
 
 # --------------------------------------------------------------------------------------------------- errors
@@ -112,15 +112,15 @@ def _read_error_data(environment: Environment, row: Row) -> Operation:
 
 
 def _read_error_present(environment: Environment, row: Row) -> Operation:
-    return lambda group, data: environment.errors.present(group, data)
+    return environment.errors.present
 
 
 def _read_error_read_next(environment: Environment, row: Row) -> Operation:
-    return lambda group, data: environment.errors.read_next(group, data)
+    return environment.errors.read_next
 
 
 def _read_error_read_code(environment: Environment, row: Row) -> Operation:
-    return lambda code, data: environment.errors.read_code(code, data)
+    return environment.errors.read_code
 
 
 def _read_error_text(environment: Environment, row: Row) -> Operation:
@@ -130,7 +130,7 @@ def _read_error_text(environment: Environment, row: Row) -> Operation:
 
 
 def _do_error_clear(environment: Environment, row: Row) -> Operation:
-    return lambda group, data: environment.errors.clear(group, data)
+    return environment.errors.clear
 
 
 # ------------------------------------------------------------------------------------------------- terminal

@@ -39,10 +39,23 @@ class Value:
 class Whole:
     """What all functions of a program share: names, problems, and the run-time objects the text refers to.
 
-    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs); `costs` are the N for which the text uses `dN`.
+    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs); `costs` are the N for
+    which the text uses `dN`.
     """
 
-    __slots__ = ("axes", "costs", "guarded", "line", "names", "problems", "spec_names", "specs", "suffix", "table", "typed")
+    __slots__ = (
+        "axes",
+        "costs",
+        "guarded",
+        "line",
+        "names",
+        "problems",
+        "spec_names",
+        "specs",
+        "suffix",
+        "table",
+        "typed",
+    )
 
     def __init__(self, table: Table, problems: Problems, names: Names, axes: range, suffix: str) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes

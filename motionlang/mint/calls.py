@@ -55,7 +55,11 @@ def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
         b.problem("type", f"{parameter.name} must be given an array with one subscript", node)
         return "[0]"
     if str(symbol.type) != str(parameter.type):
-        b.problem("type", f"{parameter.name} is an array of {parameter.type}, {symbol.name} one of {symbol.type}", node)
+        b.problem(
+            "type",
+            f"{parameter.name} is an array of {parameter.type}, {symbol.name} one of {symbol.type}",
+            node,
+        )
     return symbol.python
 
 
@@ -63,7 +67,7 @@ def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
     """A list and a place in it, which the sub reads and writes."""
     if type(node) is nodes.Name or type(node) is nodes.Member:
         symbol = b.scope.find(node.name) if type(node) is nodes.Name else None
-        if symbol is not None and symbol.kind in ("variable", "parameter") or type(node) is nodes.Member:
+        if (symbol is not None and symbol.kind in ("variable", "parameter")) or type(node) is nodes.Member:
             text, kind, _ = place(b, node)
             if str(kind) != str(parameter.type):
                 b.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
@@ -86,5 +90,3 @@ def _pair(text: str) -> str:
         if depth == 0:
             break
     return f"{text[:at]}, {text[at + 1 : -1]}"
-
-

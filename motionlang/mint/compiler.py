@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from types import CodeType
 
     from motionlang.errors import Diagnostic
-    from motionlang.mint.body import Spec
     from motionlang.mint.nodes import Module
     from motionlang.source import Source
 
@@ -120,14 +119,23 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     word = "global" if whole.typed else "nonlocal"
     own = {symbol.python for symbol in _kept_inside(whole, function)} & b.outside
     name = jumping.dispatcher(function)
-    lines = [f"{indent}def {name}(pc):", f"{indent} {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}"]
+    lines = [
+        f"{indent}def {name}(pc):",
+        f"{indent} {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}",
+    ]
     if own:
         lines.append(f"{indent} nonlocal {', '.join(sorted(own))}")
     out = [(line, function.at) for line in lines] + b.lines
     for number, (label, _) in enumerate(b.labels_body()):
         out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
     out.append((f"{indent}yield from {name}(0)", function.at))
-    last = f"return {function.result.python}" if function.result else "return" if function.kind == "sub" else "return t"
+    last = (
+        f"return {function.result.python}"
+        if function.result
+        else "return"
+        if function.kind == "sub"
+        else "return t"
+    )
     return [*out, (indent + last, function.at)]
 
 
@@ -183,9 +191,7 @@ def _head(whole: Whole, b: Body) -> list[Line]:
 def _parameters(function: Function, shared_time: bool) -> str:
     if function.kind != "sub":
         return "t_, H_" if shared_time else "t, H"
-    return ", ".join(
-        f"{p.python}, {p.python}_k" if p.by_ref else p.python for p in function.parameters
-    )
+    return ", ".join(f"{p.python}, {p.python}_k" if p.by_ref else p.python for p in function.parameters)
 
 
 def _own_variables(function: Function, b: Body) -> list[str]:
@@ -260,7 +266,9 @@ def warn_of_misspellings(whole: Whole) -> None:
 
 
 def compile_source(
-    source: Source, settings: dict[str, object] | None = None, overrides: Mapping[str, float | str] | None = None
+    source: Source,
+    settings: dict[str, object] | None = None,
+    overrides: Mapping[str, float | str] | None = None,
 ) -> tuple[MintProgram, list[Diagnostic]]:
     """Parse and compile a program; its warnings come with it. ProgramError with every mistake."""
     module = parse(source)

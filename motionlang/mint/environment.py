@@ -84,7 +84,7 @@ class Environment:
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
         """What each `kN` of the text stands for."""
-        return tuple(self._operation(*spec) for spec in specs)
+        return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
 
     def _operation(self, how: str, *details: object) -> object:
         if how == "env":
@@ -125,7 +125,7 @@ class Environment:
 
     def copy(self, record: list[object]) -> list[object]:
         """A copy of a value of a user type, with its arrays and its inner values."""
-        return [self.copy(each) if each.__class__ is list else each for each in record]  # type: ignore[arg-type]
+        return [self.copy(each) if each.__class__ is list else each for each in record]
 
     # --------------------------------------------------------------------------------------------- waits
 
@@ -148,11 +148,13 @@ class Environment:
             t, lambda: room(axis) > 0, lambda: INFINITY, f"for room in the move buffer of axis {axis}"
         )
 
-    def pause(self, t: float, ready: Callable[[], object], watches: tuple[tuple[object, ...], ...]) -> Wait:
+    def pause(
+        self, t: float, ready: Callable[[], object], watches: tuple[tuple[object, ...], ...], why: str
+    ) -> Wait:
         """`PAUSE`."""
         from motionlang.mint.watching import watch
 
-        return watch(self, t, ready, watches)
+        return watch(self, t, ready, watches, why)
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""
@@ -215,7 +217,6 @@ class Environment:
             scheduler.parent.done = True
         raise TaskEnd(t)
 
-
     # -------------------------------------------------------------------------------------------- events
 
     def listen(self) -> None:
@@ -264,7 +265,7 @@ class MintTask(GeneratorTask):
     __slots__ = ("environment", "held", "suspended", "timer")
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
-        file = make.__code__.co_filename  # type: ignore[attr-defined]
+        file = make.__code__.co_filename
         super().__init__(name, make, file, environment.files[file])
         self.environment = environment
         self.timer = [environment.clock.now]

@@ -162,7 +162,9 @@ def listen(environment: Environment) -> None:
     kinds -= events.listening
     events.listening |= kinds
     if "in" in kinds:
-        controller.inputs.listeners.append(lambda channel, value: events.raise_("in", channel) if value else None)
+        controller.inputs.listeners.append(
+            lambda channel, value: events.raise_("in", channel) if value else None
+        )
     if kinds & {"axisidle", "onerror"} and "machine" not in events.listening:
         events.listening.add("machine")
         controller.listeners.append(lambda what, axis: _heard(environment, what, axis))

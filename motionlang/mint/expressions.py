@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isnan
+
 from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
 from motionlang.mint.fold import binary as fold_binary
@@ -28,7 +30,7 @@ def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
     """The value of an expression that must be a number."""
     found = value(b, node)
     if found.type not in NUMERIC:
-        b.problem("type", f"{what} is needed here, not {_article(found.type)}", node)
+        b.problem("type", f"{what} is needed here, not {article(found.type)}", node)
         return _NOTHING
     return found
 
@@ -47,7 +49,7 @@ def literal(known: float | str) -> Value:
     if isinstance(known, str):
         return Value(repr(known), STRING, ranges.ANY, known)
     kind = INTEGER if type(known) is int and ranges.INT_LOW <= known <= ranges.INT_HIGH else FLOAT
-    if known != known or known in (ranges.INFINITY, -ranges.INFINITY):
+    if isnan(known) or known in (ranges.INFINITY, -ranges.INFINITY):
         return Value(f"float('{known}')", FLOAT)
     if type(known) is int and abs(known) > ranges.EXACT:
         known = float(known)
@@ -88,11 +90,12 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
         hint = "Str makes a text of a number"
     elif found.type == STRING:
         hint = "Val makes a number of a text"
-    b.problem("type", f"{_article(found.type)} cannot be given to {_article(str(type))}", node, hint)
+    b.problem("type", f"{article(found.type)} cannot be given to {article(str(type))}", node, hint)
     return "0"
 
 
-def _article(type: str) -> str:
+def article(type: str) -> str:
+    """The name of a type with its article."""
     return f"an {type}" if type[:1] in "AEIOaeio" else f"a {type}"
 
 
@@ -143,8 +146,11 @@ def _name(b: Body, node: nodes.Name) -> Value:
 
 def unknown(b: Body, node: nodes.Name) -> None:
     """Note a word that is neither declared nor a keyword."""
-    words = [*b.scope.all_names(), *b.whole.table.names()]
-    otherwise = "" if node.args is not None else "a variable must be declared or assigned to before it is read"
+    words = [symbol.name for symbol in b.scope.symbols()]
+    words += [row.name for row in b.whole.table if row.kind not in ("statement", "command")]
+    otherwise = (
+        "" if node.args is not None else "a variable must be declared or assigned to before it is read"
+    )
     b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise)
 
 
@@ -207,7 +213,9 @@ def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
     if symbol.is_array and node.args is None:
         b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
         return _NOTHING
-    text, type, scalar = place(b, node) if symbol is not b.function.result else (symbol.python, symbol.type, symbol)
+    text, type, scalar = (
+        place(b, node) if symbol is not b.function.result else (symbol.python, symbol.type, symbol)
+    )
     return _loaded(b, text, type, b.range_of(scalar, node) if scalar is not None else None)
 
 
@@ -235,7 +243,9 @@ def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None
         return wrong
     owner, kind, _ = place(b, node.value)  # type: ignore[arg-type]
     if kind.record is None:
-        b.problem("type", f"{_article(str(kind))} has no members", node, "declare the variable with a Type of yours")
+        b.problem(
+            "type", f"{article(str(kind))} has no members", node, "declare the variable with a Type of yours"
+        )
         return wrong
     member = kind.record.members.get(node.field.lower())
     if member is None:
@@ -283,14 +293,16 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
         return _text(b, node, left_value, right_value)
     for side, found in ((node.left, left_value), (node.right, right_value)):
         if not found.is_number:
-            b.problem("type", f"{op} needs numbers, not {_article(found.type)}", side)
+            b.problem("type", f"{op} needs numbers, not {article(found.type)}", side)
             return _NOTHING
     if left_value.const is not None and right_value.const is not None:
         known = fold_binary(op, left_value.const, right_value.const)
         if known is not None:
             return literal(known)
         if op in ("/", "\\", "Mod") and right_value.const == 0:
-            b.problem("division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does")
+            b.problem(
+                "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
+            )
             return _NOTHING
     return _operate(b, op, left_value, right_value)
 
@@ -318,7 +330,7 @@ def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
 
 
 def _arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
-    integer = left.type != FLOAT and right.type != FLOAT
+    integer = FLOAT not in (left.type, right.type)
     known, how = ranges.arithmetic(op, integer, left.range, right.range)
     kind = INTEGER if integer else FLOAT
     if how == ranges.COERCED:
@@ -328,7 +340,9 @@ def _arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
     text = f"{left.text} {op} {right.text}"
     if how == ranges.CHECKED:
         over = b.whole.use("fn", "overflow")
-        return Value(f"(z if {ranges.INT_LOW} <= (z := {text}) <= {ranges.INT_HIGH} else {over}(z))", kind, known)
+        return Value(
+            f"(z if {ranges.INT_LOW} <= (z := {text}) <= {ranges.INT_HIGH} else {over}(z))", kind, known
+        )
     return Value(f"({text})", kind, known)
 
 
@@ -345,7 +359,7 @@ def _quotient(b: Body, left: Value, right: Value) -> Value:
 
 def _remainder(b: Body, left: Value, right: Value) -> Value:
     a, c = left.range, right.range
-    kind = INTEGER if left.type != FLOAT and right.type != FLOAT else FLOAT
+    kind = INTEGER if FLOAT not in (left.type, right.type) else FLOAT
     if a[2] == "i" and c[2] == "i":
         known = ranges.remainder(a, c)
         if a[0] >= 0 and c[0] > 0:
@@ -358,7 +372,7 @@ def _remainder(b: Body, left: Value, right: Value) -> Value:
 def _text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
     if left.type != STRING or right.type != STRING:
         hint = "Str makes a text of a number" if node.op in ("+", "&") else ""
-        b.problem("type", f"{node.op} cannot take {_article(left.type)} and {_article(right.type)}", node, hint)
+        b.problem("type", f"{node.op} cannot take {article(left.type)} and {article(right.type)}", node, hint)
         return _NOTHING
     if node.op in ("+", "&"):
         if isinstance(left.const, str) and isinstance(right.const, str):

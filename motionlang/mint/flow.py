@@ -14,7 +14,7 @@ from motionlang.mint.symbols import FLOAT, INTEGER, Function, Scope, Symbol
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from motionlang.lang.keyword import Table
 
@@ -33,7 +33,12 @@ def analysed(function: Function) -> set[Symbol]:
     found = set()
     for symbol in (*function.scope.names.values(), *((function.result,) if function.result else ())):
         simple = symbol.kind == "variable" and not (symbol.shared or symbol.boxed or symbol.by_ref)
-        if simple and not symbol.is_array and symbol.type.name in (INTEGER, FLOAT) and symbol.home is function:
+        if (
+            simple
+            and not symbol.is_array
+            and symbol.type.name in (INTEGER, FLOAT)
+            and symbol.home is function
+        ):
             found.add(symbol)
     return found
 
@@ -66,32 +71,32 @@ class Flow:
         return state
 
     def _statement(self, node: nodes.Stmt, state: State) -> State | None:
-        kind = type(node)
-        if kind is nodes.Assign:
-            return self._assign(node, state)
-        if kind is nodes.If:
-            return _join(
-                self._block(node.body, self._narrow(node.condition, True, state)),
-                self._block(node.orelse, self._narrow(node.condition, False, state)),
-            )
-        if kind is nodes.For:
-            return self._for(node, state)
-        if kind is nodes.While:
-            return self._loop(node, "while", state, node.condition)
-        if kind is nodes.Repeat:
-            return self._loop(node, "repeat", state, None, node.condition)
-        if kind is nodes.Loop:
-            return self._loop(node, "loop", state, None)
-        if kind is nodes.Select:
-            return self._select(node, state)
-        if kind is nodes.Exit:
-            return self._exit(node, state)
-        if kind is nodes.Dim:
-            return self._dim(node, state)
+        follow = _STATEMENTS.get(type(node))
+        if follow is not None:
+            return follow(self, node, state)
         self._read_all(node, state)
-        if kind is nodes.Input:
-            return self._input(node, state)
-        return None if kind is nodes.Return or (kind is nodes.End and node.name is None) else state
+        return state
+
+    def _if(self, node: nodes.If, state: State) -> State | None:
+        return _join(
+            self._block(node.body, self._narrow(node.condition, True, state)),
+            self._block(node.orelse, self._narrow(node.condition, False, state)),
+        )
+
+    def _while(self, node: nodes.While, state: State) -> State | None:
+        return self._loop(node, "while", state, node.condition)
+
+    def _repeat(self, node: nodes.Repeat, state: State) -> State | None:
+        return self._loop(node, "repeat", state, None, node.condition)
+
+    def _endless(self, node: nodes.Loop, state: State) -> State | None:
+        return self._loop(node, "loop", state, None)
+
+    def _return(self, node: nodes.Return, state: State) -> State | None:
+        return None
+
+    def _end(self, node: nodes.End, state: State) -> State | None:
+        return state if node.name is not None else None
 
     def _assign(self, node: nodes.Assign, state: State) -> State:
         found = [self._value(each, state)[1] for each in node.values]
@@ -115,6 +120,7 @@ class Flow:
         return state
 
     def _input(self, node: nodes.Input, state: State) -> State:
+        self._read_all(node, state)
         symbol = self._followed(node.target)
         return state if symbol is None else state | {symbol: _held(symbol, ranges.ANY)}
 
@@ -176,7 +182,9 @@ class Flow:
                 back = self._narrow(until, False, back)
             if counter is not None and back is not None:
                 back = self._step(node, back, counter)
-            grown = head if back is None else _widened(head, back, self._fine if turn < _PATIENCE else _COARSE)
+            grown = (
+                head if back is None else _widened(head, back, self._fine if turn < _PATIENCE else _COARSE)
+            )
             if grown == head:
                 break
             head = grown
@@ -218,25 +226,26 @@ class Flow:
             return None
         symbol = self.function.scope.find(node.name)
         result = self.function.result
-        if (symbol is None or symbol.kind == "sub") and result is not None and result.name.lower() == node.name.lower():
+        if (
+            (symbol is None or symbol.kind == "sub")
+            and result is not None
+            and result.name.lower() == node.name.lower()
+        ):
             symbol = result
         return symbol if symbol in self.followed else None
 
     def _value(self, node: nodes.Expr, state: State) -> tuple[str, Range]:
         """Type and range of an expression; notes what is known of each variable in it."""
-        kind = type(node)
-        if kind is nodes.Number:
-            known = ranges.constant(node.value)
-            whole = known[2] == "i" and ranges.INT_LOW <= known[0] <= ranges.INT_HIGH
-            return (INTEGER if whole else FLOAT), known
-        if kind is nodes.Name:
-            return self._name(node, state)
-        if kind is nodes.Binary:
-            return self._binary(node, state)
-        if kind is nodes.Unary:
-            return self._unary(node, state)
+        follow = _VALUES.get(type(node))
+        if follow is not None:
+            return follow(self, node, state)
         self._read_all(node, state)
         return FLOAT, ranges.ANY
+
+    def _number(self, node: nodes.Number, state: State) -> tuple[str, Range]:
+        known = ranges.constant(node.value)
+        whole = known[2] == "i" and ranges.INT_LOW <= known[0] <= ranges.INT_HIGH
+        return (INTEGER if whole else FLOAT), known
 
     def _name(self, node: nodes.Name, state: State) -> tuple[str, Range]:
         symbol = self._followed(node)
@@ -355,6 +364,28 @@ class Flow:
                     return None
                 state = state | {symbol: narrowed}
         return state
+
+
+_STATEMENTS: dict[type, Callable[..., State | None]] = {
+    nodes.Assign: Flow._assign,
+    nodes.Dim: Flow._dim,
+    nodes.End: Flow._end,
+    nodes.Exit: Flow._exit,
+    nodes.For: Flow._for,
+    nodes.If: Flow._if,
+    nodes.Input: Flow._input,
+    nodes.Loop: Flow._endless,
+    nodes.Repeat: Flow._repeat,
+    nodes.Return: Flow._return,
+    nodes.Select: Flow._select,
+    nodes.While: Flow._while,
+}
+_VALUES: dict[type, Callable[..., tuple[str, Range]]] = {
+    nodes.Number: Flow._number,
+    nodes.Name: Flow._name,
+    nodes.Binary: Flow._binary,
+    nodes.Unary: Flow._unary,
+}
 
 
 def _result(op: str, integer: bool, a: Range, b: Range) -> Range:

@@ -19,9 +19,8 @@ _WHOLE = (-(2**31), 2**31 - 1)
 
 def fold(scope: Scope, node: nodes.Expr, table: Table) -> Known | None:
     """The value of `node`, None when it is not known beforehand."""
-    kind = type(node)
-    if kind is nodes.Number or kind is nodes.String:
-        return node.value  # type: ignore[union-attr]
+    if type(node) is nodes.Number or type(node) is nodes.String:
+        return node.value
     if type(node) is nodes.Name and node.args is None:
         symbol = scope.find(node.name)
         if symbol is not None:

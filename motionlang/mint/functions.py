@@ -12,7 +12,7 @@ from motionlang.mint.printing import show_float, show_integer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable
 
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 _DEGREE = math.pi / 180.0
@@ -23,7 +23,9 @@ _DEGREE = math.pi / 180.0
 
 def overflow(value: float) -> int:
     """Refuse an Integer result that does not fit 32 bits."""
-    raise Refusal("overflow", f"{value} does not fit an Integer", "an Integer holds -2147483648 to 2147483647")
+    raise Refusal(
+        "overflow", f"{value} does not fit an Integer", "an Integer holds -2147483648 to 2147483647"
+    )
 
 
 def integer(value: float) -> int:
@@ -49,14 +51,14 @@ def modulo(a: float, b: float) -> float:
     if type(a) is int and type(b) is int:
         rest = abs(a) % abs(b)
         return -rest if a < 0 else rest
-    return _number(math.fmod, a, b)
+    return _number("Mod", math.fmod, a, b)
 
 
 def power(a: float, b: float) -> float:
     """a to the power of b, a Float."""
     if a == 0 and b < 0:
         raise ZeroDivisionError
-    return _number(math.pow, a, b)
+    return _number("^", math.pow, a, b)
 
 
 def shift_left(a: float, b: float) -> int:
@@ -100,12 +102,14 @@ def fit(text: str, size: int) -> str:
 # ------------------------------------------------------------------------------------------------- numbers
 
 
-def _number(function: object, *arguments: float) -> float:
+def _number(name: str, function: Callable[..., float], *arguments: float) -> float:
     try:
-        return function(*arguments)  # type: ignore[operator,no-any-return]
+        return function(*arguments)
     except ValueError:
         shown = ", ".join(f"{each:g}" for each in arguments)
-        raise Refusal("argument", f"the function has no value for {shown}", "") from None
+        raise Refusal(
+            "argument", f"{name} has no value for {shown}", "test the value before this line"
+        ) from None
 
 
 def absolute(value: float) -> float:
@@ -129,21 +133,21 @@ def greatest(a: float, b: float) -> float:
 
 
 def root(value: float) -> float:
-    return _number(math.sqrt, value)
+    return _number("Sqrt", math.sqrt, value)
 
 
 def exponential(value: float) -> float:
-    return _number(math.exp, value)
+    return _number("Exp", math.exp, value)
 
 
 def logarithm(value: float) -> float:
-    return _number(math.log, value)
+    return _number("Log", math.log, value)
 
 
 def sine(angle: float) -> float:
     """Exact at the multiples of 30 degrees at which it is rational."""
     exact = _SINES.get(angle % 360.0)
-    return _number(math.sin, angle * _DEGREE) if exact is None else exact
+    return _number("Sin", math.sin, angle * _DEGREE) if exact is None else exact
 
 
 def cosine(angle: float) -> float:
@@ -161,11 +165,11 @@ _SINES = {0.0: 0.0, 30.0: 0.5, 90.0: 1.0, 150.0: 0.5, 180.0: 0.0, 210.0: -0.5, 2
 
 
 def arcsine(value: float) -> float:
-    return _number(math.asin, value) / _DEGREE
+    return _number("Asin", math.asin, value) / _DEGREE
 
 
 def arccosine(value: float) -> float:
-    return _number(math.acos, value) / _DEGREE
+    return _number("Acos", math.acos, value) / _DEGREE
 
 
 def arctangent(value: float) -> float:
@@ -242,9 +246,3 @@ class Random:
     def __call__(self) -> float:
         self._state = self._state * 48271 % 2147483647
         return self._state / 2147483647
-
-
-def pick(names: Sequence[str]) -> list[object]:
-    """The functions of a list of names."""
-    everything = globals()
-    return [everything[name] for name in names]

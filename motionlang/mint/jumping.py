@@ -87,7 +87,9 @@ def jump(b: Body, node: nodes.Jump) -> None:
     labels = [name for name, _ in b.labels_body()]
     key = node.name.lower()
     if key not in labels:
-        b.whole.problems.unknown(f"there is no label {node.name}", node.name, [n for n in labels if n], node.at)
+        b.whole.problems.unknown(
+            f"there is no label {node.name}", node.name, [n for n in labels if n], node.at
+        )
         return
     number = labels.index(key)
     b.pending += 1

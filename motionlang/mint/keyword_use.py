@@ -6,6 +6,8 @@ The row of the table tells everything: access, index, unit, range. What the run 
 
 from __future__ import annotations
 
+from math import isnan
+
 from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
 from motionlang.mint.expressions import as_float, as_integer, condition, literal, number, value
@@ -31,7 +33,12 @@ def known(b: Body, node: nodes.Node, row: Keyword) -> bool:
     """Whether the keyword is simulated; if not, say so."""
     if row.simulated:
         return True
-    b.problem("not-simulated", f"{row.name} is a word of Mint that is not simulated", node, row.help)
+    b.problem(
+        "not-simulated",
+        f"{row.name} is a word of Mint that is not simulated",
+        node,
+        f"{row.name}: {row.help}",
+    )
     return False
 
 
@@ -139,7 +146,9 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
         return ["0"] * len(names)
     many = names[-1] in ("axis", "axes") and not single
     if len(args) != len(names) and not (many and len(args) >= len(names)):
-        b.problem("values", f"{row.name} takes {_many(len(names), names[0])} in brackets, {len(args)} given", node)
+        b.problem(
+            "values", f"{row.name} takes {_many(len(names), names[0])} in brackets, {len(args)} given", node
+        )
         return ["0"] * len(names)
     what = [*names, *[names[-1]] * (len(args) - len(names))]
     return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]
@@ -150,11 +159,13 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
         return _task(b, node)
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
     if found.const is not None:
-        if found.const != int(found.const):  # type: ignore[call-overload,operator]
+        if found.const != int(found.const):
             b.problem("range", f"{found.const} is not the number of an {kind}", node)
         elif kind in ("axis", "axes") and found.const not in b.whole.axes:
             last = b.whole.axes[-1]
-            b.problem("axis", f"there is no axis {found.const}", node, f"this controller has axes 0 to {last}")
+            b.problem(
+                "axis", f"there is no axis {found.const}", node, f"this controller has axes 0 to {last}"
+            )
             return "0"
     return as_integer(b, found)
 
@@ -216,7 +227,9 @@ def _why_not(row: Keyword) -> str:
 def _instead(row: Keyword) -> str:
     if row.access == "C" and row.kind == "command":
         return f"write {row.name}(0) without ="
-    return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(row.name, "")
+    return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(
+        row.name, ""
+    )
 
 
 def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] | None:
@@ -247,9 +260,9 @@ def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
 
 def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
     low, high = row.low, row.high
-    if (low is not None and given < low) or (high is not None and given > high) or given != given:
-        limits = f"{low:g} to {high:g}" if low is not None and high is not None else "another value"
-        b.problem("range", f"{row.name} cannot be {given:g}", node, f"it takes {limits}")
+    if (low is not None and given < low) or (high is not None and given > high) or isnan(given):
+        limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
+        b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
 
 
 def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
@@ -306,7 +319,12 @@ def _not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
     elif "W" in row.access:
         b.problem("not-a-command", f"{row.name} needs a value", target, f"{shown} = value")
     else:
-        b.problem("not-a-command", f"{row.name} has a value and cannot stand alone", target, f"PRINT {shown} shows it")
+        b.problem(
+            "not-a-command",
+            f"{row.name} has a value and cannot stand alone",
+            target,
+            f"PRINT {shown} shows it",
+        )
 
 
 def wait(b: Body, node: nodes.Node, values: list[nodes.Expr]) -> None:

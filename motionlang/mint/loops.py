@@ -137,7 +137,9 @@ def count(b: Body, node: nodes.For) -> None:
     b.at = at
     known = b.facts.get(id(node))
     if known is None:
-        known = ranges.INTEGER if kind.name == INTEGER else ranges.ANY if scalar in b.analysed else ranges.FLOAT
+        known = (
+            ranges.INTEGER if kind.name == INTEGER else ranges.ANY if scalar in b.analysed else ranges.FLOAT
+        )
     _next(b, text, Value(text, kind.name, known), step, exact)
     _turn(b)
     b.indent -= 1

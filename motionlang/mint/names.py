@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint import nodes
+from motionlang.mint.events import KINDS, SINGLE, kind_and_number
 from motionlang.mint.fold import fold
 from motionlang.mint.symbols import (
     FLOAT,
@@ -78,15 +79,17 @@ class Names:
         for task in module.tasks:
             self._declare_task(task)
         for event in module.events:
-            function = self._block("event", event, event.name, "e_")
-            function.scope.outer = self.module
+            self._block("event", event, event.name, "e_")
+            self._check_event(event)
         for function in self.functions:
             self._implicit(function)
         for function in self.functions:
             self._use(function)
         self._settle()
 
-    def _block(self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str) -> Function:
+    def _block(
+        self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str
+    ) -> Function:
         function = Function(kind, name, self._python(prefix, name), node.body, self.module)
         function.node, function.at = node, node.at
         self.functions.append(function)
@@ -94,6 +97,15 @@ class Names:
             self.add(self.module, Symbol(name, kind, Type(FLOAT), function.python, node.at, function))
         self._declare_data(function)
         return function
+
+    def _check_event(self, event: nodes.Event) -> None:
+        found = kind_and_number(event.name)
+        if found is None:
+            names = [kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS]
+            self.problems.unknown(f"there is no event {event.name}", event.name, names, event.at,
+                                  f"the events are {', '.join(names)}")  # fmt: skip
+        elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
+            self.problems.add("duplicate", f"there is already a handler for {event.name}", event.at)
 
     def _declare_task(self, task: nodes.Task) -> None:
         function = self._block("task", task, task.name, "k_")
@@ -143,9 +155,15 @@ class Names:
         if key in self.types:
             return Type(RECORD, record=self.types[key])
         if key not in TYPES:
-            self.problems.unknown(f"there is no type {node.name}", node.name, [*TYPES.values(), *self.types], node.at)
+            self.problems.unknown(
+                f"there is no type {node.name}", node.name, [*TYPES.values(), *self.types], node.at
+            )
             return Type(default)
-        size = self._whole(node.size, self.module, "the length of a String", 1) if node.size is not None else None
+        size = (
+            self._whole(node.size, self.module, "the length of a String", 1)
+            if node.size is not None
+            else None
+        )
         return Type(TYPES[key], size)
 
     def _declare_data(self, function: Function) -> None:
@@ -241,7 +259,7 @@ class Names:
     def _use(self, function: Function) -> None:
         for node in walk(function.body):
             kind = type(node)
-            if kind is nodes.Name:
+            if isinstance(node, nodes.Name):
                 self._use_name(function, node)
             elif kind in _LOOPS:
                 function.loops = True
@@ -272,7 +290,7 @@ class Names:
                 function.observes = True
         elif symbol.kind == "define":
             for inner in walk([symbol.node]):
-                if type(inner) is nodes.Name:
+                if isinstance(inner, nodes.Name):
                     self._use_name(function, inner)
         elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
             function.calls.add(symbol.home)

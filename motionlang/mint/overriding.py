@@ -45,7 +45,9 @@ def _unknown(name: str, names: list[str]) -> Diagnostic:
     return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
 
 
-def _replace(body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]) -> None:
+def _replace(
+    body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]
+) -> None:
     """In the order of the text: the first value a name is given is the one that is replaced."""
     from motionlang.mint.names import walk
 
@@ -57,8 +59,9 @@ def _replace(body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: s
             for variable in node.variables:
                 if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
                     variable.values = [_literal(variable.at, wanted[variable.name.lower()])]
-        elif type(node) is nodes.Assign and type(node.target) is nodes.Name and node.target.args is None:
-            if _take(node.target.name, wanted, done, names):
+        elif type(node) is nodes.Assign and type(node.target) is nodes.Name:
+            plain = node.target.args is None
+            if plain and _take(node.target.name, wanted, done, names):
                 node.values = [_literal(node.at, wanted[node.target.name.lower()])]
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from motionlang.mint import nodes
 from motionlang.mint.expressions import condition, number
 from motionlang.mint.keyword_use import indices
+from motionlang.mint.shown import shown
 from motionlang.mint.symbols import TIME
 
 TYPE_CHECKING = False
@@ -42,8 +43,11 @@ def pause(b: Body, node: nodes.Pause) -> None:
     else:
         watches: list[str] = []
         _watch(b, node.condition, watches)
+        why = f"until {shown(node.condition)}"
         watched = f"({', '.join(watches)},)" if watches else "()"
-        b.emit(f"if not {test}: t, H = yield {b.whole.use('env', 'pause')}(t, lambda: {test}, {watched})")
+        b.emit(
+            f"if not {test}: t, H = yield {b.whole.use('env', 'pause')}(t, lambda: {test}, {watched}, {why!r})"
+        )
     b.waits = b.noted = True
     b.pending += 1
 
@@ -107,6 +111,10 @@ def _moves(b: Body, node: nodes.Expr, counting: bool = False) -> bool:
                     return True
             else:
                 row = b.whole.table.get(each.name)
-                if row is not None and row.verb in (COUNTING if counting else MOVING) and row.kind != "function":
+                if (
+                    row is not None
+                    and row.verb in (COUNTING if counting else MOVING)
+                    and row.kind != "function"
+                ):
                     return True
     return False

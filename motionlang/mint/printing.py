@@ -6,6 +6,8 @@ not documented (docs/fidelity.md). Values are joined without spaces.
 
 from __future__ import annotations
 
+from math import isnan
+
 LARGE, SMALL = 1e9, 1e-4
 
 
@@ -15,7 +17,7 @@ def show_float(value: float) -> str:
         return f"{value:.4f}"
     if value == 0:
         return "0.0000"
-    if value != value:
+    if isnan(value):
         return "NaN"
     if value in (float("inf"), float("-inf")):
         return "Inf" if value > 0 else "-Inf"

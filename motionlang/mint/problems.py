@@ -26,7 +26,8 @@ class Problems:
         if len(self.found) < MOST:
             line, column, length = self._place(at)
             self.found.setdefault(
-                (code, at), Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity)
+                (code, at),
+                Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity),
             )
 
     def unknown(self, message: str, word: str, words: Iterable[str], at: int, otherwise: str = "") -> None:

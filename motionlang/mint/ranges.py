@@ -58,10 +58,10 @@ def arithmetic(op: str, integer: bool, a: Range, b: Range) -> tuple[Range, str]:
     if a[2] == "i" and b[2] == "i":
         low, high = _bounds(op, a, b)
         if integer:
-            if INT_LOW <= low and high <= INT_HIGH:
+            if low >= INT_LOW and high <= INT_HIGH:
                 return (low, high, "i"), PLAIN
             return (max(low, INT_LOW), min(high, INT_HIGH), "i"), CHECKED
-        if -EXACT <= low and high <= EXACT:
+        if low >= -EXACT and high <= EXACT:
             return (low, high, "i"), PLAIN
         return FLOAT, COERCED
     return FLOAT, PLAIN if a[2] == "f" or b[2] == "f" else COERCED

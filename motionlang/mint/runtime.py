@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from types import CodeType
+    from typing import Any
 
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Task
@@ -43,7 +44,8 @@ class MintProgram(Program):
         from marshal import dumps
 
         places = array("q", self.places).tobytes()
-        return dumps((self.code, places, tuple(self.specs), self.name, self.text, tuple(self.settings.items())))
+        everything: Any = (self.code, places, list(self.specs), self.name, self.text, self.settings)
+        return dumps(everything)
 
     def start(self, machine: Machine) -> Task:
         """The parent task, bound to `machine`; ProgramError when an override names nothing."""
@@ -59,7 +61,7 @@ class MintProgram(Program):
         environment.prepare()
         environment.files[FILE] = self.places
         namespace: dict[str, object] = {}
-        exec(self.code, namespace)  # noqa: S102 - the compiler's own output
+        exec(self.code, namespace)
         make = namespace["make"]
         operations = environment.make_operations(self.specs)
         environment.blocks = make(  # type: ignore[operator]
@@ -77,4 +79,4 @@ def load(payload: bytes) -> MintProgram:
     from marshal import loads
 
     code, places, specs, name, text, settings = loads(payload)
-    return MintProgram(code, memoryview(places).cast("q"), specs, name, text, dict(settings))
+    return MintProgram(code, memoryview(places).cast("q"), specs, name, text, settings)

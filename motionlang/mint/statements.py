@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mint import jumping, keyword_use, loops, nodes, pausing
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
-from motionlang.mint.expressions import condition, converted, number, place, unknown, value
+from motionlang.mint.expressions import article, condition, converted, number, place, unknown, value
 from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False
@@ -124,7 +124,7 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
 
 def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Value) -> None:
     if found.type != str(kind):
-        b.problem("type", f"a {found.type} cannot be given to a {kind}", node)
+        b.problem("type", f"{article(found.type)} cannot be given to {article(str(kind))}", node)
         return
     b.settle()
     b.emit(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
@@ -177,7 +177,11 @@ def _fill(b: Body, variable: nodes.Variable, symbol: Symbol) -> None:
     for size in symbol.dimensions:
         count *= size
     if len(variable.values) > count:
-        b.problem("values", f"{variable.name} has {count} elements, {len(variable.values)} values are given", variable)
+        b.problem(
+            "values",
+            f"{variable.name} has {count} elements, {len(variable.values)} values are given",
+            variable,
+        )
         return
     texts = [converted(b, value(b, each), symbol.type, each) for each in variable.values]
     b.settle()
@@ -211,7 +215,9 @@ def _call(b: Body, node: nodes.Call) -> None:
 
 
 def unknown_command(b: Body, target: nodes.Name) -> None:
-    words = [*b.scope.all_names(), *b.whole.table.names()]
+    """Note a word that should do something and is not known; what only has a value is no suggestion."""
+    words = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
+    words += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
     b.whole.problems.unknown(f"{target.name} is neither a keyword nor a sub of this program", target.name, words,
                              target.at)  # fmt: skip
 

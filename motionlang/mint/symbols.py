@@ -95,11 +95,11 @@ class Scope:
             scope = scope.outer
         return None
 
-    def all_names(self) -> Iterator[str]:
+    def symbols(self) -> Iterator[Symbol]:
+        """Everything that can be named here, the innermost first."""
         scope: Scope | None = self
         while scope is not None:
-            for symbol in scope.names.values():
-                yield symbol.name
+            yield from scope.names.values()
             scope = scope.outer
 
 
@@ -127,7 +127,9 @@ class Function:
         "scope",
     )
 
-    def __init__(self, kind: str, name: str, python: str, body: list[nodes.Stmt], outer: Scope | None) -> None:
+    def __init__(
+        self, kind: str, name: str, python: str, body: list[nodes.Stmt], outer: Scope | None
+    ) -> None:
         self.kind, self.name, self.python, self.body = kind, name, python, body
         self.scope = Scope(self, outer)
         self.at = 0

@@ -8,23 +8,26 @@ from motionlang.mint.environment import INFINITY, TICK
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from motionlang.mint.environment import Environment
 
-    Watches = tuple[tuple[object, ...], ...]
+    Watches = tuple[tuple[Any, ...], ...]
 
 # How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
 _AFTER = (0.0, 1e-12, 1e-10, 1e-8)
 
 
-def watch(environment: Environment, t: float, ready: Callable[[], object], watches: Watches) -> Wait:
+def watch(
+    environment: Environment, t: float, ready: Callable[[], object], watches: Watches, why: str
+) -> Wait:
     """Wait until `ready`; `watches` tell when it may become true while nothing else happens.
 
     A watch is `("position" | "remaining", axis, level)`, `("time", None, level)`, `("motion",)` for what changes while
     an axis moves, or `("tick",)`; axis and level are functions, as they may change while the program waits.
     """
     waiting = _Waiting(environment, ready, watches)
-    return Wait(t, waiting.ready, waiting.due, "for a condition")
+    return Wait(t, waiting.ready, waiting.due, why)
 
 
 class _Waiting:

@@ -46,7 +46,14 @@ def _rows() -> list[Keyword]:
     return rows
 
 
-_UNITS = {"int": "integer", "bool": "bool", "float": "number", "string": "text", "var": "text", "date": "text"}
+_UNITS = {
+    "int": "integer",
+    "bool": "bool",
+    "float": "number",
+    "string": "text",
+    "var": "text",
+    "date": "text",
+}
 
 
 def _not_simulated() -> Iterator[Keyword]:

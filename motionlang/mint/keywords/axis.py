@@ -8,7 +8,7 @@ _AN115 = "ABB AN00115"
 _MN1270 = "Baldor MN1270"
 _AN118 = "Baldor AN00118"
 _LARGEST = 8388607.0
-_TIMES = {"low": 0.0, "high": 2147483647.0}
+_LONGEST = 2147483647.0
 
 ROWS = (
     Keyword("SCALEFACTOR", "SCALE", "setting", "RW", "axis", "number", "scale",
@@ -30,11 +30,11 @@ ROWS = (
     Keyword("ACCELTIME", "", "setting", "RW", "axis", "ms", "accel_time",
             "Acceleration given as the time from rest to SPEED; replaces ACCEL.",
             "SPEED(0) = 50\nACCELTIME(0) = 200\nPRINT ACCELTIME(0)",
-            source=_AN115, trust="manual", group="axis", **_TIMES),
+            source=_AN115, trust="manual", low=0.0, high=_LONGEST, group="axis"),
     Keyword("DECELTIME", "", "setting", "RW", "axis", "ms", "decel_time",
             "Deceleration given as the time from SPEED to rest; replaces DECEL.",
             "SPEED(0) = 50\nDECELTIME(0) = 200\nPRINT DECELTIME(0)",
-            source=_AN115, trust="manual", group="axis", **_TIMES),
+            source=_AN115, trust="manual", low=0.0, high=_LONGEST, group="axis"),
     Keyword("ACCELJERK", "", "setting", "RW", "axis", "uu/s3", "accel_jerk",
             "Rate at which acceleration builds up and falls in an S-ramp.",
             "PROFILEMODE(0) = 1\nACCELJERK(0) = 5000\nPRINT ACCELJERK(0)",

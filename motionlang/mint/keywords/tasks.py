@@ -7,8 +7,8 @@ from motionlang.lang.keyword import Keyword
 _TUTORIAL = "Mint programming tutorial, part 5"
 _LIBRARY = "Mint type library"
 _BLINK = "\nWAIT = 50\nEnd\nTask Blink\n  Loop\n    WAIT = 20\n  End Loop\nEnd Task"
-_TICK = "\nWAIT = 50\nEnd\nEvent TIMER\n  PRINT \"tick\"\nEnd Event"
-_FAIL = "\nEnd\nEvent ONERROR\n  PRINT ERRCODE, \" \", ERRSTRING\n  ERRORCLEAR(0, 0)\nEnd Event"
+_TICK = '\nWAIT = 50\nEnd\nEvent TIMER\n  PRINT "tick"\nEnd Event'
+_FAIL = '\nEnd\nEvent ONERROR\n  PRINT ERRCODE, " ", ERRSTRING\n  ERRORCLEAR(0, 0)\nEnd Event'
 
 ROWS = (
     Keyword("TASKPRIORITY", "", "setting", "RW", "task", "integer", "task_priority",
