@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from motionlang.profile.jerk import plan_jerk
     from motionlang.profile.joint import on_line, path_length, scaled
     from motionlang.profile.parabolic import plan_parabolic
-    from motionlang.profile.shapes import plan
     from motionlang.profile.scurve import plan_ratio, plan_sinusoidal
+    from motionlang.profile.shapes import plan
     from motionlang.profile.stop import plan_stop, plan_velocity
     from motionlang.profile.trapezoid import plan_trapezoid
 

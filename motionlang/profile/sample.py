@@ -71,7 +71,7 @@ class PieceTable:
         ends = [*starts[1:], np.inf]
         self._formulas = [
             (start, min(start + profile.duration, end), profile)
-            for start, end, profile in zip(starts, ends, profiles, strict=True)
+            for start, end, profile in zip(starts, ends, profiles, strict=False)
             if not profile.pieced
         ]
 
@@ -93,8 +93,8 @@ class PieceTable:
         _sample_cubics(out, edges, origins, columns, dt, np.flatnonzero(long & ~wavy))
         for i in np.flatnonzero(long & wavy):
             _sample_wave(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
-        for begin, finish, profile in self._formulas:
-            _sample_formula(out, profile, begin, finish, (t0, dt, order))
+        for start, end, profile in self._formulas:
+            _sample_formula(out, profile, start, end, (t0, dt, order))
         return out
 
     def _edges(self, t0: float, dt: float, n: int) -> NDArray[np.int64]:
