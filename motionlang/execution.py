@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.machine import Machine
@@ -137,7 +138,9 @@ def _compile(
     if use_cache:
         from motionlang.lang import cache
 
-        name = cache.key(language.name, repr(sorted(settings.items())), source.name, source.text)
+        package = os.path.dirname(sys.modules[type(language).__module__].__file__ or "")
+        state = cache.fingerprint(package)
+        name = cache.key(language.name, state, repr(sorted(settings.items())), source.name, source.text)
         payload = cache.get(name)
         if payload is not None:
             return language.load(payload)

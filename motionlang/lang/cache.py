@@ -48,6 +48,20 @@ def key(*parts: str) -> str:
     return str(digest.hexdigest())
 
 
+def fingerprint(package: str) -> str:
+    """The state of a package's source files, so that a changed compiler never meets what an older one made."""
+    try:
+        return ",".join(
+            sorted(
+                f"{entry.name} {status.st_size} {status.st_mtime_ns}"
+                for entry in os.scandir(package)
+                if entry.name.endswith(".py") and (status := entry.stat())
+            )
+        )
+    except OSError:
+        return ""
+
+
 def get(name: str) -> bytes | None:
     """The payload of an entry, None where there is none that can be trusted."""
     if os.environ.get(OFF):
