@@ -1,4 +1,4 @@
-"""The world the controller is wired to: switches on the axes, inputs and faults by time or by position.
+"""The world the controller is wired to: switches on the axes, inputs and faults by time, position or program line.
 
 Lengths here are user units, as the machine file has them; they become counts with the scale that the program sets,
 and are placed anew when it sets another one.
@@ -33,7 +33,9 @@ FAULTS: dict[str, tuple[int, str]] = {
 class World:
     """Everything that happens to a controller from outside.
 
-    `driven` are the digital inputs that something in the world sets: a wait on another one can never end.
+    `driven` are the digital inputs that something in the world sets: a wait on another one can never end. `actions`
+    says what an axis does about a fault, by (axis, bit), where the program wants it otherwise than `FAULTS`. `lines`
+    are the faults that happen when the program comes to a line for the first time.
     """
 
     def __init__(self, controller: Controller, settings: Settings) -> None:
@@ -43,10 +45,15 @@ class World:
         self._regions: list[tuple[Region, float, float]] = []
         self._limits: list[tuple[Limit, float]] = []
         self.driven: set[int] = set()
+        self.actions: dict[tuple[int, int], str] = {}
+        self.lines: dict[int, list[Callable[[], None]]] = {}
         for axis in controller.axes:
             self._wire_axis(axis)
         for entry in _entries(settings, "input"):
-            self._wire_channel(entry, controller.inputs.__setitem__)
+            if "output" in entry:
+                self._wire_output(entry)
+            else:
+                self._wire_channel(entry, controller.inputs.__setitem__)
         for entry in _entries(settings, "analogue"):
             self._wire_channel(entry, controller.analogue_inputs.__setitem__)
         for entry in _entries(settings, "fault"):
@@ -115,19 +122,44 @@ class World:
         if "for" in entry:
             self._at(at + _number(entry, "for"), lambda: change(False))
 
+    def _wire_output(self, entry: Entry) -> None:
+        """An `[[input]]` that follows the level of an output, a delay later: a valve and the sensor that sees it."""
+        controller = self._controller
+        channel, output = int(_number(entry, "channel")), int(_number(entry, "output"))
+        delay, on = _number(entry, "delay", 0.0), int(_number(entry, "value", 1))
+        self.driven.add(channel)
+
+        def follow(level: bool) -> None:
+            controller.inputs[channel] = on if level else 1 - on
+
+        def changed(number: int, _: float) -> None:
+            if number == output:
+                level = controller.outputs.inverted(output)
+                self._at(controller.clock.now + delay, lambda: follow(level))
+
+        controller.outputs.listeners.append(changed)
+        follow(controller.outputs.inverted(output))
+
     def _wire_fault(self, entry: Entry) -> None:
         axis = int(_number(entry, "axis"))
         bit, action = FAULTS[str(entry["kind"])]
 
         def happen(active: bool = True) -> None:
             if active:
-                self._controller.fault(axis, bit, action)
+                self._controller.fault(axis, bit, self.actions.get((axis, bit), action))
 
-        if "above" in entry or "below" in entry:
+        if "line" in entry:
+            self.lines.setdefault(int(_number(entry, "line")), []).append(happen)
+        elif "above" in entry or "below" in entry:
             low, high = _span(entry)
             self._wire_region(axis, low, high, happen)
         else:
             self._at(_number(entry, "at", 0.0), happen)
+
+    def reach(self, line: int) -> None:
+        """The program has come to a line."""
+        for happen in self.lines.pop(line, ()):
+            happen()
 
     def _at(self, time: float, call: Callable[[], None]) -> None:
         """Now, for what is true from the beginning; an event otherwise."""

@@ -40,11 +40,18 @@ _WHEN = {
     "below": ("number", "Active up to this position, in user units."),
     "between": ("pair", "Active from the first position to the second, in user units."),
 }
+_WRITTEN = {
+    "value": ("number", "The value: a float in the comms array, in NetData an integer where it is whole."),
+    "as": ("view", "integer or float, to have it otherwise."),
+    "text": ("text", "A text instead of a value, four characters an element, the first one highest."),
+}
 TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "input": {
         "channel": ("channel", "The digital input."),
         "value": ("number", "The value while active, 1 unless given."),
         "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
+        "output": ("channel", "The digital output whose level it follows."),
+        "delay": ("time", "How long after the output, in seconds; at once unless given."),
         **_WHEN,
     },
     "analogue": {
@@ -56,19 +63,23 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "fault": {
         "axis": ("channel", "The axis that suffers it."),
         "kind": ("fault", "following-error, error-input, forward-limit or reverse-limit."),
+        "line": (
+            "line",
+            "The line of the program that brings it about, when it is reached for the first time.",
+        ),
         **{key: _WHEN[key] for key in ("at", "above", "below")},
     },
     "key": {"at": _WHEN["at"], "text": ("text", "Keys that the operator presses, for INKEY.")},
     "answer": {"text": ("text", "What the operator types at the next INPUT.")},
     "comms": {
         "at": _WHEN["at"],
-        "element": ("channel", "The element of the comms array that the host writes."),
-        "value": ("number", "The value."),
+        "element": ("channel", "The element of the comms array that the host writes, 1 to 99."),
+        **_WRITTEN,
     },
     "netdata": {
         "at": _WHEN["at"],
-        "element": ("channel", "The NetData location that the host writes."),
-        "value": ("number", "The value."),
+        "element": ("channel", "The NetData location that the host writes, 0 to 999."),
+        **_WRITTEN,
     },
 }
 REQUIRED = {
@@ -77,9 +88,10 @@ REQUIRED = {
     "fault": ("axis", "kind"),
     "key": ("text",),
     "answer": ("text",),
-    "comms": ("element", "value"),
-    "netdata": ("element", "value"),
+    "comms": ("element",),
+    "netdata": ("element",),
 }
+VIEWS = ("integer", "float")
 FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit")
 
 
@@ -146,15 +158,35 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     for name in REQUIRED[table]:
         if name not in entry:
             yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
-    where = [name for name in ("above", "below", "between") if name in entry]
+    yield from _when_problems(table, entry)
+    if table in ("comms", "netdata"):
+        yield from _written_problems(table, entry)
+
+
+def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    """An entry comes about in one way: by time, by a position, by a line, or by an output."""
+    where = [name for name in ("above", "below", "between", "line", "output") if name in entry]
     if len(where) > 1 or (where and "at" in entry):
-        yield (
-            f"[[{table}]] is active by time or by one position",
-            "give at, or one of above, below, between",
-            where[0],
+        ways = (
+            "line, or one of above, below" if table == "fault" else "output, or one of above, below, between"
         )
-    if where and table != "fault" and "axis" not in entry:
+        what = "comes about" if table == "fault" else "is active"
+        yield f"[[{table}]] {what} in one way only", f"give at, {ways}", where[0]
+    if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+
+
+def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    low, high = (1, 99) if table == "comms" else (0, 999)
+    element = entry.get("element")
+    if isinstance(element, int) and not low <= element <= high:
+        yield (
+            f"element of [[{table}]] must be {low} to {high}, not {element}",
+            TABLES[table]["element"][1],
+            "element",
+        )
+    if ("value" in entry) is ("text" in entry):
+        yield f"[[{table}]] needs a value or a text", 'value = 2.5, or text = "ABCD"', f"[[{table}]]"
 
 
 def _kind_problem(kind: str, value: object) -> str | None:
@@ -169,6 +201,8 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
         "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
+        "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
+        "view": (value in VIEWS, f"must be one of {', '.join(VIEWS)}"),
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }
     fits, words = tests[kind]

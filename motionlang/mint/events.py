@@ -21,6 +21,15 @@ if TYPE_CHECKING:
 KINDS = (
     "onerror", "bus", "stop", "fastin", "latch", "timer", "in", "netdata", "comms", "dpr", "axisidle", "mblow",
 )  # fmt: skip
+# The part of the environment that raises the events of a kind, made for programs that handle them.
+SOURCES = {
+    "in": ("inputs", "Inputs"),
+    "comms": ("comms", "HostEvents"),
+    "netdata": ("comms", "HostEvents"),
+    "latch": ("latches", "Latches"),
+    "fastin": ("latches", "FastLatches"),
+    "stop": ("switches", "Switches"),
+}
 # Kinds that exist once; the others have a number (`Event IN3`).
 SINGLE = frozenset(("onerror", "stop", "timer", "dpr", "axisidle", "mblow"))
 
@@ -161,11 +170,9 @@ def listen(environment: Environment) -> None:
     controller = environment.controller
     kinds -= events.listening
     events.listening |= kinds
-    if "in" in kinds:
-        controller.inputs.listeners.append(
-            lambda channel, value: events.raise_("in", channel) if value else None
-        )
-    if kinds & {"axisidle", "onerror"} and "machine" not in events.listening:
+    for kind in kinds & SOURCES.keys():
+        environment.part(_source(*SOURCES[kind]))
+    if kinds & {"axisidle", "onerror", "mblow"} and "machine" not in events.listening:
         events.listening.add("machine")
         controller.listeners.append(lambda what, axis: _heard(environment, what, axis))
 
@@ -173,5 +180,12 @@ def listen(environment: Environment) -> None:
 def _heard(environment: Environment, what: str, axis: int) -> None:
     if what == "idle":
         environment.events.raise_("axisidle")
+    elif what == "buffer-low":
+        environment.events.raise_("mblow")
     elif what == "fault":
         environment.errors.axis_fault(axis)
+
+
+def _source(module: str, name: str) -> type:
+    found: type = getattr(__import__(f"motionlang.mint.operations.{module}", fromlist=[name]), name)
+    return found

@@ -77,9 +77,25 @@ def test_a_missing_key_and_a_contradiction() -> None:
     found = mistakes("[[input]]\nat = 1\nabove = 3\n")
     assert {message for _, _, message, _ in found} == {
         "[[input]] needs channel",
-        "[[input]] is active by time or by one position",
+        "[[input]] is active in one way only",
         "[[input]] needs the axis whose position decides",
     }
+
+
+def test_what_the_host_writes_is_checked_too() -> None:
+    found = mistakes("[[comms]]\nelement = 100\nvalue = 1\n[[netdata]]\nelement = 7\nas = 'word'\n")
+    assert [(line, message) for line, _, message, _ in found] == [
+        (2, "element of [[comms]] must be 1 to 99, not 100"),
+        (4, "[[netdata]] needs a value or a text"),
+        (6, "as of [[netdata]] must be one of integer, float, not 'word'"),
+    ]
+
+
+def test_a_fault_comes_about_in_one_way() -> None:
+    found = mistakes("[[fault]]\naxis = 0\nkind = 'error-input'\nline = 12\nat = 1.0\n")
+    assert [(line, message, hint) for line, _, message, hint in found] == [
+        (4, "[[fault]] comes about in one way only", "give at, line, or one of above, below")
+    ]
 
 
 def test_text_that_is_not_toml() -> None:

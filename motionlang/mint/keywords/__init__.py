@@ -22,9 +22,11 @@ def table() -> Table:
 def _rows() -> list[Keyword]:
     from motionlang.mint.keywords import (
         axis,
+        comms,
         constants,
         control,
         functions,
+        io,
         language,
         motion,
         state,
@@ -32,7 +34,7 @@ def _rows() -> list[Keyword]:
         terminal,
     )
 
-    groups = (axis, motion, state, control, tasks, terminal, functions, constants, language)
+    groups = (axis, motion, state, control, tasks, terminal, io, comms, functions, constants, language)
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
     for row in _not_simulated():

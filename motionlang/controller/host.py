@@ -1,0 +1,130 @@
+"""The memory that a controller shares with its host: the comms array and NetData.
+
+Each element is one 32-bit word that can be read as an integer or as a float: the two views share its bits, nothing is
+converted (ABB AN00198 p. 14). To Modbus, element n is the registers 2n, the low half, and 2n + 1 (AN00198 p. 5). A text
+has four characters an element, the first one in the highest byte, and ends at a zero byte (AN00200 p. 8).
+"""
+
+from __future__ import annotations
+
+from array import array
+
+from motionlang.controller.faults import Refusal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from motionlang.controller.clock import Clock
+
+    Listener = Callable[[str, int, bool], None]
+
+# Area -> (first element, last element).
+AREAS = {"comms": (1, 99), "netdata": (0, 999)}
+_LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
+
+
+class HostMemory:
+    """Both areas. `listeners` hear (area, element, changed) of every element that the host writes.
+
+    What the program itself writes raises nothing: the documents speak of the client's writes only.
+    """
+
+    __slots__ = ("_floats", "_words", "listeners")
+
+    def __init__(self) -> None:
+        self._words = {area: array("i", bytes(4 * (last + 1))) for area, (_, last) in AREAS.items()}
+        self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
+        self.listeners: list[Listener] = []
+
+    # ------------------------------------------------------------------------------------- the program's side
+
+    def integer(self, area: str, element: int) -> int:
+        return self._words[area][_checked(area, element)]
+
+    def set_integer(self, area: str, element: int, value: int) -> None:
+        self._words[area][_checked(area, element)] = value
+
+    def real(self, area: str, element: int) -> float:
+        return self._floats[area][_checked(area, element)]
+
+    def set_real(self, area: str, element: int, value: float) -> None:
+        if not abs(value) < _LARGEST_FLOAT:
+            value = float("inf") if value > 0 else float("-inf") if value < 0 else value
+        self._floats[area][_checked(area, element)] = value
+
+    def text(self, area: str, element: int, length: int) -> str:
+        """The text of at most `length` characters that begins at an element."""
+        elements = range(element, element + -(-length // 4))
+        packed = b"".join(self.integer(area, each).to_bytes(4, "big", signed=True) for each in elements)
+        return packed[:length].partition(b"\0")[0].decode("latin-1")
+
+    def set_text(self, area: str, element: int, text: str) -> None:
+        for offset, word in enumerate(packed(text)):
+            self.set_integer(area, element + offset, word)
+
+    # ------------------------------------------------------------------------------------------ the host's side
+
+    def write(self, area: str, first: int, words: Sequence[int]) -> None:
+        """The host writes elements, as signed integers of 32 bits."""
+        changed = [self.integer(area, first + k) != word for k, word in enumerate(words)]
+        for k, word in enumerate(words):
+            self.set_integer(area, first + k, word)
+        for k, each in enumerate(changed):
+            for listener in tuple(self.listeners):
+                listener(area, first + k, each)
+
+    def registers(self, area: str, first: int, count: int) -> list[int]:
+        """Modbus registers, 16 bits each."""
+        words = self._words[area]
+        return [words[n >> 1] >> 16 * (n & 1) & 0xFFFF for n in range(first, first + count)]
+
+    def write_registers(self, area: str, first: int, values: Sequence[int]) -> None:
+        """The host writes registers; an element of which only one half is written keeps the other half."""
+        low, high = first >> 1, first + len(values) - 1 >> 1
+        halves = self.registers(area, 2 * low, 2 * (high - low + 1))
+        halves[first - 2 * low : first - 2 * low + len(values)] = values
+        pairs = zip(halves[::2], halves[1::2], strict=True)
+        self.write(area, low, [_signed(half | other << 16) for half, other in pairs])
+
+    def has_registers(self, area: str, first: int, count: int) -> bool:
+        """Whether all of some registers belong to elements that exist."""
+        low, high = AREAS[area]
+        return 2 * low <= first and first + count <= 2 * high + 2
+
+    def schedule(self, clock: Clock, area: str, entry: Mapping[str, object]) -> None:
+        """One `[[comms]]` or `[[netdata]]` of the machine file."""
+        words = _words(area, entry)
+        time, element = float(entry.get("at", 0.0)), int(entry["element"])  # type: ignore[arg-type,call-overload]
+        clock.at(max(time, clock.now), lambda: self.write(area, element, words))
+
+
+def packed(text: str) -> list[int]:
+    """A text as the words of its elements, zeros after its end."""
+    raw = text.encode("latin-1", "replace")
+    raw += bytes(-len(raw) % 4)
+    return [int.from_bytes(raw[k : k + 4], "big", signed=True) for k in range(0, len(raw), 4)]
+
+
+def _words(area: str, entry: Mapping[str, object]) -> list[int]:
+    if "text" in entry:
+        return packed(str(entry["text"]))
+    value: float = entry["value"]  # type: ignore[assignment]
+    view = entry.get("as", "integer" if area == "netdata" and isinstance(value, int) else "float")
+    if view == "integer":
+        return [_signed(int(value) & 0xFFFFFFFF)]
+    scratch = HostMemory()
+    scratch.set_real(area, 1, value)
+    return [scratch.integer(area, 1)]
+
+
+def _signed(word: int) -> int:
+    return word - (1 << 32) if word & 0x80000000 else word
+
+
+def _checked(area: str, element: int) -> int:
+    first, last = AREAS[area]
+    if not first <= element <= last:
+        what = "the comms array" if area == "comms" else "NetData"
+        raise Refusal("channel", f"{what} has no element {element}", f"its elements are {first} to {last}")
+    return element

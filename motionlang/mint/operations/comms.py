@@ -1,0 +1,71 @@
+"""The comms array and NetData, read and written by the program, and the events of what the host writes there."""
+
+from __future__ import annotations
+
+from motionlang.controller.host import AREAS
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.binding import Row
+    from motionlang.mint.environment import Environment
+
+    Operation = Callable[..., object]
+
+# Which elements raise an event, by the product that the model's name speaks of (mint-2 section 5, ABB AN00198 p. 19):
+# (first, last, only where the value changed). A product that is not named behaves like the NextMove e100.
+Span = tuple[int, int, bool]
+PRODUCTS: dict[str, dict[str, Span]] = {
+    "es": {"comms": (1, 5, False)},
+    "e150": {"netdata": (0, 31, True)},
+    "e180": {"netdata": (0, 31, True)},
+    "e190": {"netdata": (0, 31, True)},
+    "e100": {"comms": (1, 10, True), "netdata": (0, 31, True)},
+}
+
+
+def product(model: str) -> str:
+    """The product among `PRODUCTS` that a model's name speaks of; both NextMove ES and ESB are "es"."""
+    name = model.lower().replace("-", "").replace("_", "").replace(" ", "")
+    return next((each for each in PRODUCTS if each in name), "e100")
+
+
+class HostEvents:
+    """Raises COMMS1, NETDATA0 and so on for what the host writes."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._raise = environment.events.raise_
+        self._spans = PRODUCTS[product(environment.machine.model)]
+        environment.machine.host.listeners.append(self._written)
+
+    def _written(self, area: str, element: int, changed: bool) -> None:
+        first, last, only_changes = self._spans.get(area, (0, -1, True))
+        if first <= element <= last and (changed or not only_changes):
+            self._raise(area, element)
+
+
+def read_real(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element: memory.real(area, element)
+
+
+def write_real(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element, value: memory.set_real(area, element, value)
+
+
+def read_whole(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element: memory.integer(area, element)
+
+
+def write_whole(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element, value: memory.set_integer(area, element, value)
+
+
+def _area(row: Row) -> str:
+    area = "netdata" if row.name.startswith("NET") else "comms"
+    assert area in AREAS
+    return area
