@@ -5,9 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from motionlang.controller.servo import Drive, Loop, Motor, Override, Servo, Track, simulate
-from motionlang.controller.servo.discrete import discretise
-from motionlang.controller.servo.steps import COLUMNS, empty_columns, initial_state, stepper
+from motionlang.controller.servo import Drive, Loop, Motor, Override, Track, simulate
 from motionlang.profile import hold, plan_sinusoidal, plan_trapezoid
 from tests.servo.plain import run_plain
 
@@ -52,7 +50,13 @@ WHOLE = {
     "chapter 12": CHAPTER12,
     "chapter 12, 16 bits": Loop(40, 4, 400, integral_limit=4000, arithmetic="chapter12", dac_bits=16),
     "chapter 12, override": Loop(
-        100, 4, 1200, integral_limit=2000, arithmetic="chapter12", dac_bits=12, override=Override(40, 3, FULL_SPEED)
+        100,
+        4,
+        1200,
+        integral_limit=2000,
+        arithmetic="chapter12",
+        dac_bits=12,
+        override=Override(40, 3, FULL_SPEED),
     ),
     "LM628": Loop(300, 30, 2000, integral_limit=500, arithmetic="lm628", dac_bits=12, derivative_every=2),
     "LM628, 8 bits, wrapping": Loop(900, 30, 9000, arithmetic="lm628", dac_bits=8, wrap=True),
@@ -71,16 +75,12 @@ def there_and_back() -> Track:
 
 
 def points_of(loop: Loop, track: Track, seconds: float) -> np.ndarray:
-    def position(t: float) -> float:
-        k = max(i for i in range(len(track.starts)) if i == 0 or track.starts[i] <= t + 1e-12)
-        return track.profiles[k].position(t - track.starts[k])
-
     # Like the generator: a profile shows from the first cycle that begins after it.
     rate = loop.trajectory_rate
     made = []
     for i in range(round(seconds * rate) + 2):
         begun = (i - 1) / rate
-        k = max(j for j in range(len(track.starts)) if j == 0 or track.starts[j] <= begun + 1e-12)
+        k = max(j for j in range(len(track.starts)) if j == 0 or track.starts[j] <= begun - 1e-12)
         made.append(track.profiles[k].position(i / rate - track.starts[k]))
     return np.array(made)
 

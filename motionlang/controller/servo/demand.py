@@ -1,13 +1,14 @@
 """The demanded track as the trajectory generator sees it: one point for every trajectory cycle.
 
-At the beginning of cycle i the generator gives the point for its end, from the profile that is in force at that
-moment: a move started inside a cycle shows one point later, as on the real controllers. The loop interpolates
-between the points in straight lines (TN1069).
+At the beginning of cycle i the generator gives the point for its end, from the profile that was in force just before:
+a move shows from the first cycle that begins after its start, whether the whole track is known or only the past. The
+loop interpolates between the points in straight lines (TN1069).
 """
 
 from __future__ import annotations
 
 from bisect import bisect_right
+from math import ceil
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -67,8 +68,7 @@ class Generator:
 
     def in_force(self, cycle: int) -> int:
         """The number of the profile that makes the point for the end of `cycle`."""
-        time = (cycle + _AT_ONCE) * self.period
-        return max(bisect_right(self.track.starts, time) - 1, 0)
+        return max(bisect_right(self.track.starts, (cycle - _AT_ONCE) * self.period) - 1, 0)
 
     def offset(self, profile: int) -> float:
         """Counts to add to the track while `profile` is in force."""
@@ -80,6 +80,19 @@ class Generator:
             real = abs(gap) > _JUMP + 1e-12 * abs(after.start)
             self.offsets.append(self.offsets[-1] - gap if real else self.offsets[-1])
         return self.offsets[profile]
+
+    def shifts(self, first: int, until: int, rate: float) -> list[tuple[int, float]]:
+        """The samples from `first` to `until` (not included) at which the offset changes, and what it is then."""
+        starts = self.track.starts
+        now = max(bisect_right(starts, (first + _AT_ONCE) / rate) - 1, 0)
+        found = [(first, self.offset(now))]
+        for k in range(now + 1, len(starts)):
+            sample = ceil(starts[k] * rate - _AT_ONCE)
+            if sample >= until:
+                break
+            if self.offset(k) != found[-1][1]:
+                found.append((sample, self.offset(k)))
+        return found
 
     def rebase(self, cycle: int, position: float) -> None:
         """From now on the track's own position in `cycle` is `position`: the loop has been closed there."""
@@ -118,12 +131,20 @@ class Generator:
         first, last = self.in_force(cycle), self.in_force(cycle + count - 1)
         starts = np.array(self.track.starts[first : last + 1])
         table = PieceTable(starts.tolist(), self.track.profiles[first : last + 1])
-        self.offset(last)
-        owner = np.maximum(np.searchsorted(starts, table.origins, "right") - 1, 0)
-        table.columns[0] += np.array(self.offsets[first : last + 1])[owner]
         made = table.sample((cycle + 1) * self.period, self.period, count)
-        # What begins inside a cycle does not show at the end of that cycle yet.
+        self.offset(last)
+        offsets = np.array(self.offsets[first : last + 1])
+        if offsets.any():
+            owners = (
+                np.searchsorted(starts, np.arange(cycle + 1, cycle + count + 1) * self.period, "right") - 1
+            )
+            made += offsets[np.maximum(owners, 0)]
+        # What begins in a cycle does not show at its end yet; where the zero moves, rounding must not decide.
         begun = starts[1:] / self.period - cycle
-        for i in np.floor(begun[np.abs(begun - np.rint(begun)) > _AT_ONCE]).astype(int).tolist():
+        near = np.rint(begun[np.diff(offsets) != 0.0])
+        redone = np.unique(
+            np.concatenate((np.floor(begun + _AT_ONCE), near - 2.0, near - 1.0, near, near + 1.0))
+        )
+        for i in redone[(redone >= 0.0) & (redone < count)].astype(int).tolist():
             made[i] = self._point(cycle + i)
         return made

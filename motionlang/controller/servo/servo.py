@@ -182,8 +182,8 @@ class Servo:
         self._stretch, self._state = run_stretch(
             loop, self.plant, self._columns, points, part, until - first, self._state
         )
-        last = cycle + cycles - 1
-        self._offset = self._stretch.offset = self._generator.offset(self._generator.in_force(last))
+        self._stretch.shifts = self._generator.shifts(first, until, loop.servo_rate)
+        self._offset = self._stretch.shifts[-1][1]
         final = [float(point) for point in points[-3:]]
         self._points = [*final[1:], final[2]] if until % ratio == 0 else final
         self._sample = until

@@ -50,6 +50,7 @@ class Slip:
         return 1.0 - self.peak / self.limit
 
 
+_BRACKETS = 64
 _EPSILON = 1e-9
 """An acceleration planned at exactly the limit is at it, not beyond."""
 
@@ -97,6 +98,12 @@ def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, fl
     spans: list[tuple[float, float]] = []
     peak = peak_time = 0.0
     for start, profile, end in parts:
+        if not profile.pieced:
+            found, worst, when = _sampled(profile, min(profile.duration, end - start), most)
+            spans += [(start + a, start + b) for a, b in found]
+            if worst > peak * (1.0 + 1e-12):
+                peak, peak_time = worst, start + when
+            continue
         knots = profile.knots
         for piece, begin, finish in zip(profile.pieces, knots, knots[1:], strict=False):
             last = min(finish, end - start)
@@ -108,6 +115,32 @@ def _merged(limit: float, scale: float, parts: Iterable[tuple[float, Profile, fl
                     peak, peak_time = value, start + begin + x
             spans += [(start + begin + a, start + begin + b) for a, b in _beyond(piece, last - begin, most)]
     return Slip(limit, peak / scale, peak_time, tuple(_joined(spans)))
+
+
+def _sampled(profile: Profile, last: float, most: float) -> tuple[list[tuple[float, float]], float, float]:
+    """Spans beyond `most`, the peak and its time, of a profile that has no pieces: in brackets between its knots."""
+    edges = [knot for knot in profile.knots if knot < last] + [last]
+    times = [a + (b - a) * k / _BRACKETS for a, b in pairwise(edges) for k in range(_BRACKETS)] + [last]
+    sizes = [abs(profile.acceleration(time)) for time in times]
+    worst = max(range(len(times)), key=sizes.__getitem__)
+    spans = []
+    for (a, b), (at_a, at_b) in zip(pairwise(times), pairwise(sizes), strict=True):
+        if at_a > most or at_b > most:
+            begin = a if at_a > most else _turn(profile, a, b, most)
+            end = b if at_b > most else _turn(profile, b, a, most)
+            spans.append((begin, end))
+    return spans, sizes[worst], times[worst]
+
+
+def _turn(profile: Profile, inside: float, beyond: float, most: float) -> float:
+    """Where the acceleration passes `most` between a time inside the limit and one beyond it."""
+    for _ in range(50):
+        middle = 0.5 * (inside + beyond)
+        if abs(profile.acceleration(middle)) > most:
+            beyond = middle
+        else:
+            inside = middle
+    return beyond
 
 
 def _turns(piece: Piece, span: float) -> list[float]:

@@ -31,11 +31,12 @@ _WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
 class Stretch:
     """What a number of samples were: the columns in the order asked for, and the points they ran between."""
 
-    __slots__ = ("columns", "offset", "part", "points", "ratio")
+    __slots__ = ("columns", "part", "points", "ratio", "shifts")
 
     def __init__(self, points: Floats, part: int, ratio: int, columns: Sequence[Floats]) -> None:
         self.points, self.part, self.ratio, self.columns = points, part, ratio, columns
-        self.offset = 0.0
+        # From which sample of the run on the program's zero is moved by how much.
+        self.shifts: list[tuple[int, float]] = [(0, 0.0)]
 
     def demand(self, count: int) -> Array:
         """The demanded positions of the first `count` samples, interpolated."""

@@ -77,8 +77,10 @@ class ServoTrace:
     @cached_property
     def _offset(self) -> Array:
         """What the zero of the program has been moved by, at every sample."""
-        lengths = [len(each.columns[0]) for each in self._stretches]
-        made: Array = np.repeat(np.array([each.offset for each in self._stretches]), lengths)
+        shifts = [shift for each in self._stretches for shift in each.shifts] or [(0, 0.0)]
+        first = shifts[0][0]
+        edges = [*(sample - first for sample, _ in shifts), len(self)]
+        made: Array = np.repeat(np.array([value for _, value in shifts]), np.diff(edges))
         return made
 
     def __getitem__(self, name: str) -> Array:
