@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
+    from motionlang.controller.controller import Controller
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Steps
     from motionlang.mint.errors import Errors
@@ -24,6 +25,12 @@ TICK = 1e-3
 _MILLISECOND = 1e-6
 
 
+def _mint_ways(controller: Controller) -> None:
+    """A new speed acts at once on the move in progress (FEEDRATEMODE 0)."""
+    for axis in controller.axes:
+        controller.configure(axis, "live_speed", True)
+
+
 class Environment:
     """One program on one machine. `task` is the task that is running; each has its own TIME.
 
@@ -33,8 +40,7 @@ class Environment:
 
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
-        self.controller = machine.controller
-        self.clock = machine.controller.clock
+        self.clock = machine.clock
         # What the operator will type at INPUT; None until the first one.
         self.answers: list[str] | None = None
         self.files: dict[str, Sequence[int]] = {}
@@ -52,10 +58,14 @@ class Environment:
         self._errors: Errors | None = None
         self._random: Callable[[], float] | None = None
 
+    @property
+    def controller(self) -> Controller:
+        """The controller; a program that never asks for it runs without one."""
+        return self.machine.controller
+
     def prepare(self) -> None:
         """Make the controller behave as Mint expects it to."""
-        for axis in self.controller.axes:
-            self.controller.configure(axis, "live_speed", True)
+        self.machine.at_power_up(_mint_ways)
 
     def part(self, kind: type[Part]) -> Part:
         """What a group of keywords works on, made of this environment at its first use."""
@@ -135,11 +145,11 @@ class Environment:
             from motionlang.controller.faults import Refusal
 
             raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
-        return wait_until(self.controller, t, t + milliseconds / 1000.0)
+        return wait_until(self.machine, t, t + milliseconds / 1000.0)
 
     def tick(self, t: float) -> Wait:
         """Wait for the next tick of the profiler."""
-        return wait_until(self.controller, t, (int(t / TICK + 1e-6) + 1) * TICK)
+        return wait_until(self.machine, t, (int(t / TICK + 1e-6) + 1) * TICK)
 
     def room(self, t: float, axis: int) -> Wait:
         """A move waits for room in the buffer of its axis."""

@@ -21,7 +21,10 @@ class Writer:
         self.loops: list[str] = []
 
     def program(self) -> str:
-        self.lines = ["Dim n As Integer, m As Integer, k As Integer, x As Float", "Dim a(5) As Integer, f(4) As Float"]
+        self.lines = [
+            "Dim n As Integer, m As Integer, k As Integer, x As Float",
+            "Dim a(5) As Integer, f(4) As Float",
+        ]
         for _ in range(self.random.randint(2, 6)):
             self.statement()
         for name in ("n", "m", "k", "x", "u", "v", "a(1)", "a(5)", "f(1)"):
@@ -103,7 +106,11 @@ class Writer:
     # -------------------------------------------------------------------------------------- expressions
 
     def target(self) -> str:
-        array = f"a({self.random.randint(1, 5)})" if self.random.random() < 0.5 else f"f({self.random.randint(1, 4)})"
+        array = (
+            f"a({self.random.randint(1, 5)})"
+            if self.random.random() < 0.5
+            else f"f({self.random.randint(1, 4)})"
+        )
         return self.random.choice(("n", "m", "k", "x", "u", "v", array, "n", "x", "u"))
 
     def leaf(self) -> str:
@@ -121,7 +128,11 @@ class Writer:
         if depth == 0 or kind < 0.2:
             return self.leaf()
         if kind < 0.3:
-            return f"Abs({self.value(depth - 1)})" if kind < 0.25 else f"Min({self.leaf()}, {self.value(depth - 1)})"
+            return (
+                f"Abs({self.value(depth - 1)})"
+                if kind < 0.25
+                else f"Min({self.leaf()}, {self.value(depth - 1)})"
+            )
         if kind < 0.36:
             return f"(-{self.value(depth - 1)})"
         return f"({self.value(depth - 1)} {self.random.choice(_ARITHMETIC)} {self.value(depth - 1)})"

@@ -142,7 +142,9 @@ class Reference:
         if isinstance(node, nodes.Unary):
             kind, value = self.value(node.operand)
             if node.op == "-":
-                return self.operate("-", ("Integer", 0), (kind, value)) if kind == "Integer" else (kind, -value)
+                return (
+                    self.operate("-", ("Integer", 0), (kind, value)) if kind == "Integer" else (kind, -value)
+                )
             if node.op == "Not":
                 return "Integer", int(not value)
             return ("Integer", ~functions.integer(value)) if node.op == "~" else (kind, value)
@@ -176,7 +178,9 @@ class Reference:
             a, b = float(a), float(b)
         if op in ("+", "-", "*"):
             value = a + b if op == "+" else a - b if op == "-" else a * b
-            return kind, (value if LOW <= value <= HIGH else functions.overflow(value)) if kind == "Integer" else value
+            return kind, (
+                value if LOW <= value <= HIGH else functions.overflow(value)
+            ) if kind == "Integer" else value
         if op in _COMPARE:
             return "Integer", int(_COMPARE[op](a, b))
         if op == "/":
@@ -204,4 +208,3 @@ _COMPARE = {
     "<=": lambda a, b: a <= b,
     ">=": lambda a, b: a >= b,
 }
-

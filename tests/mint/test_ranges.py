@@ -17,6 +17,7 @@ from motionlang.source import Source
 from .programs import Writer
 from .reference import Reference
 
+
 def compare(text: str) -> None:
     """The compiled program prints what the plain one prints, and ends in the same trouble."""
     source = Source("random.mnt", text)
@@ -50,7 +51,9 @@ def text_of(program: str) -> str:
 LOOP = "For i = 1 To 1000000\n  x = x + i * 2\n  If x > 1000 Then x = 0\nNext"
 
 
-@pytest.mark.parametrize("declared", ["", "Dim i As Integer, x As Integer\n", "Dim i As Float, x As Integer\n"])
+@pytest.mark.parametrize(
+    "declared", ["", "Dim i As Integer, x As Integer\n", "Dim i As Float, x As Integer\n"]
+)
 def test_a_bounded_loop_needs_no_check_and_no_float(declared: str) -> None:
     text = text_of(declared + LOOP)
     assert "v_x = (v_x + (v_i * 2))" in text

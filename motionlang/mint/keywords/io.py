@@ -39,7 +39,8 @@ ROWS = (
             "INPUTACTIVELEVEL(0) = 0xFFFE\nPRINT INX(0)", default=-1.0, trust="memory", source=_LIBRARY, group="io"),
     Keyword("INPUTDEBOUNCE", "", "setting", "RW", "bank", "integer", "inputs.debounce",
             "How many samples of 1 ms the inputs of a bank must stay the same before their state follows.",
-            "INPUTDEBOUNCE(0) = 5\nPRINT INPUTDEBOUNCE(0)", default=0.0, low=0, high=1000, trust="memory", source=_LIBRARY, group="io"),
+            "INPUTDEBOUNCE(0) = 5\nPRINT INPUTDEBOUNCE(0)", default=0.0, low=0, high=1000, trust="memory",
+            source=_LIBRARY, group="io"),
     _pattern("INPUTMODE", "Bit pattern of the inputs that report their edges (1) instead of their state (0).",
              "INPUTMODE(0) = 8\nPRINT INX(3)"),
     _pattern("INPUTPOSTRIGGER", "Bit pattern of the inputs whose becoming active is an edge and an event.",
@@ -68,5 +69,6 @@ ROWS = (
     _adc("ADCMODE", "am", "Range of an analogue input: 0 both signs, -100 to 100; 1 positive only.", 0, 1, "integer"),
     Keyword("DAC", "", "setting", "RW", "channel", "%", "outputs.dac",
             "An analogue output in percent of its range.",
-            "DAC(0) = 25.5\nPRINT DAC(0)", default=0.0, low=-100.0, high=100.0, trust="memory", source=_LIBRARY, group="io"),
+            "DAC(0) = 25.5\nPRINT DAC(0)", default=0.0, low=-100.0, high=100.0, trust="memory",
+            source=_LIBRARY, group="io"),
 )  # fmt: skip

@@ -1,0 +1,53 @@
+"""The vocabulary: every simulated word has an example that runs, every other word is answered as what it is."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.lang.keyword import Keyword
+from motionlang.mint import DIALECT
+from motionlang.mint.keywords import library_a_i, library_j_z, table
+from motionlang.source import Source
+
+SIMULATED = [row for row in table() if row.simulated and row.example]
+OTHERS = [row for row in table() if not row.simulated]
+
+
+@pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)
+def test_the_example_runs(row: Keyword) -> None:
+    result = run(Source("example.mnt", row.example), cache=False, until=60.0)
+    assert [each.message for each in result.diagnostics] == []
+    assert result.status == "ended"
+
+
+def test_rows_are_complete() -> None:
+    for row in table():
+        assert row.help, row.name
+        assert row.access in ("R", "W", "RW", "C"), row.name
+        if row.simulated and row.kind not in ("constant",):
+            assert row.example or row.name == "Controller", row.name
+
+
+def test_the_whole_type_library_is_known() -> None:
+    lines = (library_a_i.WORDS + library_j_z.WORDS).splitlines()
+    assert len(lines) >= 907
+    assert all(table().get(line.partition("|")[0]) is not None for line in lines)
+
+
+def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
+    for row in OTHERS:
+        source = Source("a.mnt", f"x = {row.name}(0)" if row.access != "C" else f"{row.name}(0)")
+        codes = {each.code for each in DIALECT.check(source)}
+        assert "not-simulated" in codes, row.name
+        assert "unknown-word" not in codes, row.name
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [("SPED(0) = 1", "SPEED"), ("x = POOS(0)", "POS"), ("GOO(0)", "GO"), ("ACELTIME = 5", "ACCELTIME")],
+)
+def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant: str) -> None:
+    (diagnostic, *_) = DIALECT.check(Source("a.mnt", written))
+    assert diagnostic.code == "unknown-word"
+    assert f"did you mean {meant}?" in diagnostic.hint
