@@ -60,6 +60,7 @@ class Axis:
         "index_origin",
         "last_id",
         "limits",
+        "locks",
         "move",
         "move_id",
         "override",
@@ -79,6 +80,7 @@ class Axis:
         self.scale = Scale()
         self.enabled = True
         self.faults = 0
+        self.locks = 0  # the faults that must be cleared before the axis takes a motion
         self.shape = "trapezoid"
         self.speed = DEFAULTS["speed"]
         self.accel = DEFAULTS["accel"]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller import buffer, feedrate, halt
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Refusal, names
 from motionlang.controller.move import Move
 from motionlang.controller.readings import Readings
 from motionlang.controller.watch import arm
@@ -237,6 +237,9 @@ class Controller(Readings):
 
     def _ready(self, axis: int) -> Axis:
         a = self.axes[axis]
+        if a.faults & a.locks:
+            what = names(a.faults)
+            raise Refusal("axis-error", f"axis {axis} has an error: {what}", "clear the error before it moves")
         if not a.enabled:
             raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
         return a

@@ -10,6 +10,21 @@ LIMIT_REVERSE = 8
 SOFT_LIMIT_FORWARD = 16
 SOFT_LIMIT_REVERSE = 32
 FOLLOWING_ERROR = 64
+ALL = 127
+NAMES = (
+    "abort",
+    "error input",
+    "forward limit",
+    "reverse limit",
+    "forward soft limit",
+    "reverse soft limit",
+    "following error",
+)
+
+
+def names(bits: int) -> str:
+    """The faults of a bit pattern in words."""
+    return ", ".join(name for k, name in enumerate(NAMES) if bits >> k & 1)
 
 
 class Refusal(Exception):

@@ -26,9 +26,12 @@ _MILLISECOND = 1e-6
 
 
 def _mint_ways(controller: Controller) -> None:
-    """A new speed acts at once on the move in progress (FEEDRATEMODE 0)."""
-    for axis in controller.axes:
+    """A new speed acts at once on the move in progress (FEEDRATEMODE 0); an axis with an error takes no motion."""
+    from motionlang.controller.faults import ALL
+
+    for axis, a in controller.axes.items():
         controller.configure(axis, "live_speed", True)
+        a.locks = ALL
 
 
 class Environment:
