@@ -5,6 +5,9 @@ Lengths are counts, times are seconds, axes are numbered as the dialect numbers 
 
 from __future__ import annotations
 
+from motionlang.controller.axis import Axis
+from motionlang.controller.clock import Clock
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -64,14 +67,21 @@ VERBS: dict[str, str] = {
 class Recorder:
     """A controller without physics: writes down every verb and answers readings from `answers`.
 
-    `calls` is a list of `(verb, argument, …)` tuples. `now` and the clock's attributes are there so that a program
-    can run on it.
+    `calls` is a list of `(verb, argument, …)` tuples. It has a clock and axes with a scale, so that a language can run
+    on it; nothing ever moves.
     """
 
-    def __init__(self, axes: int = 8, answers: dict[str, Any] | None = None) -> None:
-        self.axes = axes
+    def __init__(self, axes: int = 8, first: int = 0, answers: dict[str, Any] | None = None) -> None:
+        self.clock = Clock()
+        self.axes = {number: Axis(number) for number in range(first, first + axes)}
         self.calls: list[tuple[Any, ...]] = []
         self.answers: dict[str, Any] = {"is_idle": True, "is_enabled": True, "room": 2, **(answers or {})}
+
+    def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
+        """Written down, and in force: it is the door that everything else passes."""
+        self.calls.append(("set_scale", axis, counts, rate, zero))
+        scale = self.axes[axis].scale
+        scale.counts, scale.rate, scale.zero = counts, rate, zero
 
     def __getattr__(self, verb: str) -> Any:
         if verb not in VERBS:
