@@ -6,6 +6,8 @@ compiler leaves out or holds otherwise must make no difference to what this one 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from motionlang.controller.faults import Refusal
 from motionlang.mint import functions, nodes
 from motionlang.mint.printing import show_float, show_integer
@@ -182,14 +184,15 @@ class Reference:
                 value if LOW <= value <= HIGH else functions.overflow(value)
             ) if kind == "Integer" else value
         if op in _COMPARE:
-            return "Integer", int(_COMPARE[op](a, b))
+            compare: Callable[[float, float], bool] = _COMPARE[op]
+            return "Integer", int(compare(a, b))
         if op == "/":
             return "Float", a / b
         if op == "Mod":
             return kind, functions.modulo(a, b)
         if op == "^":
             return "Float", functions.power(a, b)
-        whole = {
+        whole: Callable[[float, float], int] = {
             "\\": functions.divide,
             "<<": functions.shift_left,
             ">>": functions.shift_right,
@@ -200,7 +203,7 @@ class Reference:
         return "Integer", whole(a, b)
 
 
-_COMPARE = {
+_COMPARE: dict[str, Callable[[float, float], bool]] = {
     "=": lambda a, b: a == b,
     "<>": lambda a, b: a != b,
     "<": lambda a, b: a < b,

@@ -30,7 +30,7 @@ PRINT POS(0)
 
 def execute(text: str, machine: Machine) -> None:
     task = DIALECT.load(DIALECT.compile(Source("a.mnt", text)).payload() or b"").start(machine)
-    scheduler = machine.scheduler = Scheduler(machine.controller, task)
+    scheduler = machine.scheduler = Scheduler(machine, task)
     scheduler.run()
 
 
@@ -60,7 +60,7 @@ def test_a_program_can_be_started_again() -> None:
     program = DIALECT.compile(Source("a.mnt", "n = n + 1\nPRINT n"))
     for _ in range(2):
         machine = Machine()
-        Scheduler(machine.controller, program.start(machine)).run()
+        Scheduler(machine, program.start(machine)).run()
         assert machine.terminal.lines == ["1.0000"]
 
 
@@ -103,10 +103,10 @@ def test_a_cached_run_imports_neither_parser_nor_table_nor_compiler() -> None:
         "from motionlang.lang.machine import Machine\n"
         "from motionlang.lang.scheduler import Scheduler\n"
         "machine = Machine()\n"
-        "Scheduler(machine.controller, DIALECT.load(payload).start(machine)).run()\n"
+        "Scheduler(machine, DIALECT.load(payload).start(machine)).run()\n"
         "assert machine.terminal.lines == ['1']\n"
-        "heavy = {'re', 'enum', 'typing', 'dataclasses', 'collections', 'argparse', 'json', 'pathlib', 'numpy', 'lark',\n"
-        "         'motionlang.mint.parser', 'motionlang.mint.nodes', 'motionlang.mint.compiler',\n"
+        "heavy = {'re', 'enum', 'typing', 'dataclasses', 'collections', 'argparse', 'json', 'pathlib', 'numpy',\n"
+        "         'lark', 'motionlang.mint.parser', 'motionlang.mint.nodes', 'motionlang.mint.compiler',\n"
         "         'motionlang.mint.keywords', 'motionlang.mint.functions', 'motionlang.mint.events'}\n"
         "print(sorted(heavy & set(sys.modules)))\n"
     )
