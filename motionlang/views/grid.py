@@ -1,15 +1,18 @@
-"""Columns of text, lined up: widths by content, the least important columns dropped where a terminal is narrow."""
+"""Columns of text, lined up by rich; the least important columns are dropped where a terminal is narrow."""
 
 from __future__ import annotations
 
-from motionlang.views.terminal import cells, styled
+from motionlang.views.terminal import cells, console, styled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-GAP = "  "
-MOST_DECIMALS = 6
+    from rich.table import Table
+
+GAP = 2
+# Nothing but a rule below the head, which runs through the gaps: rich's way to draw a box, line by line.
+BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"
 
 
 class Column:
@@ -34,17 +37,11 @@ def grid(
 ) -> list[str]:
     """The lines of a table, header and rule first; `styles` may name a style for each row."""
     kept = _kept(columns, rows, width)
-    widths = [_width(columns[k], rows, k) for k in kept]
-    heads = [[columns[k].title for k in kept], [columns[k].unit for k in kept]]
-    lines = [_line(heads[0], columns, kept, widths, ["bold"] * len(kept), colour)]
-    if any(heads[1]):
-        lines.append(_line(heads[1], columns, kept, widths, ["dim"] * len(kept), colour))
-    lines.append(styled("─" * (sum(widths) + len(GAP) * (len(widths) - 1)), "dim", colour))
-    for i, row in enumerate(rows):
-        style = styles[i] if styles else ""
-        paints = [style or columns[k].style for k in kept]
-        lines.append(_line([row[k] for k in kept], columns, kept, widths, paints, colour))
-    return lines
+    screen = console(colour)
+    with screen.capture() as captured:
+        screen.print(_table([columns[k] for k in kept], [[row[k] for k in kept] for row in rows], styles))
+    lines = [line.rstrip() for line in captured.get().splitlines()]
+    return [styled(line, "dim", colour) if set(line) == {"─"} else line for line in lines]
 
 
 def decimals_of(values: Sequence[float], most: int = 4) -> int:
@@ -61,29 +58,29 @@ def decimals_of(values: Sequence[float], most: int = 4) -> int:
 def _kept(columns: Sequence[Column], rows: Sequence[Sequence[str]], width: int) -> list[int]:
     """The columns for which there is room; one without a word in it is left out as well."""
     kept = [k for k in range(len(columns)) if not columns[k].drop or any(row[k] for row in rows)]
-    while True:
-        total = sum(_width(columns[k], rows, k) for k in kept) + len(GAP) * (len(kept) - 1)
-        droppable = [k for k in kept if columns[k].drop]
-        if total <= width or not droppable:
-            return kept
-        kept.remove(max(droppable, key=lambda k: columns[k].drop))
+    widths = {
+        k: max(map(cells, (columns[k].title, columns[k].unit, *(row[k] for row in rows)))) for k in kept
+    }
+    while sum(widths[k] + GAP for k in kept) - GAP > width and any(columns[k].drop for k in kept):
+        kept.remove(max(kept, key=lambda k: columns[k].drop))
+    return kept
 
 
-def _width(column: Column, rows: Sequence[Sequence[str]], k: int) -> int:
-    return max(cells(column.title), cells(column.unit), max((cells(row[k]) for row in rows), default=0))
+def _table(columns: Sequence[Column], rows: Sequence[Sequence[str]], styles: Sequence[str]) -> Table:
+    from rich.box import Box
+    from rich.table import Table
+    from rich.text import Text
 
-
-def _line(
-    texts: Sequence[str],
-    columns: Sequence[Column],
-    kept: Sequence[int],
-    widths: Sequence[int],
-    styles: Sequence[str],
-    colour: bool,
-) -> str:
-    parts = []
-    for text, k, width, style in zip(texts, kept, widths, styles, strict=True):
-        blank = " " * (width - cells(text))
-        shown = styled(text, style, colour)
-        parts.append(shown + blank if columns[k].align == "<" else blank + shown)
-    return GAP.join(parts).rstrip()
+    table = Table(box=Box(BOX), show_edge=False, pad_edge=False, padding=(0, GAP - 1, 0, 0), header_style="")
+    units = any(column.unit for column in columns)
+    for column in columns:
+        head = [(column.title, "bold"), *([("\n", ""), (column.unit, "dim")] if units else [])]
+        table.add_column(
+            Text.assemble(*head), justify="left" if column.align == "<" else "right", no_wrap=True
+        )
+    for i, row in enumerate(rows):
+        style = styles[i] if styles else ""
+        # Assembled, so that the style is the word's alone and not that of the blanks around it.
+        paints = [style or column.style for column in columns]
+        table.add_row(*(Text.assemble(pair) for pair in zip(row, paints, strict=True)))
+    return table

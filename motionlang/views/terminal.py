@@ -8,22 +8,26 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import TextIO
 
+    from rich.console import Console
+
 WIDTH = 100
-# SGR numbers of the few styles that plain text output uses.
-_STYLES = {
-    "error": "1;31",
-    "warning": "1;33",
-    "note": "1;36",
-    "place": "34",
-    "bold": "1",
-    "dim": "2",
-    "word": "36",
-    "chart": "32",
-    "accel": "32",
-    "slew": "34",
-    "decel": "33",
-    "stop": "31",
+# What the views' few names of styles mean to rich.
+STYLES = {
+    "error": "bold red",
+    "warning": "bold yellow",
+    "note": "bold cyan",
+    "place": "blue",
+    "bold": "bold",
+    "dim": "dim",
+    "word": "cyan",
+    "chart": "green",
+    "accel": "green",
+    "slew": "blue",
+    "decel": "yellow",
+    "stop": "red",
 }
+# Room for any line: nothing is ever wrapped or cut by rich.
+_ENDLESS = 1_000_000
 
 
 def wants_colour(stream: TextIO) -> bool:
@@ -59,14 +63,46 @@ def width_of(stream: TextIO) -> int:
         return WIDTH
 
 
+def console(colour: bool, file: TextIO | None = None, width: int = _ENDLESS) -> Console:
+    """A rich console that asks nobody: no terminal, environment or platform changes what it makes of a text."""
+    from io import StringIO
+
+    from rich.console import Console
+    from rich.theme import Theme
+
+    return Console(
+        file=file or StringIO(),
+        width=width,
+        height=25,
+        color_system="standard" if colour else None,
+        force_terminal=colour,
+        no_color=False,
+        theme=Theme(STYLES),
+        legacy_windows=False,
+        force_jupyter=False,
+        markup=False,
+        emoji=False,
+        highlight=False,
+    )
+
+
 def styled(text: str, style: str, colour: bool) -> str:
     """`text` in one of the styles; as it is without colour, or where there is no such style."""
-    return f"\x1b[{_STYLES[style]}m{text}\x1b[0m" if colour and text and style in _STYLES else text
+    if not (colour and text and style in STYLES):
+        return text
+    from rich.color import ColorSystem
+    from rich.style import Style
+
+    return Style.parse(STYLES[style]).render(text, color_system=ColorSystem.STANDARD)
 
 
 def cells(text: str) -> int:
     """How many columns `text` takes up on a terminal."""
-    return len(text) if text.isascii() else sum(map(_cells_of, text))
+    if text.isascii():
+        return len(text)
+    from rich.cells import cell_len
+
+    return cell_len(text)
 
 
 def printable(text: str) -> str:
@@ -80,14 +116,6 @@ def plain(text: str) -> str:
 
 
 _ASCII = str.maketrans({"─": "-", "│": "|", "├": "|", "└": "`", "·": "-", "…": "...", "²": "2"})
-
-
-def _cells_of(character: str) -> int:
-    from unicodedata import category, east_asian_width
-
-    if category(character) in ("Mn", "Me", "Cf"):
-        return 0
-    return 2 if east_asian_width(character) in ("W", "F") else 1
 
 
 def _picture(character: str) -> str:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.views.grid import decimals_of
+import re
+
+import pytest
+
+from motionlang.views.grid import Column, decimals_of, grid
 from motionlang.views.table import render
 from motionlang.views.words import clock_time, figure
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
@@ -144,6 +148,8 @@ def test_colour_only_paints_and_charts_are_asked_for() -> None:
     painted = render(ballscrew(), colour=True)
     assert "\x1b[1mballscrew.mnt\x1b[0m" in painted
     assert "\x1b[32m├ accel\x1b[0m" in painted
+    assert "      \x1b[32m├ accel\x1b[0m              " in painted
+    assert re.sub(r"\x1b\[[\d;]*m", "", painted) == BALLSCREW
     assert "velocity of axis 0, uu/s" not in painted
     assert "velocity of axis 0, uu/s" in render(ballscrew(), charts=True)
 
@@ -177,3 +183,22 @@ def test_figures_have_the_decimals_they_need() -> None:
     assert figure(-0.0) == "0.000"
     assert figure(1e12 / 3, 1) == "3.33333e+11"
     assert figure(1e-9, 3) == "1e-09"
+
+
+@pytest.mark.parametrize(
+    "name", ["TERM", "COLUMNS", "NO_COLOR", "FORCE_COLOR", "COLORTERM", "JUPYTER_COLUMNS"]
+)
+def test_nothing_around_it_changes_a_table(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setenv(name, "7")
+    assert render(ballscrew()) == BALLSCREW
+    assert render(ballscrew(), colour=True).count("\x1b[32m├ accel\x1b[0m") == 1
+
+
+def test_a_cell_takes_the_room_that_a_terminal_gives_it() -> None:
+    columns = (Column("word", align="<", style="word"), Column("n"))
+    assert grid(columns, [["漢字[b]x[/b]", "1"], ["é", "20"]], width=80) == [
+        "word           n",
+        "────────────────",
+        "漢字[b]x[/b]   1",
+        "é             20",
+    ]
