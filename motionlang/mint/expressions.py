@@ -280,7 +280,7 @@ def _unary(b: Body, node: nodes.Unary) -> Value:
     if found.type == FLOAT:
         low, high, kind = found.range
         return Value(f"(-{found.text})", FLOAT, (-high, -low, kind))
-    return _arithmetic(b, "-", literal(0), found)
+    return arithmetic(b, "-", literal(0), found)
 
 
 def _binary(b: Body, node: nodes.Binary) -> Value:
@@ -309,7 +309,7 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
 
 def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
     if op in ("+", "-", "*"):
-        return _arithmetic(b, op, left, right)
+        return arithmetic(b, op, left, right)
     if op in _COMPARISONS:
         return Value(f"({left.text} {_COMPARISONS[op]} {right.text})", INTEGER, ranges.BOOL)
     if op == "/":
@@ -329,7 +329,8 @@ def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
     return Value(f"{shift}({left.text}, {right.text})", INTEGER, ranges.INTEGER)
 
 
-def _arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
+def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
+    """`left op right` for + - *, with a check where the result may not fit."""
     integer = FLOAT not in (left.type, right.type)
     known, how = ranges.arithmetic(op, integer, left.range, right.range)
     kind = INTEGER if integer else FLOAT

@@ -36,6 +36,7 @@ class MintInteractive(Interactive):
             "P": machine.terminal.write,
             "t": 0.0,
             "H": 0.0,
+            "dt": machine.instruction_time,
         }
 
     def is_complete(self, text: str) -> bool:

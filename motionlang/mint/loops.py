@@ -6,10 +6,8 @@ machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one statement
 
 from __future__ import annotations
 
-from motionlang.mint import nodes, ranges
-from motionlang.mint.body import Value
-from motionlang.mint.expressions import condition, converted, literal, number, place
-from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC
+from motionlang.mint import nodes
+from motionlang.mint.expressions import condition
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,7 +16,7 @@ if TYPE_CHECKING:
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
 
-def _body(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
+def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
     from motionlang.mint.statements import block
 
     b.loops.append((kind, flag))
@@ -26,14 +24,14 @@ def _body(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
     b.loops.pop()
 
 
-def _turn(b: Body) -> None:
+def turn(b: Body) -> None:
     """The end of a turn: pay for it, and let others run when it is time."""
     b.pending += 1
     b.flush()
     b.horizon()
 
 
-def _flag(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
+def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
     """A flag for an Exit that has to leave inner loops first, "" where there is none."""
     if not leaves(body, kind, inside=True):
         return ""
@@ -55,7 +53,7 @@ def while_(b: Body, node: nodes.While) -> None:
     observes, calls = b.observes, b.calls
     b.pending += 1
     b.flush()
-    flag = _flag(b, "while", node.body)
+    flag = flag_for(b, "while", node.body)
     b.noted = True
     if observes or calls:
         b.emit("while True:")
@@ -66,9 +64,9 @@ def while_(b: Body, node: nodes.While) -> None:
         b.emit(f"while {test}:")
         b.indent += 1
     at = b.at
-    _body(b, "while", node.body, flag)
+    body_of(b, "while", node.body, flag)
     b.at = at
-    _turn(b)
+    turn(b)
     b.indent -= 1
     go_on_leaving(b)
 
@@ -76,11 +74,11 @@ def while_(b: Body, node: nodes.While) -> None:
 def repeat(b: Body, node: nodes.Repeat) -> None:
     """`Repeat … Until condition`."""
     b.flush()
-    flag = _flag(b, "repeat", node.body)
+    flag = flag_for(b, "repeat", node.body)
     b.noted = True
     b.emit("while True:")
     b.indent += 1
-    _body(b, "repeat", node.body, flag)
+    body_of(b, "repeat", node.body, flag)
     b.at = node.condition.at
     b.begin()
     test = condition(b, node.condition)
@@ -96,88 +94,16 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
 def endless(b: Body, node: nodes.Loop) -> None:
     """`Loop … End Loop`."""
     b.flush()
-    flag = _flag(b, "loop", node.body)
+    flag = flag_for(b, "loop", node.body)
     b.noted = True
     b.emit("while True:")
     b.indent += 1
     at = b.at
-    _body(b, "loop", node.body, flag)
+    body_of(b, "loop", node.body, flag)
     b.at = at
-    _turn(b)
+    turn(b)
     b.indent -= 1
     go_on_leaving(b)
-
-
-def count(b: Body, node: nodes.For) -> None:
-    """`For variable = start To stop Step step … Next`: limits and step are worked out once."""
-    symbol = b.scope.find(node.variable.name)
-    if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
-        b.problem("type", f"{node.variable.name} cannot count: it is not a numeric variable", node.variable)
-        return
-    text, kind, scalar = place(b, node.variable)
-    if not (symbol.boxed or symbol.by_ref or symbol.is_array):
-        b.use_outside(symbol)
-    exact = scalar not in b.analysed
-    start = converted(b, number(b, node.start), kind, node.start, exact)
-    stop = number(b, node.stop)
-    step = number(b, node.step) if node.step is not None else literal(1)
-    if step.const == 0:
-        b.problem("range", "a For that counts by 0 never ends", node.step or node)
-    b.settle()
-    b.emit(f"{text} = {start}")
-    stop, step = _kept(b, stop), _kept(b, step)
-    b.pending += 1
-    b.flush()
-    flag = _flag(b, "for", node.body)
-    b.noted = True
-    b.emit(f"while {_continues(text, stop, step)}:")
-    b.indent += 1
-    at = b.at
-    _body(b, "for", node.body, flag)
-    b.at = at
-    known = b.facts.get(id(node))
-    if known is None:
-        known = (
-            ranges.INTEGER if kind.name == INTEGER else ranges.ANY if scalar in b.analysed else ranges.FLOAT
-        )
-    _next(b, text, Value(text, kind.name, known), step, exact)
-    _turn(b)
-    b.indent -= 1
-    go_on_leaving(b)
-
-
-def _kept(b: Body, found: Value) -> Value:
-    """A limit that stays what it was when the loop began."""
-    if found.const is not None:
-        return found
-    name = b.temp()
-    b.emit(f"{name} = {found.text}")
-    return Value(name, found.type, found.range)
-
-
-def _continues(text: str, stop: Value, step: Value) -> str:
-    low, high, kind = step.range
-    if step.const is not None:
-        return f"{text} {'<=' if step.const > 0 else '>='} {stop.text}"  # type: ignore[operator]
-    if kind == "i" and low > 0:
-        return f"{text} <= {stop.text}"
-    if kind == "i" and high < 0:
-        return f"{text} >= {stop.text}"
-    return f"({text} <= {stop.text} if {step.text} >= 0 else {text} >= {stop.text})"
-
-
-def _next(b: Body, text: str, variable: Value, step: Value, exact: bool) -> None:
-    from motionlang.mint.expressions import _arithmetic, as_float, as_integer
-
-    total = _arithmetic(b, "+", variable, step)
-    if variable.type == FLOAT:
-        source = as_float(total) if exact else total.text
-    else:
-        source = as_integer(b, total)
-    if source == f"({text} + {step.text})":
-        b.emit(f"{text} += {step.text}")
-    else:
-        b.emit(f"{text} = {source}")
 
 
 # ------------------------------------------------------------------------------------------------- leaving

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mint import jumping, keyword_use, loops, nodes, pausing
+from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausing
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
 from motionlang.mint.expressions import article, condition, converted, number, place, unknown, value
@@ -457,7 +457,7 @@ _STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Define: _nothing,
     nodes.If: _if,
     nodes.Select: _select,
-    nodes.For: loops.count,
+    nodes.For: counting.count,
     nodes.While: loops.while_,
     nodes.Repeat: loops.repeat,
     nodes.Loop: loops.endless,
