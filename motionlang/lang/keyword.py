@@ -76,11 +76,11 @@ class Keyword:
 
 
 class Table:
-    """All words of a dialect, found by name or short form in any case."""
+    """All words of a dialect, found by name or short form in any case; `hidden` ones only by their name."""
 
     __slots__ = ("_by_name", "rows")
 
-    def __init__(self, rows: Iterable[Keyword]) -> None:
+    def __init__(self, rows: Iterable[Keyword], hidden: Iterable[Keyword] = ()) -> None:
         self.rows = tuple(rows)
         self._by_name: dict[str, Keyword] = {}
         for row in self.rows:
@@ -88,6 +88,7 @@ class Table:
                 key = spelling.lower()
                 assert key not in self._by_name, f"{spelling} stands twice in the table"
                 self._by_name[key] = row
+        self._by_name.update((row.name, row) for row in hidden)
 
     def __iter__(self) -> Iterator[Keyword]:
         return iter(self.rows)

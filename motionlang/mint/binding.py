@@ -314,10 +314,6 @@ def _each_axis(environment: Environment, act: Callable[[int], None]) -> Operatio
     return do
 
 
-def _do_stop(environment: Environment, row: Row) -> Operation:
-    return _each_axis(environment, environment.controller.stop)
-
-
 def _cancel(environment: Environment) -> Callable[[int], None]:
     def cancel(axis: int) -> None:
         environment.controller.abort(axis)
@@ -336,16 +332,6 @@ def _do_cancel_all(environment: Environment, row: Row) -> Operation:
     def do(line: int) -> None:
         for axis in environment.controller.axes:
             cancel(axis)
-
-    return do
-
-
-def _do_abort_all(environment: Environment, row: Row) -> Operation:
-    abort = environment.controller.abort
-
-    def do(line: int) -> None:
-        for axis in environment.controller.axes:
-            abort(axis)
 
     return do
 

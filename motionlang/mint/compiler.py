@@ -65,6 +65,10 @@ def compile_module(
 ) -> Compiled:
     """Compile a program, or with `scope` a line typed at a prompt; ProgramError with every mistake."""
     problems = Problems(module)
+    if settings and "fault" in settings and scope is None:
+        from motionlang.mint.marking import mark
+
+        mark(module, settings, problems)
     known_before = dict(scope.names) if scope is not None else {}
     names = Names(table(), problems, scope)
     names.declare_module(module)

@@ -77,6 +77,10 @@ class Environment:
             found = self._parts[kind] = kind(self)  # type: ignore[call-arg]
         return found  # type: ignore[return-value]
 
+    def parts(self) -> list[object]:
+        """The parts that there are so far."""
+        return list(self._parts.values())
+
     @property
     def events(self) -> Events:
         """Events and their handlers, from the first use on."""

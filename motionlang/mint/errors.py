@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
+from motionlang.controller.faults import Refusal, names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ class Errors:
     def axis_fault(self, axis: int) -> None:
         """An axis has faulted."""
         bits = self.environment.controller.faults(axis)
-        self._note(Error(AXIS_ERROR, f"axis {axis} has an error", 0, AXIS, (axis, bits)))
+        self._note(Error(AXIS_ERROR, f"axis {axis} has an error: {names(bits)}", 0, AXIS, (axis, bits)))
 
     def _note(self, error: Error) -> None:
         self.found.append(error)

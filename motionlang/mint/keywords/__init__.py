@@ -15,7 +15,9 @@ def table() -> Table:
     """All words of Mint, made on first use."""
     global _table  # noqa: PLW0603 - one vocabulary a process
     if _table is None:
-        _table = Table(_rows())
+        from motionlang.mint.keywords.limits import HIDDEN
+
+        _table = Table(_rows(), HIDDEN)
     return _table
 
 
@@ -28,13 +30,14 @@ def _rows() -> list[Keyword]:
         functions,
         io,
         language,
+        limits,
         motion,
         state,
         tasks,
         terminal,
     )
 
-    groups = (axis, motion, state, control, tasks, terminal, io, comms, functions, constants, language)
+    groups = (axis, motion, state, control, tasks, terminal, io, comms, limits, functions, constants, language)
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
     for row in _not_simulated():
