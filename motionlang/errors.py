@@ -37,6 +37,7 @@ CODES: dict[str, str] = {
     "moving": "The command needs the axis at rest.",
     "buffer-full": "The move buffer has no room, and nothing will ever make room.",
     "never": "The program waits for something that can no longer happen.",
+    "not-primed": "The error registers were read before an error was read into them.",
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
     "interrupted": "The run was ended from the keyboard.",
