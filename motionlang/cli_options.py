@@ -157,9 +157,9 @@ def _add_run(commands: Commands) -> None:
     parser.add_argument(
         "--until",
         type=_time,
-        default=ONE_SHIFT,
         metavar="S",
-        help=f"end the run after S seconds of machine time; without it after one shift, {ONE_SHIFT:.0f} s = 8 h",
+        help="end the run after S seconds of machine time; without it the machine file says when, or it ends after "
+        f"one shift, {ONE_SHIFT:.0f} s = 8 h",
     )
     parser.add_argument(
         "--realtime",
@@ -182,7 +182,12 @@ def _add_run(commands: Commands) -> None:
 def _add_machine(parser: argparse.ArgumentParser) -> None:
     """What `run` and `repl` both need to know about the machine."""
     _add_dialect(parser)
-    parser.add_argument("--machine", metavar="M.toml", help="the machine the program is to run on")
+    parser.add_argument(
+        "--machine",
+        metavar="M.toml",
+        help="the machine the program is to run on; without it run takes pick.machine.toml beside pick.mnt, if there "
+        "is one",
+    )
     parser.add_argument(
         "--set",
         action="append",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from motionlang.execution import ONE_SHIFT, dialect_of, run
+from motionlang.execution import dialect_of, machine_beside, run
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -46,7 +46,7 @@ class Options:
         self.dialect: str | None = None
         self.machine: str | None = None
         self.report = "table"
-        self.until = ONE_SHIFT
+        self.until: float | None = None
         self.realtime: float | None = None
         self.trace: str | None = None
         self.rate = RATE
@@ -73,6 +73,8 @@ def run_command(options: Options) -> int:
     if options.dialect is None and dialect_of(options.file) is None:
         return refuse(options, [no_dialect(options.file)], None, 2)
     settings = dict(options.settings)
+    if options.machine is None and options.file != "-":
+        options.machine = machine_beside(options.file)
     if options.machine is not None:
         status = read_machine_file(options, settings)
         if status:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 # A machine program has no end of its own: this is where a run ends when nothing else says so.
 ONE_SHIFT = 8 * 3600.0
+# What follows a program's name, without its suffix, in the name of the machine file beside it.
+MACHINE_SUFFIX = ".machine.toml"
 
 _PACKAGES = {"mint": "motionlang.mint", "mccl": "motionlang.mccl"}
 
@@ -46,6 +48,12 @@ def dialect_of(file: str) -> Dialect | None:
         if suffix in dialect(name).suffixes:
             return dialect(name)
     return None
+
+def machine_beside(program: str | os.PathLike[str]) -> str | None:
+    """The machine file `pick.machine.toml` that lies beside a program `pick.mnt`, None where there is none."""
+    path = os.path.splitext(program)[0] + MACHINE_SUFFIX
+    return path if os.path.isfile(path) else None
+
 
 
 class Run:
@@ -91,7 +99,7 @@ def run(
     *,
     dialect: str | Dialect | None = None,
     machine: Mapping[str, object] | None = None,
-    until: float = ONE_SHIFT,
+    until: float | None = None,
     overrides: Mapping[str, float | str] | None = None,
     show: Callable[[str], None] | None = None,
     pace: Callable[[float], None] | None = None,
@@ -99,14 +107,16 @@ def run(
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
-    `machine` holds settings by the dotted keys of the machine file, `overrides` values for the program's own names;
-    `show` is called with everything the program prints, `pace` with the machine time that is about to be reached.
+    `machine` holds settings by the dotted keys of the machine file; without it they are read from the machine file
+    beside the program, if it has one (ProgramError where that is wrong). `until` is the machine time at which the run
+    ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
+    names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = _dialect_for(source, dialect)
-    settings = dict(machine or {})
+    settings = dict(machine) if machine is not None else _settings_beside(program)
     result = Run(
         source,
         language,
@@ -114,11 +124,28 @@ def run(
     )
     compiled = _compile(source, language, settings, result, cache)
     if compiled is not None:
-        _execute(result, compiled, until, pace)
+        _execute(result, compiled, end_of(settings) if until is None else until, pace)
         result.diagnostics[:0] = result.machine.diagnostics
     result.machine.terminal.close()
     result.time = result.controller.clock.now
     return result
+
+def end_of(settings: Mapping[str, object]) -> float:
+    """The machine time at which a run on this machine ends when nothing else says so."""
+    until = settings.get("run.until", ONE_SHIFT)
+    assert isinstance(until, (int, float))
+    return until
+
+
+def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, object]:
+    """The settings of the machine file beside a program that is named by its path."""
+    path = None if isinstance(program, Source) else machine_beside(program)
+    if path is None:
+        return {}
+    from motionlang.lang.machine_file import read_machine
+
+    return read_machine(Source.read(path))
+
 
 
 def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
@@ -176,9 +203,7 @@ def _execute(result: Run, compiled: Program, until: float, pace: Callable[[float
             _place(result, scheduler, "interrupted", "the run was ended from the keyboard", "")
         )
     except Stuck as stuck:
-        scheduler = scheduler or None
-        result.status = "fault"
-        result.diagnostics.append(_stuck(result, stuck))
+        _stuck(result, stuck, until)
     except Exception as error:
         from motionlang.lang.trouble import explain
 
@@ -189,20 +214,20 @@ def _execute(result: Run, compiled: Program, until: float, pace: Callable[[float
         result.diagnostics.append(diagnostic)
 
 
-def _stuck(result: Run, stuck: Stuck) -> Diagnostic:
+def _stuck(result: Run, stuck: Stuck, until: float) -> None:
+    """A wait that nothing can end is a mistake, unless the machine file says how long its scenario goes on."""
     from motionlang.errors import Diagnostic
 
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
     message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
     result.not_counted.append(f"line {line}: {message}")
-    return Diagnostic(
-        "never",
-        message,
-        line,
-        column,
-        length=length,
-        hint="start a move first, or bound the run with --until",
-    )
+    if "run.until" in result.machine.settings:
+        result.status = "until"
+        result.controller.clock.advance(until)
+        return
+    hint = "start a move first, or let a machine file say what happens, and with run.until how long"
+    result.status = "fault"
+    result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 
 
 def _place(result: Run, scheduler: Scheduler | None, code: str, message: str, hint: str) -> Diagnostic:
@@ -215,4 +240,4 @@ def _place(result: Run, scheduler: Scheduler | None, code: str, message: str, hi
     return Diagnostic(code, message, line, column, length=length, hint=hint)
 
 
-__all__ = ["ONE_SHIFT", "Refusal", "Run", "dialect", "dialect_of", "dialects", "run"]
+__all__ = ["ONE_SHIFT", "Refusal", "Run", "dialect", "dialect_of", "dialects", "end_of", "machine_beside", "run"]

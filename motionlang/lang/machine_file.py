@@ -21,6 +21,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "controller.model": ("text", "The model to behave like; empty for the dialect's own default."),
     "controller.axes": ("count", f"The number of axes, 1 to {MAX_AXES}."),
     "controller.instruction_time": ("time", "What one statement costs, 1e-9 to 1 second of machine time."),
+    "run.until": ("time", "The machine time at which the scenario, and with it the run, ends, in seconds."),
     "axis.N.travel": ("pair", "The positions of the two limit switches, in user units."),
     "axis.N.forward_input": ("channel", "The input that shows the forward limit switch."),
     "axis.N.reverse_input": ("channel", "The input that shows the reverse limit switch."),
