@@ -15,6 +15,7 @@ from motionlang.views.progress import Progress
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.cli_run import Options
     from motionlang.execution import Run
 
 # Formats of the design that are not there yet, by option.
@@ -36,15 +37,13 @@ def wrong_target(option: str, path: str) -> str | None:
     return None
 
 
-def write_files(result: Run, trace: str | None, rate: float, plot: str | None) -> int:
+def write_files(result: Run, options: Options) -> int:
     """Write what was asked for; 1 when one of the files could not be written."""
     status = 0
-    if trace is not None:
-        status = _write(trace, lambda: _write_trace(result, trace, rate))
-    if plot is not None:
-        from motionlang.views.plot import write_plot
-
-        status = max(status, _write(plot, lambda: write_plot(result, plot)))
+    if options.trace is not None:
+        status = _write(options.trace, lambda: _write_trace(result, options))
+    if options.plot is not None:
+        status = max(status, _write(options.plot, lambda: _write_plot(result, options)))
     return status
 
 
@@ -65,11 +64,20 @@ def _write(path: str, write: Callable[[], None]) -> int:
     return 0
 
 
-def _write_trace(result: Run, path: str, rate: float) -> None:
+def _write_trace(result: Run, options: Options) -> None:
     from motionlang.views.export import write_trace
 
-    progress = Progress(sys.stderr, path)
+    assert options.trace is not None
+    trace = result.trace if options.points is None else result.trace.as_controller(options.points)
+    progress = Progress(sys.stderr, options.trace)
     try:
-        write_trace(result.trace, path, rate, progress)
+        write_trace(trace, options.trace, options.rate, progress)
     finally:
         progress.done()
+
+
+def _write_plot(result: Run, options: Options) -> None:
+    from motionlang.views.plot import write_plot
+
+    assert options.plot is not None
+    write_plot(result, options.plot)

@@ -10,7 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, NoReturn
 
 from motionlang import __version__
-from motionlang.cli_run import PLOTS, RATE, REPORTS, TRACES, Options
+from motionlang.cli_run import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
 from motionlang.errors import nearest
 from motionlang.execution import ONE_SHIFT, dialects
 from motionlang.lang.machine_file import KEYS, check_setting
@@ -44,7 +44,8 @@ Time is the machine's own: an hour of it takes a moment, unless --realtime is gi
 exit status: 0 the program ran; 1 it is wrong or faulted (standard error says where); 2 the command line is wrong
 
 examples:
-  motionlang run pick.mnt --until 60 --trace pick.csv --rate 4000
+  motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
+  motionlang run pick.mcl --trace pick.csv --as-controller
   motionlang run pick.mnt --set controller.axes=2 --set pitch=5
   generate-program | motionlang run - --dialect mint --report json
 """
@@ -173,7 +174,22 @@ def _add_run(commands: Commands) -> None:
         "--trace", metavar="OUT", help=f"sample the motion into a file: {' or '.join(TRACES)}"
     )
     parser.add_argument(
-        "--rate", type=_rate, default=RATE, metavar="HZ", help=f"samples a second of the trace ({RATE:g})"
+        "--rate",
+        type=_rate,
+        metavar="HZ",
+        help=f"samples a second of the trace ({RATE:g}; with --as-controller {SERVO_RATE:g})",
+    )
+    parser.add_argument(
+        "--as-controller",
+        action="store_true",
+        help="trace the points that the trajectory generator computes and the straight lines between them, "
+        "which is what the servo loop is told, instead of the exact curve",
+    )
+    parser.add_argument(
+        "--trajectory-rate",
+        type=_rate,
+        metavar="HZ",
+        help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
     )
     parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {' or '.join(PLOTS)}")
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
@@ -209,8 +225,10 @@ def _add_dialect(
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
     """The options of a `run` line."""
     options = Options(arguments.file)
-    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "rate", "plot"):
+    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot"):
         setattr(options, name, getattr(arguments, name))
+    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
+    options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
     options.cache = not arguments.no_cache
     _set_values(arguments.set, options.settings, options.overrides, parser)
     return options
@@ -220,6 +238,7 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     from motionlang.cli_files import refused, wrong_target
     from motionlang.cli_run import refuse, run_command
 
+    _check_sampling(arguments, parser)
     options = run_options(arguments, parser)
     for option, path in (("--trace", options.trace), ("--plot", options.plot)):
         if path is not None:
@@ -230,6 +249,16 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
             if diagnostic is not None:
                 return refuse(options, [diagnostic], None, 1)
     return run_command(options)
+
+
+def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
+    """Options that would say something about nothing."""
+    if arguments.trace is None:
+        for name in ("rate", "as_controller"):
+            if getattr(arguments, name):
+                parser.error(f"--{name.replace('_', '-')} is about a trace: give --trace OUT")
+    if arguments.trajectory_rate and not arguments.as_controller:
+        parser.error("--trajectory-rate is about --as-controller, which is missing")
 
 
 def _set_values(

@@ -19,6 +19,8 @@ REPORTS = ("table", "json", "none")
 TRACES = (".csv", ".npz")
 PLOTS = (".png", ".svg")
 RATE = 1000.0
+# TN1069: trajectory points a second, and samples of the loop that goes from one to the next in a straight line.
+TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
 # The width of a table that goes into a file or a pipe: wide enough for every column.
 PIPED_WIDTH = 160
 
@@ -33,6 +35,7 @@ class Options:
         "machine",
         "overrides",
         "plot",
+        "points",
         "rate",
         "realtime",
         "report",
@@ -50,6 +53,8 @@ class Options:
         self.realtime: float | None = None
         self.trace: str | None = None
         self.rate = RATE
+        # Trajectory points a second where the trace is to be as the controller computes it.
+        self.points: float | None = None
         self.plot: str | None = None
         # `--set` by what it names: keys of the machine file, and names of the program.
         self.settings: dict[str, object] = {}
@@ -214,4 +219,4 @@ def _write_files(result: Run, options: Options) -> int:
     from motionlang.cli_files import write_files
 
     sys.stdout.flush()
-    return write_files(result, options.trace, options.rate, options.plot)
+    return write_files(result, options)

@@ -149,6 +149,12 @@ class Trace:
                 self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)
             yield Samples(columns, data)
 
+    def as_controller(self, trajectory_rate: float = 1000.0) -> Trace:
+        """The same motion as the controller computes it: points, `trajectory_rate` a second, and lines between."""
+        from motionlang.controller.commanded import Commanded
+
+        return Commanded(self._controller, trajectory_rate)
+
     def table(self, axis: int) -> PieceTable:
         """The pieces of an axis's motion, in counts, made once."""
         if axis not in self._tables:

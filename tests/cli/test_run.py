@@ -172,9 +172,31 @@ def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
     assert (cell.folder / "x.svg").read_text().startswith("<?xml")
 
 
+def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
+    run = ("run", "ballscrew.mcl", "--report", "none", "--trace", "x.csv", "--as-controller")
+    assert cell(*run).status == 0
+    rows = (cell.folder / "x.csv").read_text().splitlines()
+    assert rows[5:10] == [
+        "0.001000000,0.000000000,0.625000000,625.000000000",
+        "0.001250000,0.000156250,0.625000000,625.000000000",
+        "0.001500000,0.000312500,0.625000000,625.000000000",
+        "0.001750000,0.000468750,0.625000000,625.000000000",
+        "0.002000000,0.000625000,1.875000000,1250.000000000",
+    ]
+    assert cell(*run, "--trajectory-rate", "100", "--rate", "200").status == 0
+    rows = (cell.folder / "x.csv").read_text().splitlines()
+    assert rows[4] == "0.015000000,0.031250000,6.250000000,625.000000000"
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
+        (("--rate", "5"), "--rate is about a trace: give --trace OUT"),
+        (("--as-controller",), "--as-controller is about a trace: give --trace OUT"),
+        (
+            ("--trace", "x.csv", "--trajectory-rate", "5"),
+            "--trajectory-rate is about --as-controller, which is missing",
+        ),
         (("--trace", "x.vcd"), ".vcd files are not written yet: --trace writes .csv and .npz"),
         (("--trace", "x.parquet"), ".parquet files are not written yet: --trace writes .csv and .npz"),
         (("--trace", "x.txt"), "--trace writes .csv and .npz, not .txt files"),
