@@ -32,8 +32,8 @@ MAX_DIAGNOSTICS = 200
 class Board:
     """A PMC controller with its interpreter's state, built on a `Machine`.
 
-    `write` takes what the board sends; `complain` is told of every diagnostic with the offset it belongs to;
-    `diagnostics` False (a terminal session) keeps the `?` codes only.
+    `write` takes what the tasks send unless they have their own way; `complain` is told of every diagnostic and the
+    task that is at fault, None (a served board) leaves it at the `?` codes.
     """
 
     def __init__(
@@ -54,6 +54,9 @@ class Board:
         self._last_task = 0
         # Counts what comes from outside the program: a loop that only looks is woken by it.
         self.disturbances = 0
+        # Counts the turns that tasks take.
+        self.turns = 0
+        self.at_work: CommandTask | None = None
         self.points: dict[tuple[int, int], float] = {}
         self.records: dict[int, tuple[float, int]] = {}
         self.seeks: dict[int, Seek] = {}
@@ -179,10 +182,24 @@ class Board:
         """A time in the unit of UT, in seconds."""
         return value * self.time_unit
 
-    @property
-    def shared(self) -> bool:
-        """Whether several tasks take turns."""
-        return len(self.tasks) > 1
+    def is_shared(self, task: CommandTask) -> bool:
+        """Whether another task wants its turn."""
+        if len(self.tasks) < 2:
+            return False
+        return any(other.wait is None and other is not task and not other.done for other in self.tasks)
+
+    def take_turn(self, task: CommandTask) -> None:
+        """Another task than the last one begins to work."""
+        if self.at_work is not task:
+            self.at_work = task
+            self.turns += 1
+
+    def next_due(self, task: CommandTask) -> float:
+        """When the first of the other tasks that wait will go on."""
+        return min(
+            (each.wait.due() for each in self.tasks if each is not task and each.wait is not None),
+            default=INFINITY,
+        )
 
     def next_wake(self, task: CommandTask) -> float:
         """The earliest time at which another task may do something."""
@@ -201,12 +218,17 @@ class Board:
         self.tasks = [task, *self.background.values()]
         self.disturbances += 1
 
-    def start_task(self, macro: Line) -> int:
-        """Run a macro in the background; its number."""
+    def join(self, task: CommandTask) -> None:
+        """A further task that carries out what a host sends."""
+        self.tasks.append(task)
+
+    def start_task(self, macro: Line, issuer: CommandTask) -> int:
+        """Run a macro in the background, its replies going where the issuer's go; its number."""
         scheduler = self.machine.scheduler
         assert scheduler is not None, "background tasks need a scheduler"
         self._last_task += 1
         task = BackgroundTask(self._last_task, self, macro)
+        task.write = issuer.write
         self.background[self._last_task] = task
         self.tasks.append(task)
         scheduler.start(task)
@@ -231,14 +253,6 @@ class Board:
 
     # ------------------------------------------------------------------------------------------------ talking
 
-    def reply(self, text: str) -> None:
-        """One line of an answer."""
-        self.write(text + "\n")
-
-    def tell(self, axis: int, text: str) -> None:
-        """A report of an axis or a channel: its number in two digits, a blank, the value."""
-        self.write(f"{axis:02d} {text}\n")
-
     def whole(self, value: int) -> str:
         """A whole number as DM or HM want it."""
         return f"{value & 0xFFFFFFFF:X}" if self.hexadecimal else str(value)
@@ -258,7 +272,7 @@ class Board:
         self.warn(
             task, trouble.kind, f"{trouble.message} (?{trouble.code}: {meaning})", trouble.hint, "error"
         )
-        self.reply(f"?{trouble.code}")
+        task.reply(f"?{trouble.code}")
         return True
 
     def forget_complaints(self) -> None:

@@ -24,6 +24,7 @@ MEANINGS: dict[int, str] = {
 
 UNRECOGNISED = 1
 FORMAT = 2
+IO = 3
 TOO_LONG = 4
 PARAMETER = -1
 INVALID = -2

@@ -23,22 +23,24 @@ class Poll:
         "_accumulator",
         "_count",
         "_done",
+        "_event",
         "_line",
         "_pc",
         "_task",
+        "_turn",
         "effects",
         "fresh_until",
-        "skipping",
     )
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
         self.effects = 0
         self.fresh_until = INFINITY
-        self.skipping = True
         self._line: Line | None = None
         self._pc = self._count = self._done = 0
         self._accumulator: float | int = 0
+        self._turn = 0
+        self._event = 0.0
 
     def read_until(self, time: float) -> None:
         """Something was read that may change at `time` with no event to tell."""
@@ -53,14 +55,21 @@ class Poll:
             and self._pc == task.pc
             and self._done == self.effects
             and self._accumulator == task.registers[0]
+            and self._undisturbed()
         )
         length, until = task.count - self._count, self.fresh_until
         self._line, self._pc, self._done = task.line, task.pc, self.effects
         self._accumulator, self._count = task.registers[0], task.count
         self.fresh_until = INFINITY
-        if same and length > 0 and self.skipping:
+        self._turn, self._event = task.board.turns, task.board.controller.clock.next_time()
+        if same and length > 0:
             return self._until_the_next_event(length, until)
         return None
+
+    def _undisturbed(self) -> bool:
+        """Whether neither an event nor another task came between: after it, what was read before it is old."""
+        board = self._task.board
+        return self._turn == board.turns and board.controller.clock.now < self._event
 
     def _until_the_next_event(self, length: int, until: float) -> Wait | None:
         task = self._task

@@ -58,12 +58,14 @@ class CommandTask(Task):
         "registers",
         "repeats",
         "then",
+        "write",
     )
 
     def __init__(self, name: str, board: Board) -> None:
         super().__init__(name)
         self.board = board
         self.cost = board.cost
+        self.write = board.write
         self.registers: list[float | int] = [0] * PRIVATE
         self.line: Line | None = None
         self.pc = 0
@@ -104,6 +106,9 @@ class CommandTask(Task):
         if wait is not None:
             return now, wait
         clock, left = self.board.controller.clock, SLICE
+        if len(self.board.tasks) > 1:
+            horizon = min(horizon, self.board.next_due(self))
+            self.board.take_turn(self)
         while left:
             line = self.line
             if line is None or self.pc >= len(line.commands):
@@ -122,12 +127,20 @@ class CommandTask(Task):
             wait = self._carry_out(line)
             if wait is not None:
                 return now, wait
-            if self.board.shared:
+            if self.board.is_shared(self):
                 return now, None
             left -= 1
         return now, None
 
     # ----------------------------------------------------------------------------------------- for the actions
+
+    def reply(self, text: str) -> None:
+        """One line of an answer."""
+        self.write(text + "\n")
+
+    def tell(self, axis: int, text: str) -> None:
+        """A report of an axis or a channel: its number in two digits, a blank, the value."""
+        self.write(f"{axis:02d} {text}\n")
 
     def value(self, command: Command) -> float | int:
         """The parameter as a number, that of a register if `@` says so; 0 where there is none."""

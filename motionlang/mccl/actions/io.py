@@ -50,12 +50,12 @@ def channel_low(task: CommandTask, command: Command) -> None:
 
 def tell_channel(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
-    task.board.tell(channel, str(int(is_on(task.board, channel))))
+    task.tell(channel, str(int(is_on(task.board, channel))))
 
 
 def tell_analog(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
-    task.board.tell(channel, real(volts(task.board.controller.analogue_input(channel))))
+    task.tell(channel, real(volts(task.board.controller.analogue_input(channel))))
 
 
 def get_analog(task: CommandTask, command: Command) -> None:

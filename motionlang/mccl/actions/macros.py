@@ -59,7 +59,7 @@ def start_task(task: CommandTask, command: Command) -> None:
         raise Fault(
             codes.PARAMETER, f"there are {MOST_TASKS} background tasks already", "end one with ET", "limit"
         )
-    task.registers[0] = board.start_task(macro)
+    task.registers[0] = board.start_task(macro, task)
 
 
 def end_task(task: CommandTask, command: Command) -> None:
@@ -78,10 +78,10 @@ def tell_macro(task: CommandTask, command: Command) -> None:
     """List one macro as the line that defines it, or all of them."""
     board, number = task.board, task.whole(command)
     if number != -1:
-        board.reply(f"MD{number},{_macro(task, command).text}")
+        task.reply(f"MD{number},{_macro(task, command).text}")
         return
     for each in sorted(board.macros):
-        board.reply(f"MD{each},{board.macros[each].text}")
+        task.reply(f"MD{each},{board.macros[each].text}")
 
 
 def _number(task: CommandTask, command: Command) -> int:

@@ -41,12 +41,12 @@ def xoff_code(task: CommandTask, command: Command) -> None:
 
 
 def tell_version(task: CommandTask, command: Command) -> None:
-    task.board.reply(f"{task.board.model.title}, motionlang {__version__}")
+    task.reply(f"{task.board.model.title}, motionlang {__version__}")
 
 
 def tell_help(task: CommandTask, command: Command) -> None:
     for row in TABLE:
-        task.board.reply(f"{row.name} {row.help}")
+        task.reply(f"{row.name} {row.help}")
 
 
 ACTIONS: dict[str, Action] = {

@@ -45,7 +45,7 @@ def _tell(reading: Callable[[CommandTask, AxisState, float], str]) -> Action:
             start, most = task.board.records[axis.number]
             taken = _taken(now - start, most)
             for k in range(min(wanted, taken) if wanted else taken):
-                task.board.tell(axis.number, reading(task, axis, start + k * PERIOD))
+                task.tell(axis.number, reading(task, axis, start + k * PERIOD))
 
     return tell
 

@@ -20,7 +20,7 @@ def _each(reading: Reading) -> Action:
 
     def tell(task: CommandTask, command: Command) -> None:
         for axis in task.axes(command):
-            task.board.tell(axis.number, reading(task, axis))
+            task.tell(axis.number, reading(task, axis))
 
     return tell
 
@@ -75,16 +75,16 @@ def tell_status(task: CommandTask, command: Command) -> None:
     which = task.whole(command)
     for axis in task.axes(command):
         value, _ = word(task.board, axis, which)
-        task.board.tell(axis.number, task.board.whole(value))
+        task.tell(axis.number, task.board.whole(value))
 
 
 def tell_error(task: CommandTask, command: Command) -> None:
-    task.board.reply(str(task.board.last_error))
+    task.reply(str(task.board.last_error))
 
 
 def tell_segment(task: CommandTask, command: Command) -> None:
     axis = task.axis(command)
-    task.board.tell(axis.number, str(axis.segments))
+    task.tell(axis.number, str(axis.segments))
 
 
 ACTIONS: dict[str, Action] = {

@@ -1,0 +1,165 @@
+"""MCCL against the world of a machine file: switches, marks, inputs, faults."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tests.mccl.conftest import Runner
+
+MOTOR_ERROR, FOLLOWING, AMPLIFIER, PLUS, MINUS, HIGH, LOW = (1 << bit for bit in (7, 11, 13, 15, 17, 19, 21))
+
+
+def status(line: str) -> int:
+    """The word of a reply of TS."""
+    return int(line.split()[1])
+
+
+@pytest.mark.parametrize(
+    ("mode", "end", "enabled"),
+    [(0, 5000.0, False), (1, 5000.0, True), (2, 5500.0, True)],
+    ids=["off", "abrupt", "smooth"],
+)
+def test_a_limit_switch_does_what_lm_says(mode: int, end: float, enabled: bool, mccl: Runner) -> None:
+    """10000 counts/s at 100000 counts/s2 take 500 counts to stop."""
+    result = mccl(
+        f"1MN,1SV10000,1LM{mode},1LN1,1MA20000,1WS,1TS,1TP", machine={"axis.1.travel": [-1000.0, 5000.0]}
+    )
+    assert status(result.output[0]) & (MOTOR_ERROR | PLUS) == MOTOR_ERROR | PLUS
+    assert bool(status(result.output[0]) & 2) is enabled
+    assert result.controller.position(1) == pytest.approx(end, abs=1e-6)
+
+
+def test_a_limit_that_is_not_enabled_does_nothing(mccl: Runner) -> None:
+    result = mccl("1MN,1MA20000,1WS,1TP", machine={"axis.1.travel": [-1000.0, 5000.0]})
+    assert result.output == ["01 20000"]
+
+
+def test_off_a_limit_after_motor_on(mccl: Runner) -> None:
+    text = "1MN,1LM1,1LN3,1MA20000,1WS,1MA0,1TP,1MN,1MA0,1WS,1TP,1TS"
+    result = mccl(text, machine={"axis.1.travel": [-1000.0, 5000.0]})
+    assert result.output[:2] == ["01 5000", "01 0"]
+    assert status(result.output[2]) & (MOTOR_ERROR | PLUS) == 0
+    assert [each.code for each in result.diagnostics] == ["disabled-axis"]
+    assert "tripped" in result.diagnostics[0].message
+
+
+def test_soft_limits(mccl: Runner) -> None:
+    result = mccl(
+        "1MN,1SV10000,1HL3000,1LL-2000,1LM4,1LN12,1MA9000,1WS,1TP,1TS,1MN,1MA-9000,1WS,1TP,1TS,1LF0"
+    )
+    assert result.output[0] == "01 3000"
+    assert status(result.output[1]) & (MOTOR_ERROR | HIGH | LOW) == MOTOR_ERROR | HIGH
+    assert result.output[2] == "01 -2000"
+    assert status(result.output[3]) & (MOTOR_ERROR | HIGH | LOW) == MOTOR_ERROR | LOW
+
+
+def test_a_limit_channel_with_inverted_polarity(mccl: Runner) -> None:
+    """The switch of axis 1's positive limit is channel 18; closed means all is well, and it opens after 0.1 s."""
+    result = mccl(
+        "WA0.01,1MN,1LM129,1LN1,1SV1000,1MA5000,1WS,1TP",
+        machine={"input": [{"channel": 18, "at": 0.0, "value": 1, "for": 0.11}]},
+    )
+    assert result.controller.position(1) == pytest.approx(1000 * (0.11 - 0.01 - 6e-5) - 5, abs=0.2)
+
+
+@pytest.mark.parametrize(("kind", "bits"), [("following-error", FOLLOWING), ("error-input", AMPLIFIER)])
+def test_faults_show_in_the_status(kind: str, bits: int, mccl: Runner) -> None:
+    result = mccl("1MN,1FN0,1MR50000,1WS,1TS", machine={"fault": [{"axis": 1, "kind": kind, "at": 0.1}]})
+    assert status(result.output[0]) & (MOTOR_ERROR | bits) == MOTOR_ERROR | bits
+    (move,) = result.report["moves"]  # type: ignore[misc]
+    assert move["ended"] == "fault"  # type: ignore[index]
+
+
+def test_the_amplifier_fault_input_is_watched_only_if_told(mccl: Runner) -> None:
+    machine: Any = {"input": [{"channel": 20, "at": 0.1}]}
+    watched = mccl("1FN0,1MN,1MR50000,1WS,1TS", machine=machine)
+    assert status(watched.output[0]) & (AMPLIFIER | 2) == AMPLIFIER
+    free = mccl("1FF,1MN,1MR50000,1WS,1TP", machine=machine)
+    assert free.output == ["01 50000"]
+
+
+def test_find_index_gives_the_mark_its_position(mccl: Runner) -> None:
+    """Marks every 1000 counts; the axis starts 300 before one, finds it, and comes back to it."""
+    result = mccl(
+        "1MN,1SV5000,1VM,1GO,1FI50,1TP,1ST,1WS,1TZ,1PM,1MA50,1WS,1TS",
+        machine={"axis.1.index_every": 1000.0, "axis.1.start": 0.0},
+    )
+    assert result.output[:2] == ["01 50", "01 50"]
+    assert status(result.output[2]) & (1 << 6)
+    axis = result.controller.axes[1]
+    assert axis.position(result.time) - axis.datum == pytest.approx(1000.0, abs=1e-6)
+
+
+def test_an_armed_index_is_caught_while_the_program_does_something_else(mccl: Runner) -> None:
+    result = mccl("1MN,1MR1500,1IA0,1WS,1TP,1WI,1TP", machine={"axis.1.index_every": 1000.0})
+    assert result.output == ["01 1500", "01 500"]
+
+
+def test_find_edge_and_wait_edge(mccl: Runner) -> None:
+    machine = {"axis.1.home_switch": [2000.0, 2500.0]}
+    found = mccl("1MN,1SV5000,1VM,1GO,1FE0,1ST,1WS,1TP", machine=machine)
+    assert found.output == ["01 125"]
+    armed = mccl("1MN,1SV5000,1VM,1GO,1EL100,1WE0,1TP,1WE1,1TP,1ST,1WS", machine=machine)
+    assert armed.output == ["01 100", "01 600"]
+
+
+def test_a_mark_that_the_machine_does_not_have(mccl: Runner) -> None:
+    result = mccl("1MN,1MR100,1FI0,1TP")
+    assert result.status == "fault"
+    assert result.diagnostics[0].code == "never"
+    assert "index mark of axis 1" in result.diagnostics[0].message
+
+
+def test_a_joystick(mccl: Runner) -> None:
+    """50 percent are 5 V: less the offset of 1 V, times 100 counts/s a volt, for a second."""
+    result = mccl(
+        "1MN,1JA1000000,1JG100,1JO1,1JB0.5,1JN,WA1,1TV,1JF,1WS,1TS1",
+        machine={"analogue": [{"channel": 1, "value": 50.0, "at": 0.0, "for": 3.0}]},
+    )
+    assert result.output == ["01 400", "01 1"]
+
+
+def test_a_program_with_waits_on_inputs(mccl: Runner) -> None:
+    result = mccl("WN7,TC7,WF7,TC7", machine={"input": [{"channel": 7, "at": 1.0, "for": 0.5}]})
+    assert result.output == ["07 1", "07 0"]
+    assert result.time == pytest.approx(1.5, abs=1e-4)
+
+
+def test_a_wait_that_no_input_can_end(mccl: Runner) -> None:
+    result = mccl("1TP\nWN7,1TP")
+    assert result.output == ["01 0"]
+    assert result.diagnostics[0].code == "never"
+    assert "channel 7" in result.diagnostics[0].message
+    assert result.diagnostics[0].line == 2
+
+
+@pytest.mark.parametrize(
+    ("model", "text", "reply"),
+    [
+        ("multiflex", "1PS,1TS1", ["01 1"]),
+        ("dcx-pci300", "1TS1", ["?-1"]),
+        ("dcx-pci100", "1PS", ["?-2"]),
+        ("dcx-pci100", "1DS5", ["?-2"]),
+        ("dcx-pc100", "MD1,WA1\nGT1", ["?-2"]),
+        ("dcx-pc100", "MD256,WA1", ["?-5"]),
+        ("dcx-pci100", "1SG2210.6,1TG", ["01 2211"]),
+        ("multiflex", "1SG0.01,1TG", ["01 0.010000"]),
+        ("dcx-at200", "1VM,1TS", ["01 12"]),
+    ],
+)
+def test_models_differ(model: str, text: str, reply: list[str], mccl: Runner) -> None:
+    assert mccl(text, machine={"controller.model": model}).output == reply
+
+
+def test_an_unknown_model(mccl: Runner) -> None:
+    result = mccl("1TP", machine={"controller.model": "mintmt"})
+    assert [each.code for each in result.diagnostics] == ["machine-file"]
+    assert "multiflex" in result.diagnostics[0].hint
+
+
+def test_registers_can_be_given_from_outside(mccl: Runner) -> None:
+    assert mccl("TR10,TR0", overrides={"R10": 5.0, "r0": 2.5}).output == ["5", "2.500000"]
+    wrong = mccl("TR10", overrides={"SPEED": 5.0})
+    assert [each.code for each in wrong.diagnostics] == ["unknown-word"]
