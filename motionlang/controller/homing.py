@@ -2,25 +2,39 @@
 
 The sequence of a MintMT controller as its users know it: run at the homing speed towards the switch and stop on it,
 back off at a lower speed until it opens, then, for an index, creep on in the same direction to the next mark. The
-position becomes that of the datum at the exact moment of the last edge.
+position becomes that of the datum at the exact moment of the last edge; the axis runs on to its stop and, where an
+offset is given, goes to the place that lies that far from the datum.
 """
 
 from __future__ import annotations
 
 import math
 
+from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.profile import plan
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
+    from motionlang.controller.limit import Limit
+    from motionlang.controller.move import Move
     from motionlang.controller.watch import Watch
+
+# What the search looks for: the home switch, the limit switch of its direction, or only an index mark.
+HOME, LIMIT, INDEX = "home", "limit", "index"
+# In the order in which they come; "done" at the end and after whatever else ended the homing.
+STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
 
 
 class Homing:
     """One homing in progress on one axis; `found` turns true when the datum is known.
 
-    `direction` is that of the search, `switch` and `index` say what is looked for, speeds are counts/s, `datum` is the
-    position that the found place gets. `state` is "search", "back-off", "index", "stopping" or "done".
+    `direction` is that of the search, speeds are counts/s, `datum` is the position that the found place gets, `offset`
+    how far from it the axis ends (None: where it stops). `landed` is where it stopped, measured from the datum.
+    `ended` is called at the end, whatever it was.
     """
 
     __slots__ = (
@@ -29,12 +43,17 @@ class Homing:
         "_creep_speed",
         "_datum",
         "_direction",
+        "_ended",
         "_index",
         "_line",
+        "_move",
+        "_offset",
+        "_switch",
         "_watch",
         "axis",
         "back_off_speed",
         "found",
+        "landed",
         "speed",
         "state",
     )
@@ -48,43 +67,60 @@ class Homing:
         back_off_speed: float,
         creep_speed: float,
         *,
-        switch: bool = True,
+        switch: str = HOME,
         index: bool = False,
         datum: float = 0.0,
+        offset: float | None = None,
+        ended: Callable[[Homing], None] | None = None,
         command: str = "HOME",
         line: int = 0,
     ) -> None:
         self._controller, self.axis, self._direction = controller, axis, direction
         self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
-        self._index, self._datum, self._command, self._line = index, datum, command, line
+        self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
+        self._ended, self._command, self._line = ended, command, line
         self._watch: Watch | None = None
+        self._move: Move | None = None
         self.found = False
+        self.landed = 0.0
         self.state = "done"
-        controller.listeners.append(self._heard)
-        if switch:
-            self._search()
-        else:
+        # Before all others, who then never see the axis at rest in between.
+        controller.listeners.insert(0, self._heard)
+        self._allow_limit(False)
+        if switch == INDEX:
             self._seek_index(direction, speed)
+        else:
+            self._search()
 
     @property
     def _axis(self) -> Axis:
         return self._controller.axes[self.axis]
 
     def cancel(self) -> None:
-        """Give up; the axis is left to whatever ended the homing."""
+        """Give up, or be done; the axis is left to whatever ended the homing."""
         self.state = "done"
-        if self._heard in self._controller.listeners:
-            self._controller.listeners.remove(self._heard)
+        if self._heard not in self._controller.listeners:
+            return
+        self._controller.listeners.remove(self._heard)
+        self._allow_limit(True)
+        self._unwatch()
+        if self._ended is not None:
+            self._ended(self)
+
+    def _unwatch(self) -> None:
         if self._watch is not None:
             self._controller.unwatch(self.axis, self._watch)
             self._watch = None
 
+    # ---------------------------------------------------------------------------------------------- moving
+
     def _jog(self, velocity: float) -> None:
         self._controller.jog(self.axis, velocity, self._command, self._line)
+        self._move = self._axis.move
 
     def _search(self) -> None:
         """Towards the switch; an axis that already stands on it backs off at once."""
-        if self._axis.home:
+        if self._on_switch():
             self._back_off()
             return
         self.state = "search"
@@ -104,18 +140,47 @@ class Homing:
     def _datum_found(self) -> None:
         """The last edge: this place is the datum; the axis runs on to its stop and keeps counting from it."""
         controller = self._controller
+        self._unwatch()
         self.state = "stopping"
         self.found = True
         controller.define_position(self.axis, self._datum)
         controller.stop(self.axis, "")
 
+    def _go_to_offset(self, offset: float) -> None:
+        """From where the axis has stopped to its place, at the creep speed."""
+        self.state = "offset"
+        a, controller = self._axis, self._controller
+        accel, decel = controller.rates(a, self._creep_speed)
+        target = self._datum + offset
+        here, speed = a.position(controller.clock.now), self._creep_speed
+        profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
+        controller.play(self.axis, profile, self._command, self._line)
+        self._move = a.move
+
+    # --------------------------------------------------------------------------------------------- switches
+
+    def _limits(self) -> list[Limit]:
+        bit = LIMIT_FORWARD if self._direction > 0 else LIMIT_REVERSE
+        return [limit for limit in self._axis.limits if limit.bit == bit]
+
+    def _on_switch(self) -> bool:
+        if self._switch == HOME:
+            return self._axis.home
+        return any(limit.active for limit in self._limits())
+
+    def _allow_limit(self, allowed: bool) -> None:
+        """A limit switch that is looked for is no error."""
+        if self._switch == LIMIT:
+            for limit in self._limits():
+                limit.enabled = allowed
+
     def _heard(self, what: str, axis: int) -> None:
         if axis != self.axis:
             return
-        if what == "fault":
+        if what == "fault" or (self._axis.move is not self._move and self._axis.move is not None):
             self.cancel()
-        elif what == "home":
-            self._switch_changed(self._axis.home)
+        elif what == self._switch:
+            self._switch_changed(self._on_switch())
         elif what == "idle":
             self._at_rest()
 
@@ -133,8 +198,13 @@ class Homing:
         """Stopped: past the switch or on it after the search, or at the end."""
         if self.state == "on-switch":
             self._back_off()  # also where the stop ran over the whole switch: it comes back over it
-        elif self.state != "done":
-            self.cancel()
+            return
+        if self.state == "stopping":
+            self.landed = self._controller.position(self.axis) - self._datum
+            if self._offset is not None and self.landed != self._offset:
+                self._go_to_offset(self._offset)
+                return
+        self.cancel()
 
 
 def next_index(controller: Controller, axis: int, direction: int) -> float:

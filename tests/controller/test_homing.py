@@ -45,7 +45,7 @@ def test_homing_on_switch_and_index_puts_zero_on_the_mark() -> None:
 
 def test_homing_on_the_index_alone() -> None:
     c = machine()
-    Homing(c, 0, +1, 4.0, 4.0, 4.0, switch=False, datum=100.0)
+    Homing(c, 0, +1, 4.0, 4.0, 4.0, switch="index", datum=100.0)
     c.clock.advance(60.0)
     assert where(c) == pytest.approx(30.5)
     assert c.position(0) == pytest.approx(100.5)
@@ -89,3 +89,44 @@ def test_index_marks_are_where_the_machine_has_them() -> None:
     assert next_index(c, 0, -1) == -10.0
     c.define_position(0, 1000.0)
     assert next_index(c, 0, +1) == 10.0
+
+
+def test_an_offset_is_gone_to_from_the_datum() -> None:
+    c = machine()
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8, offset=-0.5, datum=3.0)
+    c.clock.advance(60.0)
+    assert homing.landed == pytest.approx(0.02)
+    assert c.position(0) == pytest.approx(2.5)
+    assert (homing.state, c.is_idle(0)) == ("done", True)
+
+
+def test_homing_on_a_limit_switch_is_no_error() -> None:
+    c = machine({"axis.0.start": 20.0, "axis.0.travel": [0.0, 50.0]})
+    ended: list[bool] = []
+    Homing(c, 0, -1, 8.0, 0.8, 0.8, switch="limit", ended=lambda homing: ended.append(homing.found))
+    c.clock.advance(60.0)
+    assert (c.position(0), ended, c.faults(0)) == (pytest.approx(0.02), [True], 0)
+    c.jog(0, -1.0)
+    c.clock.advance(90.0)
+    assert c.faults(0) != 0  # and an error again afterwards
+
+
+def test_another_motion_ends_the_homing() -> None:
+    c = machine()
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(0.5)
+    c.jog(0, -2.0)
+    c.clock.advance(60.0)
+    assert (homing.found, homing.state) == (False, "done")
+    assert c.velocity(0) == -2.0
+
+
+def test_nobody_hears_of_rest_before_the_end() -> None:
+    c = machine()
+    idle: list[float] = []
+    c.listeners.append(
+        lambda what, axis: idle.append(c.clock.now) if what == "idle" and c.is_idle(axis) else None
+    )
+    Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(60.0)
+    assert len(idle) == 1

@@ -28,6 +28,7 @@ def _rows() -> list[Keyword]:
         constants,
         control,
         functions,
+        homing,
         io,
         language,
         limits,
@@ -37,7 +38,7 @@ def _rows() -> list[Keyword]:
         terminal,
     )
 
-    groups = (axis, motion, state, control, tasks, terminal, io, comms, limits, functions, constants, language)
+    groups = (axis, motion, state, control, tasks, terminal, io, comms, limits, homing, functions, constants, language)
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
     for row in _not_simulated():
