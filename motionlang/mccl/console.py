@@ -9,6 +9,8 @@ port.take()                             # b">01 1000\\n>"
 
 from __future__ import annotations
 
+from traceback import walk_tb
+
 from motionlang.controller.faults import Refusal
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait
@@ -79,10 +81,12 @@ class Console:
         self._scheduler.start(task)
         return task
 
-    def drop_broken(self) -> None:
-        """An error of the interpreter itself went through a task: its line is abandoned, the board lives on."""
+    def drop_broken(self, error: Exception) -> None:
+        """An error of the interpreter itself: the line that it happened in is abandoned, the board lives on."""
         task = self._scheduler.current
-        if isinstance(task, CommandTask) and not task.done:
+        frames = [frame.f_code.co_name for frame, _ in walk_tb(error.__traceback__)]
+        by_itself = "advance" in frames and "resume" not in frames
+        if isinstance(task, CommandTask) and not task.done and not by_itself:
             self.board.last_error = codes.IO
             task.abandon()
             task.reply(f"?{codes.IO}")

@@ -1,0 +1,14 @@
+"""A board that real hosts talk to: over TCP, over a serial device, several at once, nothing of it on the run path.
+
+with Server(Console(Machine(first_axis=1))) as server:
+    server.listen("127.0.0.1", 5010)
+    server.run()                        # until stop(), from a signal or another thread
+"""
+
+from __future__ import annotations
+
+from motionlang.serve.limits import Limits
+from motionlang.serve.pace import LockStep, RealTime
+from motionlang.serve.server import Server
+
+__all__ = ["Limits", "LockStep", "RealTime", "Server"]

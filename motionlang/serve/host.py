@@ -1,0 +1,124 @@
+"""One host: its channel, its port at the board, and what waits between the two."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mccl.port import CR, CTRL_B, ESC, LF
+
+if TYPE_CHECKING:
+    from motionlang.mccl.port import Port
+    from motionlang.serve.channel import Channel
+    from motionlang.serve.limits import Limits
+    from motionlang.serve.pace import Pace
+    from motionlang.serve.spy import Spy
+
+# Characters that a port hears while it is carrying out a line, besides ESC: Ctrl-B, XON, XOFF and the blank.
+AT_ONCE = (CTRL_B, 17, 19, 32)
+
+
+class Host:
+    """`number` counts the hosts of a server from 1.
+
+    Nothing here grows without end: a host that sends faster than the board takes is read no further, and one that
+    does not read holds up its own line.
+    """
+
+    def __init__(self, number: int, channel: Channel, port: Port, limits: Limits, spy: Spy | None) -> None:
+        self.number, self.channel, self.port = number, channel, port
+        self._limits, self._spy = limits, spy
+        self._inbox = bytearray()
+        self._outbox = bytearray()
+        # When the host has said its last, on the wall clock.
+        self.ended: float | None = None
+        # What the server's selector looks for.
+        self.watched = 0
+
+    # -------------------------------------------------------------------------------------------- for the server
+
+    @property
+    def listens(self) -> bool:
+        """Whether there is room for more from this host."""
+        return self.ended is None and len(self._inbox) < self._limits.inbox
+
+    @property
+    def unsent(self) -> bool:
+        """Whether something waits for the channel to take it."""
+        return bool(self._outbox)
+
+    @property
+    def waits(self) -> bool:
+        """Whether something that the host sent could be given to the board."""
+        return bool(self._inbox)
+
+    @property
+    def may_go_on(self) -> bool:
+        """Whether the board would take more of what the host has sent."""
+        return bool(self._inbox) and not self.port.busy
+
+    @property
+    def done(self) -> bool:
+        """Whether a host that has said its last has been answered."""
+        return self.ended is not None and not (self._inbox or self._outbox or self.port.busy)
+
+    def receive(self, now: float) -> None:
+        """Read what the host has sent; what comes before an ESC that the board has not taken is void."""
+        data = self.channel.receive(self._limits.chunk)
+        if data is None:
+            self.ended = now
+            return
+        if self._spy is not None:
+            self._spy.sent(self.number, data)
+        if self._inbox and self.port.busy and ESC in data:
+            self._inbox.clear()
+            data = data[data.rindex(ESC) :]
+        self._inbox += data
+
+    def feed(self, pace: Pace) -> None:
+        """Give the board what it takes: all of it, or in lock step a line."""
+        if pace.by_line and self.port.busy:
+            piece = self._heard_at_once()
+        elif pace.by_line:
+            piece = self._line()
+            if piece[-1] == CR or piece[-1] == LF:
+                pace.entered()
+        else:
+            piece = bytes(self._inbox)
+        del self._inbox[: self.port.feed(piece)]
+
+    def forget(self) -> None:
+        """Drop what the host has sent, as its own ESC would."""
+        self._inbox.clear()
+        self.port.feed(bytes([ESC]))
+
+    def flush(self) -> None:
+        """Send what the board has to say, as far as the channel takes it."""
+        if len(self._outbox) < self._limits.outbox:
+            said = self.port.take()
+            if said:
+                self._outbox += said
+                if self._spy is not None:
+                    self._spy.answered(self.number, said)
+        if self._outbox:
+            del self._outbox[: self.channel.send(bytes(self._outbox[: self._limits.outbox]))]
+
+    # ---------------------------------------------------------------------------------------------------- inside
+
+    def _line(self) -> bytes:
+        """The first line that has come, or as much of it as there is."""
+        for k, code in enumerate(self._inbox):
+            if code in (CR, LF):
+                return bytes(self._inbox[: k + 1])
+        return bytes(self._inbox)
+
+    def _heard_at_once(self) -> bytes:
+        """What a port hears while it is busy: a key if it steps, otherwise control characters and the blank."""
+        if self.port.task.stepping:
+            return bytes(self._inbox[:1])
+        if ESC in self._inbox:
+            del self._inbox[: self._inbox.rindex(ESC)]
+            return bytes(self._inbox[:1])
+        count = 0
+        while count < len(self._inbox) and self._inbox[count] in AT_ONCE:
+            count += 1
+        return bytes(self._inbox[:count])

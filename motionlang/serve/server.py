@@ -1,0 +1,275 @@
+"""The server: one thread, one board, many hosts, in turns that end.
+
+A turn hears every host that has sent something, lets the board work for a bounded while, and gives every host what
+the board has to say to it. Nothing that a host sends ends it: what the interpreter cannot cope with is `?3` to the
+line that it was, and a line of the log.
+"""
+
+from __future__ import annotations
+
+import select
+import selectors
+import socket
+import time
+from traceback import walk_tb
+from typing import TYPE_CHECKING
+
+from motionlang.serve import address
+from motionlang.serve.channel import Channel, DeviceChannel, Gone, TcpChannel
+from motionlang.serve.host import Host
+from motionlang.serve.limits import Limits
+from motionlang.serve.pace import RealTime
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+
+    from motionlang.mccl.console import Console
+    from motionlang.serve.pace import Pace
+    from motionlang.serve.spy import Spy
+
+READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
+# What a host gets when there is no room for it: the board's code for an I/O error.
+NO_ROOM = b"?3\n"
+# Wall seconds that hosts have at the end to take what they were told.
+FAREWELL = 0.5
+# Different errors of our own that are told.
+MOST_KNOWN = 100
+
+
+class Server:
+    """Serves `console`. `complain` is told, in a line, what the person who started it should know.
+
+    `listen` and `device` add ways in, `run` serves until `stop`, which may be called from a signal handler or another
+    thread; `close` ends it all.
+    """
+
+    def __init__(
+        self,
+        console: Console,
+        pace: Pace | None = None,
+        *,
+        limits: Limits | None = None,
+        spy: Spy | None = None,
+        complain: Callable[[str], None] = lambda text: None,
+    ) -> None:
+        self.console = console
+        self.pace = pace or RealTime(console)
+        self.hosts: list[Host] = []
+        self.served = 0
+        self._limits = limits or Limits()
+        self._spy, self._complain = spy, complain
+        self._listeners: dict[socket.socket, Callable[[], None]] = {}
+        self._refusing = False
+        self._known: set[str] = set()
+        self._late = False
+        self._selector = selectors.DefaultSelector()
+        self._over = False
+        self._wake, self._alarm = socket.socketpair()
+        self._wake.setblocking(False)
+        self._alarm.setblocking(False)
+        self._selector.register(self._wake, READ, self._woken)
+
+    def __enter__(self) -> Server:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    # --------------------------------------------------------------------------------------------- ways in
+
+    def listen(self, host: str, port: int, echo: bool | None = False) -> tuple[str, int]:
+        """Let hosts connect over TCP; the address that they connect to. OSError says why they cannot."""
+        listener = address.listen(host, port)
+        self._listeners[listener] = lambda: self._accept(listener, echo)
+        self._selector.register(listener, READ, self._listeners[listener])
+        found: tuple[str, int] = listener.getsockname()[:2]
+        return found
+
+    def device(self, echo: bool | None = None) -> str:
+        """Let a host open a serial device; its path. ImportError or OSError where there are no pseudo-terminals."""
+        channel = DeviceChannel()
+        self._join(channel, echo)
+        return channel.name
+
+    # --------------------------------------------------------------------------------------------- serving
+
+    def run(self) -> None:
+        """Serve until `stop`."""
+        while not self._over:
+            self.turn(self._timeout())
+
+    def stop(self) -> None:
+        """End `run` after the turn it is in."""
+        self._over = True
+        try:
+            self._alarm.send(b".")
+        except OSError:
+            pass
+
+    def turn(self, timeout: float | None = 0.0) -> None:
+        """Wait for something to do, `timeout` seconds at most, and do it."""
+        for key, _ in self._selector.select(timeout):
+            key.data()
+        self._guard(self.pace.before)
+        for host in self.hosts:
+            if host.waits:
+                self._feed(host)
+        self._guard(self.pace.work)
+        for host in list(self.hosts):
+            self._serve(host)
+
+    def close(self) -> None:
+        """Say farewell to every host: what the board has said still goes out, if they take it soon."""
+        end = time.monotonic() + FAREWELL
+        for host in list(self.hosts):
+            self._send_rest(host, end)
+            self._leave(host, "the server ends")
+        for listener in self._listeners:
+            listener.close()
+        self._listeners.clear()
+        self._selector.close()
+        self._wake.close()
+        self._alarm.close()
+
+    # ----------------------------------------------------------------------------------- hosts come and go
+
+    def _accept(self, listener: socket.socket, echo: bool | None) -> None:
+        try:
+            connection, peer = listener.accept()
+        except (BlockingIOError, ConnectionError):
+            return
+        except OSError as error:
+            # No more connections may be open: listen again when one has been closed.
+            self._complain(f"no host can connect: {error.strerror or error}")
+            self._refuse()
+            return
+        name = address.shown(*peer[:2])
+        if len(self.hosts) >= self._limits.hosts:
+            self._turn_away(connection, name)
+            return
+        self._join(TcpChannel(connection, name), echo)
+
+    def _turn_away(self, connection: socket.socket, name: str) -> None:
+        self._complain(f"{name} was turned away: {self._limits.hosts} hosts are connected already")
+        with connection:
+            connection.setblocking(False)
+            try:
+                connection.send(NO_ROOM)
+            except OSError:
+                pass
+
+    def _refuse(self) -> None:
+        if not self._refusing:
+            self._refusing = True
+            for listener in self._listeners:
+                self._selector.unregister(listener)
+
+    def _join(self, channel: Channel, echo: bool | None) -> None:
+        self.served += 1
+        host = Host(self.served, channel, self.console.open(echo), self._limits, self._spy)
+        self.hosts.append(host)
+        if self._spy is not None:
+            self._spy.remark(host.number, f"connected: {channel.name}")
+        self._serve(host)
+
+    def _leave(self, host: Host, why: str) -> None:
+        """The host is gone: its half line is forgotten, its line abandoned; motion and background tasks go on."""
+        self.hosts.remove(host)
+        if host.watched:
+            self._selector.unregister(host.channel)
+        host.channel.close()
+        self.console.close(host.port)
+        if self._spy is not None:
+            self._spy.remark(host.number, why)
+        if self._refusing:
+            self._refusing = False
+            for listener, accept in self._listeners.items():
+                self._selector.register(listener, READ, accept)
+
+    # ---------------------------------------------------------------------------------------------- a turn
+
+    def _timeout(self) -> float | None:
+        if any(host.may_go_on for host in self.hosts):
+            return 0.0
+        timeout = self.pace.timeout()
+        ends = [host.ended for host in self.hosts if host.ended is not None]
+        if not ends:
+            return timeout
+        left = max(0.0, min(ends) + self._limits.linger - time.monotonic())
+        return left if timeout is None else min(timeout, left)
+
+    def _woken(self) -> None:
+        try:
+            self._wake.recv(64)
+        except OSError:
+            pass
+
+    def _hear(self, host: Host) -> None:
+        if host.listens:
+            try:
+                host.receive(time.monotonic())
+            except Gone:
+                self._leave(host, "broke off")
+
+    def _feed(self, host: Host) -> None:
+        try:
+            host.feed(self.pace)
+        except Exception as error:
+            self._tell(error)
+            host.forget()
+
+    def _serve(self, host: Host) -> None:
+        """Give a host what the board has said, and see what to expect of it."""
+        try:
+            host.flush()
+        except Gone:
+            self._leave(host, "broke off")
+            return
+        if host.ended is not None and (host.done or time.monotonic() >= host.ended + self._limits.linger):
+            self._leave(host, "has left")
+            return
+        wanted = (READ if host.listens else 0) | (WRITE if host.unsent else 0)
+        if wanted != host.watched:
+            self._watch(host, wanted)
+
+    def _watch(self, host: Host, wanted: int) -> None:
+        if not wanted:
+            self._selector.unregister(host.channel)
+        elif host.watched:
+            self._selector.modify(host.channel, wanted, lambda: self._hear(host))
+        else:
+            self._selector.register(host.channel, wanted, lambda: self._hear(host))
+        host.watched = wanted
+
+    def _send_rest(self, host: Host, end: float) -> None:
+        """Wait until the host has taken everything, but no longer than `end`."""
+        try:
+            host.flush()
+            while host.unsent and (left := end - time.monotonic()) > 0:
+                select.select([], [host.channel], [], left)
+                host.flush()
+        except (Gone, OSError, ValueError):
+            pass
+
+    # ------------------------------------------------------------------------------------------- our errors
+
+    def _guard(self, work: Callable[[], None]) -> None:
+        """Do `work`; an error of the interpreter's own costs the line that it happened in, and nothing else."""
+        try:
+            work()
+        except Exception as error:
+            self.console.drop_broken(error)
+            self._tell(error)
+
+    def _tell(self, error: Exception) -> None:
+        """Say, once each, what must never happen."""
+        frame = walk_tb(error.__traceback__)
+        *_, (last, line) = frame
+        place = f"{last.f_code.co_filename.rpartition('motionlang')[2].lstrip('/')}:{line}"
+        text = f"internal error, please report it: {type(error).__name__}: {error} ({place})"
+        if text not in self._known and len(self._known) < MOST_KNOWN:
+            self._known.add(text)
+            self._complain(text)

@@ -1,0 +1,53 @@
+"""What hosts send and what they are answered, line by line, for whoever writes a client."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# Characters of an unfinished line that are shown as a line.
+LONGEST = 200
+
+
+class Spy:
+    """Writes `1 < 1TP` for what host 1 sent and `1 > 01 0` for what it got; other characters as Python writes them."""
+
+    def __init__(self, write: Callable[[str], None]) -> None:
+        self._write = write
+        self._open: dict[tuple[int, str], bytearray] = {}
+
+    def sent(self, number: int, data: bytes) -> None:
+        """A host has sent something."""
+        self._take(number, "<", data)
+
+    def answered(self, number: int, data: bytes) -> None:
+        """A host has been answered."""
+        self._take(number, ">", data)
+
+    def remark(self, number: int, text: str) -> None:
+        """Something happened to a host."""
+        for key in [key for key in self._open if key[0] == number]:
+            self._end(key)
+        self._write(f"{number} -- {text}\n")
+
+    def _take(self, number: int, mark: str, data: bytes) -> None:
+        key = (number, mark)
+        line = self._open.setdefault(key, bytearray())
+        for code in data:
+            line.append(code)
+            if code in (10, 13) or len(line) >= LONGEST:
+                self._end(key)
+        if mark == ">" and line == b">":
+            self._end(key)
+
+    def _end(self, key: tuple[int, str]) -> None:
+        number, mark = key
+        line = self._open.get(key)
+        shown = line.decode("latin-1") if line else ""
+        if shown not in ("", "\n", ">"):
+            shown = shown.removesuffix("\n").removesuffix("\r")
+            self._write(f"{number} {mark} {repr(shown)[1:-1]}\n")
+        if line is not None:
+            line.clear()
