@@ -35,9 +35,8 @@ def dialects() -> tuple[str, ...]:
 
 def dialect(name: str) -> Dialect:
     """A dialect by its name; KeyError where there is none."""
-    from importlib import import_module
-
-    found: Dialect = import_module(_PACKAGES[name]).DIALECT
+    __import__(_PACKAGES[name])
+    found: Dialect = sys.modules[_PACKAGES[name]].DIALECT
     return found
 
 
@@ -49,11 +48,11 @@ def dialect_of(file: str) -> Dialect | None:
             return dialect(name)
     return None
 
+
 def machine_beside(program: str | os.PathLike[str]) -> str | None:
     """The machine file `pick.machine.toml` that lies beside a program `pick.mnt`, None where there is none."""
     path = os.path.splitext(program)[0] + MACHINE_SUFFIX
     return path if os.path.isfile(path) else None
-
 
 
 class Run:
@@ -127,8 +126,9 @@ def run(
         _execute(result, compiled, end_of(settings) if until is None else until, pace)
         result.diagnostics[:0] = result.machine.diagnostics
     result.machine.terminal.close()
-    result.time = result.controller.clock.now
+    result.time = result.machine.clock.now
     return result
+
 
 def end_of(settings: Mapping[str, object]) -> float:
     """The machine time at which a run on this machine ends when nothing else says so."""
@@ -145,7 +145,6 @@ def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, obje
     from motionlang.lang.machine_file import read_machine
 
     return read_machine(Source.read(path))
-
 
 
 def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
@@ -191,9 +190,9 @@ def _execute(result: Run, compiled: Program, until: float, pace: Callable[[float
     scheduler: Scheduler | None = None
     try:
         parent = compiled.start(result.machine)
-        scheduler = result.machine.scheduler = Scheduler(result.controller, parent, pace)
+        scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace)
         result.status = scheduler.run(until)
-        jogging = [axis for axis in result.controller.axes if not result.controller.is_idle(axis)]
+        jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
             result.not_counted.append(f"axis {names} was still jogging when the program had ended")

@@ -19,7 +19,7 @@ class Source:
     def from_bytes(cls, name: str, data: bytes) -> Source:
         """Decode as UTF-8, with or without a mark, else as Latin-1, which any bytes are."""
         try:
-            text = data.decode("utf-8-sig")
+            text = data.removeprefix(b"\xef\xbb\xbf").decode("utf-8")
         except UnicodeDecodeError:
             text = data.decode("latin-1")
         return cls(name, text)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from math import atan2, degrees
+
+from motionlang.controller import path
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.inputs import Channels
@@ -18,8 +21,8 @@ if TYPE_CHECKING:
 class Readings:
     """`axes` axes numbered from `first`, channels, a clock, and the log of every move that was started."""
 
-    def __init__(self, axes: int = 8, first: int = 0) -> None:
-        self.clock = Clock()
+    def __init__(self, axes: int = 8, first: int = 0, clock: Clock | None = None) -> None:
+        self.clock = clock or Clock()
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.moves: list[Move] = []
         self.inputs = Channels(self.clock)
@@ -38,6 +41,10 @@ class Readings:
             return 0
         velocity = a.velocity(self.clock.now) or a.profiles[-1].end_velocity or a.profiles[-1].distance
         return (velocity > 0) - (velocity < 0)
+
+    def moving(self) -> list[int]:
+        """The axes that are not idle."""
+        return [number for number, axis in self.axes.items() if axis.move is not None]
 
     # ------------------------------------------------------------------------------------------- reading
 
@@ -64,6 +71,22 @@ class Readings:
     def move_id(self, axis: int) -> int:
         """The mark of the move in progress, or of the last one."""
         return self.axes[axis].last_id
+
+    def path_speed(self, axis: int) -> float:
+        """The speed along the path that the axis is on, user units/s."""
+        run = path.run_of(self.axes[axis])
+        return run.speed if run is not None else 0.0
+
+    def path_remaining(self, axis: int) -> float:
+        """The distance along the path that the axis is on still to go, user units."""
+        run = path.run_of(self.axes[axis])
+        return run.remaining if run is not None else 0.0
+
+    def vector_angle(self, x: int, y: int) -> float:
+        """The direction, degrees, in which two axes are moving in their plane, in user units; 0 at rest."""
+        now = self.clock.now
+        across = [a.velocity(now) / a.scale.counts for a in (self.axes[x], self.axes[y])]
+        return degrees(atan2(across[1], across[0])) if any(across) else 0.0
 
     def is_enabled(self, axis: int) -> bool:
         return self.axes[axis].enabled

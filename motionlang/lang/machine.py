@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from motionlang.controller.controller import Controller
+from motionlang.controller.clock import Clock
 from motionlang.lang.terminal import Terminal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from motionlang.controller.controller import Controller
     from motionlang.controller.host import HostMemory
     from motionlang.controller.world import World
     from motionlang.errors import Diagnostic
@@ -19,11 +20,19 @@ INSTRUCTION_TIME = 10e-6
 
 
 class Machine:
-    """A controller with its terminal, and the settings that a language needs to run on it."""
+    """A controller with its terminal, and the settings that a language needs to run on it.
+
+    The controller is built when it is first asked for: a program that moves nothing starts without it. What a
+    dialect wants done to it at power-up it says with `at_power_up`.
+    """
 
     __slots__ = (
+        "_controller",
+        "_first_axis",
         "_host",
-        "controller",
+        "_power_up",
+        "_world",
+        "clock",
         "diagnostics",
         "instruction_time",
         "model",
@@ -31,7 +40,6 @@ class Machine:
         "scheduler",
         "settings",
         "terminal",
-        "world",
     )
 
     def __init__(
@@ -46,8 +54,11 @@ class Machine:
         get = self.settings.get
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
-        self.controller = Controller(int(get("controller.axes", DEFAULT_AXES)), first_axis)  # type: ignore[call-overload]
-        self.world = _world(self.controller, self.settings)
+        self.clock = Clock()
+        self._first_axis = first_axis
+        self._controller: Controller | None = None
+        self._world: World | None = None
+        self._power_up: list[Callable[[Controller], None]] = []
         self._host: HostMemory | None = None
         self.terminal = Terminal(show)
         # What `--set NAME=VALUE` gives to the program's own names.
@@ -56,6 +67,42 @@ class Machine:
         self.diagnostics: list[Diagnostic] = []
         # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
         self.scheduler: Scheduler | None = None
+        if not _is_plain(self.settings):
+            _ = self.controller  # what the world does by time begins at once
+
+    @property
+    def controller(self) -> Controller:
+        """The controller, powered up and wired to its world."""
+        if self._controller is None:
+            from motionlang.controller.controller import Controller
+
+            axes: int = self.settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+            self._controller = Controller(axes, self._first_axis, self.clock)
+            self._world = _world(self._controller, self.settings)
+            for call in self._power_up:
+                call(self._controller)
+        return self._controller
+
+    @property
+    def world(self) -> World | None:
+        """What the machine file says of the world, None where it says nothing."""
+        _ = self.controller
+        return self._world
+
+    def at_power_up(self, call: Callable[[Controller], None]) -> None:
+        """Let `call` prepare the controller: now, or when it is built."""
+        if self._controller is None:
+            self._power_up.append(call)
+        else:
+            call(self._controller)
+
+    def moving(self) -> list[int]:
+        """The axes that are not idle."""
+        return [] if self._controller is None else self._controller.moving()
+
+    def idle_time(self, axis: int) -> float:
+        """The time at which an axis will be idle if nothing else happens."""
+        return self.controller.idle_time(axis)
 
     @property
     def host(self) -> HostMemory:
@@ -66,14 +113,19 @@ class Machine:
             self._host = HostMemory()
             for area in ("comms", "netdata"):
                 for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
-                    self._host.schedule(self.controller.clock, area, entry)
+                    self._host.schedule(self.clock, area, entry)
         return self._host
 
 
 def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:
     """The world of a machine file, None where the file says nothing beyond the controller itself."""
-    if all(key.startswith("controller.") for key in settings):
+    if _is_plain(settings):
         return None
     from motionlang.controller.world import World
 
     return World(controller, settings)
+
+
+def _is_plain(settings: Mapping[str, object]) -> bool:
+    """Whether the settings speak of the controller alone."""
+    return all(key.startswith("controller.") for key in settings)

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.controller import Controller
+    from motionlang.lang.machine import Machine
     from motionlang.lang.task import Task, Wait
 
 INFINITY = float("inf")
@@ -28,15 +29,16 @@ class Stuck(Exception):
 
 
 class Scheduler:
-    """Runs tasks on a controller. The first task is the parent: when it ends the program has ended.
+    """Runs tasks on a machine, or on a bare controller; when the first one, the parent, ends, the program has ended.
 
     `pace(now)` is called before time jumps, so that a run can be held to the wall clock.
     """
 
     def __init__(
-        self, controller: Controller, parent: Task, pace: Callable[[float], None] | None = None
+        self, machine: Controller | Machine, parent: Task, pace: Callable[[float], None] | None = None
     ) -> None:
-        self.controller = controller
+        self.machine = machine
+        self.clock = machine.clock
         self.parent = parent
         self.tasks: list[Task] = [parent]
         # Event handlers, the innermost last: while there is one, nothing else runs.
@@ -64,7 +66,7 @@ class Scheduler:
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
-        clock = self.controller.clock
+        clock = self.clock
         while not self.parent.done:
             if clock.now >= until:
                 return False
@@ -85,12 +87,11 @@ class Scheduler:
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
-        controller = self.controller
         while True:
-            busy = [axis for axis in controller.axes if not controller.is_idle(axis)]
+            busy = self.machine.moving()
             if not busy:
                 return True
-            times = [controller.idle_time(axis) for axis in busy]
+            times = [self.machine.idle_time(axis) for axis in busy]
             finite = [time for time in times if time < INFINITY]
             if not finite or min(finite) > until:
                 if until < INFINITY:
@@ -101,7 +102,7 @@ class Scheduler:
     def _advance(self, time: float) -> None:
         if self.pace is not None:
             self.pace(time)
-        self.controller.clock.advance(time)
+        self.clock.advance(time)
 
     def _forget(self, task: Task) -> None:
         """Drop a task that has ended; another one may have dropped it before."""
@@ -134,7 +135,7 @@ class Scheduler:
 
     def _jump(self, until: float) -> None:
         """All wait: go to the next moment at which something can change."""
-        clock = self.controller.clock
+        clock = self.clock
         tasks = self.interrupts[-1:] or self.tasks
         due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
         time = min(due, clock.next_time(), until)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
 
     from motionlang.controller.controller import Controller
+    from motionlang.lang.machine import Machine
 
 INFINITY = float("inf")
 
@@ -30,9 +31,9 @@ class Wait:
         self.since, self.ready, self.due, self.why = since, ready, due, why
 
 
-def wait_until(controller: Controller, since: float, time: float) -> Wait:
+def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait:
     """Wait for a moment."""
-    clock = controller.clock
+    clock = machine.clock
     return Wait(since, lambda: clock.now >= time, lambda: time, f"for {time - since:g} s")
 
 

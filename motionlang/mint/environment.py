@@ -173,6 +173,25 @@ class Environment:
 
         return watch(self, t, ready, watches, why)
 
+    def skip(
+        self, t: float, since: float, horizon: float, watches: tuple[tuple[object, ...], ...]
+    ) -> float:
+        """A loop polls, its last turn from `since` to `t`: the end of the last turn that can be no different.
+
+        Turns are counted in whole statements, so that no rounding adds up over millions of them. What its conditions
+        were last compared with may have changed since, within the turn: then nothing is skipped.
+        """
+        if watches:
+            from motionlang.mint.watching import next_change
+
+            horizon = min(horizon, next_change(self, since, watches))
+        if horizon == INFINITY:
+            from motionlang.controller.faults import Refusal
+
+            raise Refusal("never", "the loop looks for something that can no longer happen", "")
+        cost = round((t - since) / self.machine.instruction_time) * self.machine.instruction_time
+        return t + max(0, int((horizon - t) / cost)) * cost
+
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""
         from motionlang.mint.answers import wait_for_answer
