@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint import nodes
     from motionlang.mint.names import Names
+    from motionlang.mint.polling import Poll
     from motionlang.mint.problems import Problems
 
 Spec = tuple[object, ...]
@@ -96,6 +97,7 @@ class Body:
         "observes",
         "outside",
         "pending",
+        "polls",
         "scope",
         "temps",
         "waits",
@@ -112,6 +114,7 @@ class Body:
         # Names of outer functions that this one assigns to.
         self.outside: set[str] = set()
         self.loops: list[tuple[str, str]] = []
+        self.polls: list[Poll | None] = []
         self.facts: dict[int, ranges.Range] = {}
         self.analysed: set[Symbol] = set()
         # Of the statement being written: does it take note of time, does it call a sub that may wait?
@@ -146,7 +149,7 @@ class Body:
 
     def horizon(self) -> None:
         """Let others run when their time has come; `t` is up to date."""
-        self.emit("if t >= H: t, H = yield t")
+        self.emit(f"if t >= H: t, H = yield t{self.interrupted()}")
         self.waits = self.noted = True
 
     def settle(self) -> None:
@@ -160,15 +163,16 @@ class Body:
         if self.pending:
             cost = self.cost(self.pending)
             self.emit(f"u = t + {cost}")
-            self.emit(f"if u >= H: u, H = yield u; t = u - {cost}")
+            self.emit(f"if u >= H: u, H = yield u; t = u - {cost}{self.interrupted()}")
             self.emit("C.now = u")
         else:
             self.horizon()
             self.emit("C.now = t")
 
-    def now(self) -> str:
-        """The name that holds the present time after `settle`."""
-        return "u" if self.pending else "t"
+    def interrupted(self) -> str:
+        """After others have run: a loop that polls must look again."""
+        poll = self.polls[-1] if self.polls else None
+        return f"; {poll.dirty} = True" if poll is not None else ""
 
     def wait(self, expression: str) -> None:
         """Give way until a `Wait` is over."""

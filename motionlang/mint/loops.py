@@ -6,29 +6,37 @@ machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one statement
 
 from __future__ import annotations
 
-from motionlang.mint import nodes
+from motionlang.mint import nodes, polling
 from motionlang.mint.expressions import condition
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.body import Body
+    from motionlang.mint.polling import Poll
 
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
 
-def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
+def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | None = None) -> None:
+    """The statements of a loop."""
     from motionlang.mint.statements import block
 
     b.loops.append((kind, flag))
+    b.polls.append(poll)
     block(b, body)
+    b.polls.pop()
     b.loops.pop()
 
 
-def turn(b: Body) -> None:
+def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
     """The end of a turn: pay for it, and let others run when it is time."""
-    b.pending += 1
+    b.pending += cost
     b.flush()
+    if poll is not None:
+        polling.turn(b, poll)
+    b.polls.append(poll)
     b.horizon()
+    b.polls.pop()
 
 
 def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
@@ -55,18 +63,21 @@ def while_(b: Body, node: nodes.While) -> None:
     b.flush()
     flag = flag_for(b, "while", node.body)
     b.noted = True
+    poll = polling.watched(b, node.body, node.condition)
     if observes or calls:
         b.emit("while True:")
         b.indent += 1
+        b.polls.append(poll)
         b.settle()
+        b.polls.pop()
         b.emit(f"if not {test}: break")
     else:
         b.emit(f"while {test}:")
         b.indent += 1
     at = b.at
-    body_of(b, "while", node.body, flag)
+    body_of(b, "while", node.body, flag, poll)
     b.at = at
-    turn(b)
+    turn(b, poll)
     b.indent -= 1
     go_on_leaving(b)
 
@@ -76,17 +87,20 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
     b.flush()
     flag = flag_for(b, "repeat", node.body)
     b.noted = True
+    poll = polling.watched(b, node.body, node.condition)
     b.emit("while True:")
     b.indent += 1
-    body_of(b, "repeat", node.body, flag)
+    body_of(b, "repeat", node.body, flag, poll)
     b.at = node.condition.at
     b.begin()
     test = condition(b, node.condition)
+    b.polls.append(poll)
     b.settle()
+    b.polls.pop()
     b.pending += 1
     b.flush()
     b.emit(f"if {test}: break")
-    b.horizon()
+    turn(b, poll, 0)
     b.indent -= 1
     go_on_leaving(b)
 
@@ -96,12 +110,13 @@ def endless(b: Body, node: nodes.Loop) -> None:
     b.flush()
     flag = flag_for(b, "loop", node.body)
     b.noted = True
+    poll = polling.watched(b, node.body)
     b.emit("while True:")
     b.indent += 1
     at = b.at
-    body_of(b, "loop", node.body, flag)
+    body_of(b, "loop", node.body, flag, poll)
     b.at = at
-    turn(b)
+    turn(b, poll)
     b.indent -= 1
     go_on_leaving(b)
 

@@ -15,6 +15,7 @@ from motionlang.mint.symbols import TIME
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
     from motionlang.mint.body import Body
 
 # Verbs of readings that change while time passes and nothing happens.
@@ -65,21 +66,21 @@ def _watch(b: Body, node: nodes.Expr, watches: list[str]) -> None:
         _watch(b, node.right, watches)
     elif type(node) is nodes.Unary and node.op == "Not":
         _watch(b, node.operand, watches)
-    elif _moves(b, node):
-        solved = _solved(b, node)
-        if solved is None:
-            solved = "('tick',)" if _moves(b, node, counting=True) else "('motion',)"
-        if solved not in watches:
-            watches.append(solved)
+    elif moves(b, node):
+        watch = solved(b, node)
+        if watch is None:
+            watch = "('tick',)" if moves(b, node, counting=True) else "('motion',)"
+        if watch not in watches:
+            watches.append(watch)
 
 
-def _solved(b: Body, node: nodes.Expr) -> str | None:
+def solved(b: Body, node: nodes.Expr) -> str | None:
     """A watch for `reading op level`, None where there is no closed form for it."""
     if type(node) is not nodes.Binary or node.op not in _COMPARED:
         return None
     for reading, level in ((node.left, node.right), (node.right, node.left)):
         reading = _defined(b, reading)
-        if type(reading) is not nodes.Name or _moves(b, level):
+        if type(reading) is not nodes.Name or moves(b, level):
             continue
         row = None if b.scope.find(reading.name) is not None else b.whole.table.get(reading.name)
         if row is not None and row.verb in SOLVED:
@@ -99,7 +100,7 @@ def _defined(b: Body, node: nodes.Expr) -> nodes.Expr:
     return node
 
 
-def _moves(b: Body, node: nodes.Expr, counting: bool = False) -> bool:
+def moves(b: Body, node: nodes.Node, counting: bool = False) -> bool:
     """Whether the value of an expression changes by itself; `counting`: also while every axis stands still."""
     from motionlang.mint.names import walk
 
@@ -107,14 +108,17 @@ def _moves(b: Body, node: nodes.Expr, counting: bool = False) -> bool:
         if type(each) is nodes.Name:
             symbol = b.scope.find(each.name)
             if symbol is not None:
-                if symbol.type.name == TIME or (symbol.kind == "define" and _moves(b, symbol.node, counting)):  # type: ignore[arg-type]
+                if symbol.type.name == TIME or (symbol.kind == "define" and moves(b, symbol.node, counting)):  # type: ignore[arg-type]
                     return True
             else:
                 row = b.whole.table.get(each.name)
-                if (
-                    row is not None
-                    and row.verb in (COUNTING if counting else MOVING)
-                    and row.kind != "function"
-                ):
+                if row is not None and _moves_by_itself(row, counting):
                     return True
     return False
+
+
+def _moves_by_itself(row: Keyword, counting: bool) -> bool:
+    """Whether a keyword's value changes while nothing happens: `counting`, even while every axis stands still."""
+    if counting or row.kind == "function":
+        return row.verb in COUNTING
+    return row.verb in MOVING or (row.kind == "reading" and row.unit.startswith("uu"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausing
+from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausing, polling
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
 from motionlang.mint.expressions import article, condition, converted, number, place, unknown, value
@@ -21,6 +21,7 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
     for node in body:
         b.at = node.at
         b.begin()
+        polling.mark(b, node)
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:

@@ -30,6 +30,16 @@ def watch(
     return Wait(t, waiting.ready, waiting.due, why)
 
 
+def next_change(environment: Environment, since: float, watches: Watches) -> float:
+    """The first moment after `since` at which one of `watches` changes, nothing else happening."""
+    waiting, clock = _Waiting(environment, bool, watches), environment.clock
+    now, clock.now = clock.now, since
+    try:
+        return min((waiting.moment(*each) for each in watches), default=INFINITY)
+    finally:
+        clock.now = now
+
+
 class _Waiting:
     """A condition and the moment for which it was last solved."""
 
@@ -62,7 +72,7 @@ class _Waiting:
         if now == self.solved:
             clock.now = now + 1e-7 * max(1.0, now)  # past what was just looked at
         try:
-            moment = min((self._moment(*each) for each in self.watches), default=INFINITY)
+            moment = min((self.moment(*each) for each in self.watches), default=INFINITY)
         finally:
             clock.now = now
         if moment <= now:
@@ -70,9 +80,10 @@ class _Waiting:
         self.solved = moment
         return moment
 
-    def _moment(
+    def moment(
         self, kind: str, axis: Callable[[], int] | None = None, level: Callable[[], float] | None = None
     ) -> float:
+        """The next moment at which one watch changes."""
         controller = self.environment.controller
         now = self.environment.clock.now
         if kind == "tick":

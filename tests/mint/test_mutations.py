@@ -9,6 +9,7 @@ from random import Random
 import pytest
 
 from motionlang import run
+from motionlang.mint.keywords.language import ROWS
 from motionlang.source import Source
 
 PROGRAMS = [
@@ -32,9 +33,7 @@ def kind_of(piece: str) -> str:
     return "operator" if piece in "+-*/&^<" else ""
 
 
-_CONTROL = frozenset(
-    """if then else elseif end for to step next while repeat until loop select case is sub function task event dim as
-    integer float string byref byval const define type exit goto gosub return run print pause input startup""".split()
+_CONTROL = {row.name.lower() for row in ROWS}
 )
 
 
