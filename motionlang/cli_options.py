@@ -20,10 +20,11 @@ if TYPE_CHECKING:
 
 PROGRAM = "motionlang"
 HIGHEST_RATE = 10e6
-# Commands with commands of their own, whose modules are imported only where they are meant.
+# Commands whose modules, with options of their own, are imported only where they are meant.
 FAMILIES = {
     "pvt": ("motionlang.cli_pvt", "position-velocity-time moves for Copley drives"),
     "servo": ("motionlang.cli_servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
+    "serve": ("motionlang.cli_serve", "let hosts talk to a virtual board, over TCP or a serial device"),
 }
 
 EPILOG = """\
@@ -135,6 +136,10 @@ def _command(
     return parser
 
 
+def _either(words: Sequence[str]) -> str:
+    return f"{', '.join(words[:-1])} or {words[-1]}"
+
+
 def _sentence(summary: str) -> str:
     return summary[0].upper() + summary[1:] + "."
 
@@ -147,7 +152,7 @@ def _add_run(commands: Commands) -> None:
         commands, "run", "run a program on the virtual machine and report what it did", _run, RUN_EPILOG
     )
     parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
-    _add_machine(parser)
+    add_machine(parser)
     parser.add_argument(
         "--report",
         choices=REPORTS,
@@ -170,9 +175,7 @@ def _add_run(commands: Commands) -> None:
         metavar="FACTOR",
         help="hold the run to the wall clock, FACTOR machine seconds a second (1 without a FACTOR)",
     )
-    parser.add_argument(
-        "--trace", metavar="OUT", help=f"sample the motion into a file: {' or '.join(TRACES)}"
-    )
+    parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {_either(TRACES)}")
     parser.add_argument(
         "--rate",
         type=_rate,
@@ -191,12 +194,12 @@ def _add_run(commands: Commands) -> None:
         metavar="HZ",
         help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
     )
-    parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {' or '.join(PLOTS)}")
+    parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {_either(PLOTS)}")
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
-def _add_machine(parser: argparse.ArgumentParser) -> None:
-    """What `run` and `repl` both need to know about the machine."""
+def add_machine(parser: argparse.ArgumentParser) -> None:
+    """What `run`, `repl` and `serve` need to know about the machine."""
     _add_dialect(parser)
     parser.add_argument(
         "--machine",
@@ -230,7 +233,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
     options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
     options.cache = not arguments.no_cache
-    _set_values(arguments.set, options.settings, options.overrides, parser)
+    set_values(arguments.set, options.settings, options.overrides, parser)
     return options
 
 
@@ -261,7 +264,7 @@ def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentPars
         parser.error("--trajectory-rate is about --as-controller, which is missing")
 
 
-def _set_values(
+def set_values(
     pairs: Sequence[str],
     settings: dict[str, object],
     overrides: dict[str, float | str],
@@ -344,7 +347,7 @@ def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> in
 def _add_repl(commands: Commands) -> None:
     parser = _command(commands, "repl", "type a program line by line and watch the axes", _repl)
     parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first")
-    _add_machine(parser)
+    add_machine(parser)
 
 
 def _repl(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
@@ -353,7 +356,7 @@ def _repl(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int
 
     settings: dict[str, object] = {}
     overrides: dict[str, float | str] = {}
-    _set_values(arguments.set, settings, overrides, parser)
+    set_values(arguments.set, settings, overrides, parser)
     options = Options(arguments.machine or "")
     options.machine = arguments.machine
     if arguments.machine is not None:

@@ -42,6 +42,7 @@ CODES: dict[str, str] = {
     "limit": "The run was ended because it produced more than it may keep.",
     "interrupted": "The run was ended from the keyboard.",
     "file": "The file could not be read or written.",
+    "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",
     "command-error": "The controller answered the command with an error code.",
 }

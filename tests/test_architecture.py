@@ -12,9 +12,11 @@ PACKAGE = ROOT / "motionlang"
 
 # From the top down; a package may import its own level's name and anything below it.
 LEVELS: dict[str, int] = {
-    "cli": 10,
-    "__main__": 11,
-    "repl": 9,
+    "cli": 12,
+    "__main__": 13,
+    "repl": 11,
+    "client": 10,
+    "serve": 9,
     "views": 8,
     "execution": 7,
     "report": 7,
