@@ -19,21 +19,28 @@ if TYPE_CHECKING:
     from motionlang.execution import Run
 
 # Formats of the design that are not there yet, by option.
-LATER = {"--trace": (".parquet", ".vcd"), "--plot": (".html",)}
+LATER = {"--trace": (), "--plot": (".html",)}
+# What a format is written by, and the extra that brings it.
+NEEDED = {
+    ".png": ("matplotlib", "plot"),
+    ".svg": ("matplotlib", "plot"),
+    ".parquet": ("pyarrow", "parquet"),
+}
 
 
 def wrong_target(option: str, path: str) -> str | None:
     """What is wrong with the file that `option` names, as far as it can be told before the run."""
     formats = TRACES if option == "--trace" else PLOTS
     suffix = os.path.splitext(path)[1].lower()
-    known = " and ".join(formats)
+    known = f"{', '.join(formats[:-1])} and {formats[-1]}"
     if suffix in LATER[option]:
         return f"{suffix} files are not written yet: {option} writes {known}"
     if suffix not in formats:
         what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
         return f"{option} writes {known}, {what}"
-    if option == "--plot" and find_spec("matplotlib") is None:
-        return "a plot needs matplotlib: pip install 'motionlang[plot]'"
+    needed = NEEDED.get(suffix)
+    if needed is not None and find_spec(needed[0]) is None:
+        return f"{option} {suffix} needs {needed[0]}: pip install 'motionlang[{needed[1]}]'"
     return None
 
 

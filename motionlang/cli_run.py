@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from motionlang.execution import Run
 
 REPORTS = ("table", "json", "none")
-TRACES = (".csv", ".npz")
+TRACES = (".csv", ".npz", ".parquet", ".vcd")
 PLOTS = (".png", ".svg")
 RATE = 1000.0
 # TN1069: trajectory points a second, and samples of the loop that goes from one to the next in a straight line.

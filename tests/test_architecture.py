@@ -38,6 +38,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "rich": ("views",),
     "prompt_toolkit": ("repl",),
     "matplotlib": ("views",),
+    "pyarrow": ("views",),
     "can": ("copley",),
     "canopen": ("copley",),
 }

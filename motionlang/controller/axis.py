@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.scale import Scale
 from motionlang.profile import hold
 
@@ -42,9 +43,13 @@ class Axis:
         "accel_jerk",
         "accel_time",
         "arrival",
+        "blend_distance",
+        "blend_mode",
         "buffer",
         "buffer_low",
         "buffer_size",
+        "contour_angle",
+        "contour_mode",
         "datum",
         "decel",
         "decel_jerk",
@@ -61,6 +66,9 @@ class Axis:
         "last_id",
         "limits",
         "locks",
+        "max_accel",
+        "max_decel",
+        "max_speed",
         "move",
         "move_id",
         "override",
@@ -96,6 +104,14 @@ class Axis:
         self.feedrate_mode = 1
         self.override = 1.0
         self.suspended = False
+        # Limits that paths keep, whatever their master asks for.
+        self.max_speed = self.max_accel = self.max_decel = INFINITY
+        # Whether paths are run through without slowing down at corners up to an angle, degrees.
+        self.contour_mode = False
+        self.contour_angle = 0.0
+        # Whether a path begins while the one before it still has a distance to go, user units.
+        self.blend_mode = False
+        self.blend_distance = 0.0
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free places above which the listeners are told; -1: never
         self.buffer: list[Move] = []

@@ -48,7 +48,7 @@ class Commanded(Trace):
     def _fill(
         self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
-        times: Array = start + np.arange(count) * step
+        times = start + np.arange(count, dtype=np.float64) * step
         cycles = times * self.trajectory_rate
         whole = np.floor(cycles + _AT_ONCE).astype(np.int64)
         part = np.maximum(cycles - whole, 0.0)
@@ -72,7 +72,7 @@ class Commanded(Trace):
 
     def _of(self, axis: int) -> Points:
         if axis not in self._points:
-            self._points[axis] = Points(self._controller.axes[axis], 1.0 / self.trajectory_rate)
+            self._points[axis] = Points(self.controller.axes[axis], 1.0 / self.trajectory_rate)
         return self._points[axis]
 
 

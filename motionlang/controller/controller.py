@@ -7,7 +7,7 @@ track and sets one event for its end; `_arrive` starts the next move of the buff
 
 from __future__ import annotations
 
-from motionlang.controller import buffer, feedrate, halt
+from motionlang.controller import buffer, feedrate, halt, path
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal, names
 from motionlang.controller.move import Move
@@ -17,7 +17,7 @@ from motionlang.profile import hold, plan, plan_velocity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.trace import Trace
@@ -44,6 +44,13 @@ SETTINGS = frozenset(
         "live_speed",
         "feedrate_mode",
         "override",
+        "max_speed",
+        "max_accel",
+        "max_decel",
+        "contour_mode",
+        "contour_angle",
+        "blend_mode",
+        "blend_distance",
     }
 )
 
@@ -102,6 +109,8 @@ class Controller(Readings):
         here = a.position(now)
         shift = position - here
         rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
+        if a.move is not None and a.move.action is not None:
+            a.move.action.shift(self, a, shift)
         a.datum += shift
         a.target += shift
         self._follow(a, rest.shifted(shift))
@@ -137,14 +146,50 @@ class Controller(Readings):
         """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
         buffer.put_action(self._ready(axis), buffer.Pulse(channel, duration), command, line)
 
+    def load_line(
+        self, axes: Sequence[int], targets: Sequence[float], command: str = "", line: int = 0
+    ) -> None:
+        """Put a straight line of several axes to `targets` into their buffers; the first axis is the master."""
+        path.load_line(self, axes, targets, command, line)
+
+    def load_line_by(
+        self, axes: Sequence[int], distances: Sequence[float], command: str = "", line: int = 0
+    ) -> None:
+        """Put a straight line of several axes by `distances` into their buffers."""
+        path.load_line_by(self, axes, distances, command, line)
+
+    def load_arc(
+        self,
+        axes: Sequence[int],
+        centre: Sequence[float],
+        angle: float,
+        rest: Sequence[float] = (),
+        relative: bool = False,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Put an arc by `angle` degrees into the buffers of its axes, a helix where further axes go to `rest`."""
+        path.load_arc(self, axes, centre, angle, rest, relative, command, line)
+
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
         for axis in axes:
             a = self._ready(axis)
             for move in a.buffer:
-                move.released = True
+                if move.action is None:
+                    move.released = True
+                else:
+                    move.action.release(move)
             if a.move is None:
                 self._next(a)
+            elif a.move.action is not None:
+                a.move.action.more(self, a)
+
+    def blend(self, axis: int) -> None:
+        """Begin the next path of the axis now, on top of what remains of the present one."""
+        run = path.run_of(self.axes[axis])
+        if run is not None:
+            run.blend()
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from whatever the axis is doing."""
@@ -193,7 +238,7 @@ class Controller(Readings):
         a = self.axes[axis]
         a.suspended = False
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended):
-            a.buffer.clear()
+            self.empty(a)
             halt.stop(self, a, ended)
 
     def suspend(self, axis: int) -> None:
@@ -239,7 +284,9 @@ class Controller(Readings):
         a = self.axes[axis]
         if a.faults & a.locks:
             what = names(a.faults)
-            raise Refusal("axis-error", f"axis {axis} has an error: {what}", "clear the error before it moves")
+            raise Refusal(
+                "axis-error", f"axis {axis} has an error: {what}", "clear the error before it moves"
+            )
         if not a.enabled:
             raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
         return a
@@ -326,6 +373,13 @@ class Controller(Readings):
         self._run(a, move, profile)
 
     def _run(self, a: Axis, move: Move, profile: Profile) -> None:
+        self._record(a, move, profile)
+        self._append(a, profile)
+        if a.limits:
+            self._check_limits(a)
+
+    def _record(self, a: Axis, move: Move, profile: Profile) -> None:
+        """Write a move that begins into the log; it is the axis's own from now on."""
         if len(self.moves) >= MAX_MOVES:
             raise Refusal(
                 "limit", f"more than {MAX_MOVES} moves were started", "shorten the run with --until"
@@ -335,7 +389,9 @@ class Controller(Readings):
         self.moves.append(move)
         a.move = move
         a.target = move.target
-        self._append(a, profile)
+
+    def _check_limits(self, a: Axis) -> None:
+        """A move into a limit that is active already has passed it."""
         for limit in a.limits:
             if limit.active and self.heading(a.index) == limit.sign:
                 limit.trip()
@@ -371,30 +427,46 @@ class Controller(Readings):
             move = a.buffer[0]
             if move.action is not None and not move.action.ready(self, a, move):
                 return
-            del a.buffer[0]
-            a.last_id = move.id
-            if a.buffer_low >= 0:
-                buffer.taken(self, a)
+            self._take(a)
             if move.action is None:
                 self._start(a, move)
             else:
                 move.action.begin(self, a, move)
 
+    def _take(self, a: Axis) -> None:
+        """The first entry leaves the buffer."""
+        a.last_id = a.buffer.pop(0).id
+        if a.buffer_low >= 0:
+            buffer.taken(self, a)
+
+    def empty(self, a: Axis) -> None:
+        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes."""
+        entries, a.buffer = a.buffer, []
+        for move in entries:
+            if move.action is not None:
+                move.action.purge(a)
+
     def _replan(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""
         assert a.move is not None
-        action = a.move.action
-        self._continue(a, self._plan(a, a.move) if action is None else action.plan(self, a), "")
+        if a.move.action is None:
+            self._continue(a, self._plan(a, a.move), "")
+        else:
+            a.move.action.replan(self, a)
 
     def _continue(self, a: Axis, profile: Profile, ended: str) -> None:
         """Replace what is left of the present move by `profile`."""
+        self._amend(a, profile, ended)
+        self._append(a, profile)
+
+    def _amend(self, a: Axis, profile: Profile, ended: str) -> None:
+        """The same in the log only."""
         move = a.move
         assert move is not None
         assert move.profile is not None
         done = move.profile.cut(self.clock.now - move.start_time)
         move.profile = done.then(profile.shifted(-move.offset) if move.offset else profile)
         move.ended = ended or move.ended
-        self._append(a, profile)
 
     def _end_move(self, a: Axis, ended: str) -> None:
         """Close the log entry of a move that is about to be replaced; the motion itself goes on."""
@@ -409,7 +481,7 @@ class Controller(Readings):
     def _freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
         a.suspended = False
-        a.buffer.clear()
+        self.empty(a)
         if a.arrival is not None:
             a.arrival.cancel()
             a.arrival = None

@@ -94,8 +94,12 @@ def resume(controller: Controller, a: Axis) -> None:
     if not a.suspended:
         return
     a.suspended = False
-    if a.move is not None:
+    if a.move is None:
+        return
+    if a.move.action is None:
         controller._replan(a)
+    else:
+        a.move.action.resume(controller, a)
 
 
 def retarget(controller: Controller, a: Axis, position: float, command: str, line: int) -> None:

@@ -57,6 +57,13 @@ class Action:
 
     __slots__ = ()
 
+    def release(self, move: Move) -> None:
+        """GO was given to the axis of the entry."""
+        move.released = True
+
+    def purge(self, a: Axis) -> None:
+        """The entry was thrown out of the buffer of `a`."""
+
     def ready(self, controller: Controller, a: Axis, move: Move) -> bool:
         """Whether it may begin, being the first of its buffer and released."""
         return True
@@ -69,6 +76,16 @@ class Action:
         """The way on with the settings as they are now: what remains, as long as nothing else is said."""
         return a.profiles[-1].after(controller.clock.now - a.starts[-1])
 
+    def replan(self, controller: Controller, a: Axis) -> None:
+        """A setting has changed that acts at once."""
+        controller._continue(a, self.plan(controller, a), "")
+
+    def more(self, controller: Controller, a: Axis) -> None:
+        """Further entries of the buffer were released while it is under way."""
+
+    def shift(self, controller: Controller, a: Axis, shift: float) -> None:
+        """The axis's zero is about to move, so that positions grow by `shift`."""
+
     def stop(self, controller: Controller, a: Axis, ended: str) -> bool:
         """Come to rest in a way of its own; False where the axis shall simply decelerate."""
         return False
@@ -76,6 +93,10 @@ class Action:
     def suspend(self, controller: Controller, a: Axis) -> bool:
         """Rest until `plan` is asked for the way on, in a way of its own; False where `plan` knows it."""
         return False
+
+    def resume(self, controller: Controller, a: Axis) -> None:
+        """Go on after `suspend`."""
+        self.replan(controller, a)
 
     def leave(self, controller: Controller, a: Axis, ended: str) -> None:
         """The axis is about to leave the motion for another one, or is held where it is."""

@@ -78,17 +78,17 @@ class Samples:
 class Trace:
     """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
 
-    __slots__ = ("_controller", "_tables", "end")
+    __slots__ = ("_tables", "controller", "end")
 
     def __init__(self, controller: Controller) -> None:
-        self._controller = controller
+        self.controller = controller
         self._tables: dict[int, PieceTable] = {}
         self.end = controller.clock.now
 
     @property
     def axes(self) -> tuple[int, ...]:
         """The axes that ever moved or were given a position; the first one where none was."""
-        axes = self._controller.axes
+        axes = self.controller.axes
         return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
 
     def columns(
@@ -99,7 +99,7 @@ class Trace:
         for axis in self.axes if axes is None else axes:
             for quantity in quantities:
                 unit, suffix = UNITS[quantity]
-                name = f"axis{self._controller.axes[axis].index}_{quantity}_{suffix}"
+                name = f"axis{self.controller.axes[axis].index}_{quantity}_{suffix}"
                 made.append(Column(name, quantity, unit, axis))
         return tuple(made)
 
@@ -153,22 +153,22 @@ class Trace:
         """The same motion as the controller computes it: points, `trajectory_rate` a second, and lines between."""
         from motionlang.controller.commanded import Commanded
 
-        return Commanded(self._controller, trajectory_rate)
+        return Commanded(self.controller, trajectory_rate)
 
     def table(self, axis: int) -> PieceTable:
         """The pieces of an axis's motion, in counts, made once."""
         if axis not in self._tables:
-            track = self._controller.axes[axis]
+            track = self.controller.axes[axis]
             self._tables[axis] = PieceTable(track.starts, track.profiles)
         return self._tables[axis]
 
     def resolution(self, axis: int) -> float:
         """One count of an axis in user units."""
-        return 1.0 / abs(self._controller.axes[axis].scale.counts or 1.0)
+        return 1.0 / abs(self.controller.axes[axis].scale.counts or 1.0)
 
     def to_user(self, axis: int, quantity: str, values: Array) -> None:
         """Turn counts into user units, in place; all times are seconds."""
-        scale = self._controller.axes[axis].scale
+        scale = self.controller.axes[axis].scale
         if quantity == "position" and scale.zero:
             values -= scale.zero
         if scale.counts not in (0.0, 1.0):

@@ -1,4 +1,4 @@
-"""A trace as a file: `--trace OUT.csv` and `--trace OUT.npz`, written chunk by chunk in bounded memory."""
+"""A trace as a file, written chunk by chunk in bounded memory: `--trace OUT` with one suffix of `_WRITERS`."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from motionlang.views.csv import Formatter, decimals_for
 from motionlang.views.files import replacing
+from motionlang.views.vcd import write_vcd
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -71,4 +72,24 @@ def _entry(name: str) -> ZipInfo:
     return ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
 
 
-_WRITERS = {".csv": _write_csv, ".npz": _write_npz}
+def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
+    """A row group a chunk; the unit of each column is in its metadata. Needs pyarrow."""
+    import pyarrow as arrow  # type: ignore[import-untyped]
+    from pyarrow.parquet import ParquetWriter  # type: ignore[import-untyped]
+
+    schema = arrow.schema(
+        [
+            arrow.field(column.name, arrow.float64(), nullable=False, metadata={"unit": column.unit})
+            for column in trace.columns()
+        ]
+    )
+    total, done = trace.rows(rate), 0
+    with ParquetWriter(file, schema) as writer:
+        for chunk in trace.chunks(rate):
+            # Copied: the next chunk comes into the same arrays.
+            writer.write_table(arrow.table([values.copy() for values in chunk.data], schema=schema))
+            done += len(chunk)
+            progress(done / total)
+
+
+_WRITERS = {".csv": _write_csv, ".npz": _write_npz, ".parquet": _write_parquet, ".vcd": write_vcd}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
 from motionlang.profile.dissect import ERRATA
@@ -191,8 +191,8 @@ def tune_lines(
         ("velocity feed-forward", f"{loop.velocity_ff:.6g}", "V per count/s"),
         ("acceleration feed-forward", f"{loop.accel_ff:.6g}", "V per count/s²"),
     ]
-    words = ", ".join(f"{word} = {value:.6g}" for word, value in mint.items())
-    commands = ",".join(f"1{word}{value:.6g}" for word, value in mccl.items())
+    words = ", ".join(f"{word} = {_plain(value)}" for word, value in mint.items())
+    commands = ",".join(f"1{word}{_plain(value)}" for word, value in mccl.items())
     lines = [
         *_listed(rows),
         "",
@@ -281,6 +281,13 @@ def errata_lines() -> list[str]:
 def figure(value: float, digits: int = 7) -> str:
     """A number to seven figures, with nothing that says nothing."""
     return f"{value:.{digits}g}"
+
+
+def _plain(value: float) -> str:
+    """Six figures without an exponent: both languages read that."""
+    decimals = max(0, 5 - floor(log10(abs(value)))) if value else 0
+    text = f"{value:.{decimals}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def _seconds(value: float) -> str:

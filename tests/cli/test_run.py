@@ -197,9 +197,7 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
             ("--trace", "x.csv", "--trajectory-rate", "5"),
             "--trajectory-rate is about --as-controller, which is missing",
         ),
-        (("--trace", "x.vcd"), ".vcd files are not written yet: --trace writes .csv and .npz"),
-        (("--trace", "x.parquet"), ".parquet files are not written yet: --trace writes .csv and .npz"),
-        (("--trace", "x.txt"), "--trace writes .csv and .npz, not .txt files"),
+        (("--trace", "x.txt"), "--trace writes .csv, .npz, .parquet and .vcd, not .txt files"),
         (("--plot", "x.html"), ".html files are not written yet: --plot writes .png and .svg"),
         (("--plot", "x"), "--plot writes .png and .svg, so the file needs one of these suffixes"),
         (

@@ -44,8 +44,22 @@ def test_both_formats_hold_the_samples(tmp_path: Path, rate: float, monkeypatch:
             np.testing.assert_allclose(table[:, k], samples[name], rtol=0, atol=5.1e-10)
 
 
+def test_parquet_holds_the_samples_and_their_units(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    monkeypatch.setattr(trace_module, "ROWS", 193)
+    samples = pick().trace.sample(200.0)
+    assert write_trace(pick().trace, str(tmp_path / "x.parquet"), 200.0) == len(samples)
+    table = parquet.read_table(tmp_path / "x.parquet")
+    assert table.column_names == [column.name for column in samples.columns]
+    for column, values in zip(samples.columns, samples.data, strict=True):
+        assert table.field(column.name).metadata == {b"unit": column.unit.encode()}
+        np.testing.assert_array_equal(table[column.name].to_numpy(), values)
+
+
 def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
-    for suffix in (".csv", ".npz"):
+    for suffix in (".csv", ".npz", ".vcd", ".parquet"):
+        if suffix == ".parquet":
+            pytest.importorskip("pyarrow")
         one, two = tmp_path / f"one{suffix}", tmp_path / f"two{suffix}"
         write_trace(pick().trace, str(one))
         write_trace(pick().trace, str(two))
@@ -54,7 +68,7 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
 
 def test_progress_goes_from_nothing_to_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trace_module, "ROWS", 100)
-    for suffix in (".csv", ".npz"):
+    for suffix in (".csv", ".npz", ".vcd"):
         parts: list[float] = []
         write_trace(ballscrew().trace, str(tmp_path / f"x{suffix}"), 1000.0, parts.append)
         assert parts == sorted(parts)

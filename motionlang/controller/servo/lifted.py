@@ -33,7 +33,9 @@ BLOCK = 48
 LONGEST = 256
 GROUP = 16
 CHUNK = 2048
-"""Blocks that are tried at once."""
+FIRST_CHUNK = 512
+"""Blocks that are tried at once, at most and to begin with."""
+_CAUTIOUS = 64
 WORTHWHILE = 4
 """Blocks below which plain steps are quicker."""
 _CALM = 2
@@ -104,7 +106,7 @@ class Lifted:
     def run(self, points: Array, feed: Array, state: State, out: list[Array]) -> State:
         """Run whole blocks: `points` holds one more value than there are cycles, `out` a slice for each column."""
         total, done = (len(points) - 1) // self.cycles, 0
-        chunk, patience = CHUNK, _CALM
+        chunk, patience = FIRST_CHUNK, _CALM
         while done < total:
             count = min(chunk, total - done)
             good, state = self._try(points, feed, state, out, done, count)
@@ -112,7 +114,7 @@ class Lifted:
             if good == count:
                 chunk, patience = min(CHUNK, chunk * 4), max(_CALM, patience // 2)
                 continue
-            chunk = max(16, chunk // 8)
+            chunk = _CAUTIOUS
             done, state = self._plain(points, feed, state, out, done, total, patience)
             patience = min(_PATIENCE, patience * 2) if good < WORTHWHILE else _CALM
         return state
@@ -143,23 +145,28 @@ class Lifted:
 
     def _write(self, x: Array, bases: Array, out: list[Array], begin: int) -> int:
         """Fill the columns from the blocks' starts and inputs; the number of blocks before one breaks a limit."""
-        count, k = len(x), self.steps
-        good = count
-        span = slice(begin, begin + count * k)
-        views = {name: out[i][span].reshape(count, k) for i, name in enumerate(self.columns)}
-        size = np.abs(x)
-        for name, matrix in self.outputs.items():
-            limit = self.checks.get(name, inf)
-            checked = limit < inf and not (size @ self.bounds[name]).max() <= limit
-            if not checked and name not in views:
+        whole = slice(begin, begin + len(x) * self.steps)
+        views = {name: out[i][whole].reshape(len(x), self.steps) for i, name in enumerate(self.columns)}
+        good, done = self._inside(x, views)
+        for name, view in views.items():
+            if name not in done:
+                np.matmul(x[:good], self.outputs[name], out=view[:good])
+            if name == "position":
+                view[:good] += bases[:good, None]
+        return good
+
+    def _inside(self, x: Array, views: dict[str, Array]) -> tuple[int, set[str]]:
+        """How many blocks, from the first, stay inside the limits, and which columns are filled by having looked."""
+        good, size, done = len(x), np.abs(x), set()
+        for name, limit in self.checks.items():
+            if (size @ self.bounds[name]).max() <= limit:
                 continue
-            made = np.matmul(x, matrix, out=views.get(name))
-            if checked and not (made.max() <= limit and made.min() >= -limit):
+            made = np.matmul(x, self.outputs[name], out=views.get(name))
+            done.add(name)
+            if not (made.max() <= limit and made.min() >= -limit):
                 within = (made.max(axis=1) <= limit) & (made.min(axis=1) >= -limit)
                 good = min(good, int(within.argmin()))
-            if name == "position":
-                made += bases[:-1, None]
-        return good
+        return good, done
 
     def _plain(
         self, points: Array, feed: Array, state: State, out: list[Array], done: int, total: int, calm: int
@@ -180,17 +187,16 @@ class Lifted:
         if level == len(self.levels):
             self.levels.append(_Level(self.levels[-1].grouped))
         own, n, nz = self.levels[level], len(g), len(z)
-        states = np.empty((n, nz))
-        groups = n // GROUP if n >= 2 * GROUP else 0
-        if groups:
-            inside = g[: groups * GROUP].reshape(groups, nz * GROUP) @ own.driven
-            starts, z = self._chain(inside[:, -nz:], z, level + 1)
-            inside += starts @ own.free
-            states[: groups * GROUP] = inside[:, :-nz].reshape(groups * GROUP, nz)
-        for i in range(groups * GROUP, n):
-            states[i] = z
-            z = own.step @ z + g[i]
-        return states, z
+        if n == 1:
+            return z[None, :], own.step @ z + g[0]
+        groups = -(-n // GROUP)
+        if n < groups * GROUP:
+            g = np.concatenate((g, np.zeros((groups * GROUP - n, nz))))
+        inside = g.reshape(groups, nz * GROUP) @ own.driven
+        starts, last = self._chain(inside[:, -nz:], z, level + 1)
+        inside += starts @ own.free
+        states = inside[:, :-nz].reshape(groups * GROUP, nz)
+        return states[:n], last if n == groups * GROUP else states[n]
 
 
 def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
 from motionlang.controller.servo.plant import AMPLIFIERS, ENCODER_SIDES, Drive, Motor
+from motionlang.errors import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -164,7 +165,9 @@ def make_loop(values: Mapping[str, object], base: Loop | None = None) -> Loop:
 def _checked(values: Mapping[str, object], table: dict[str, Key], section: str) -> dict[str, object]:
     for name, value in values.items():
         if name not in table:
-            raise ValueError(f"there is no key {name} in {section}; it has {', '.join(table)}")
+            near = nearest(name, table)
+            hint = f"did you mean {near}?" if near else f"it has {', '.join(table)}"
+            raise ValueError(f"there is no key {name} in {section}; {hint}")
         wrong = problem(table[name], value)
         if wrong is not None:
             raise ValueError(f"{name} must be {wrong}, not {value!r}")

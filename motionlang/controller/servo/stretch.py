@@ -139,7 +139,8 @@ class _LongRun:
 
         self.loop, self.plant, self.columns = loop, plant, columns
         self.points, self.feed, self.part = points, feed, part
-        self.out = [np.empty(count) for _ in columns]
+        # One block: the allocator keeps it, where it would give pages of several back and fetch them anew.
+        self.out = list(np.empty((len(columns), count)))
         self.made = Stretch(points, part, loop.ratio, self.out)
 
     def span(self, begin: int, end: int, integrating: bool, state: State) -> State:

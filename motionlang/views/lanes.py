@@ -1,0 +1,46 @@
+"""What the channels of a controller did, a lane each: when it changed, and to what."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.inputs import Channels
+
+# group -> (the Controller's name for it, how a lane is called, whether it is on or off)
+GROUPS = {
+    "inputs": ("inputs", "in", True),
+    "outputs": ("outputs", "out", True),
+    "analogue inputs": ("analogue_inputs", "ain", False),
+    "analogue outputs": ("analogue_outputs", "aout", False),
+}
+
+
+class Lane(NamedTuple):
+    """One channel: `values[i]` holds from `times[i]` (seconds) on; the first is the value at 0."""
+
+    group: str
+    name: str
+    is_digital: bool
+    times: list[float]
+    values: list[float]
+
+
+def lanes(controller: Controller) -> list[Lane]:
+    """A lane for every channel that ever changed, group by group, by their numbers."""
+    made: list[Lane] = []
+    for group, (attribute, prefix, is_digital) in GROUPS.items():
+        channels: Channels = getattr(controller, attribute)
+        found: dict[int, Lane] = {}
+        for time, channel, value in channels.changes:
+            lane = found.get(channel)
+            if lane is None:
+                lane = found[channel] = Lane(group, f"{prefix}{channel}", is_digital, [0.0], [0.0])
+            if time == 0.0:
+                lane.values[0] = float(value)
+            else:
+                lane.times.append(time)
+                lane.values.append(float(value))
+        made += (found[channel] for channel in sorted(found))
+    return made

@@ -1,0 +1,115 @@
+"""A trace as a value change dump (IEEE 1364, section 18), which GTKWave and other wave viewers read.
+
+Digital channels are wires that change at the exact times, axes are reals at the trace's rate; what does not change
+is not written. The timescale is a nanosecond.
+"""
+
+from __future__ import annotations
+
+from heapq import merge
+from operator import itemgetter
+from typing import IO, TYPE_CHECKING
+
+import numpy as np
+
+from motionlang import __version__
+from motionlang.views.csv import decimals_for
+from motionlang.views.lanes import lanes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from motionlang.controller.trace import Column, Trace
+    from motionlang.views.lanes import Lane
+
+    Report = Callable[[float], object]
+    # Nanoseconds, and a line of the file.
+    Change = tuple[int, str]
+
+PER_SECOND = 10**9
+# Identifiers are numbers to this base, in the characters from "!" on.
+_BASE = 94
+
+
+def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
+    """The header, the values at 0, then every change in the order of time."""
+    columns, channels = trace.columns()[1:], lanes(trace.controller)
+    names = [_identifier(i) for i in range(len(columns) + len(channels))]
+    file.write(_header(columns, channels, names).encode("ascii"))
+    moved = _movements(trace, columns, names[: len(columns)], rate, progress)
+    switched = _switchings(channels, names[len(columns) :])
+    file.write(b"#0\n$dumpvars\n")
+    last = 0
+    for time, line in merge(moved, switched, key=itemgetter(0)):
+        if time != last:
+            line = f"#{time}\n{line}" if last else f"$end\n#{time}\n{line}"
+            last = time
+        file.write(line.encode("ascii"))
+    end = round(trace.end * PER_SECOND)
+    file.write(b"" if last else b"$end\n")
+    file.write(b"" if end == last else b"#%d\n" % end)
+
+
+def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence[str]) -> str:
+    """A scope for each axis and each kind of channels."""
+    lines = [f"$version motionlang {__version__} $end", "$timescale 1 ns $end"]
+    scopes: dict[str, list[str]] = {}
+    for column, name in zip(columns, names, strict=False):
+        scope, _, what = column.name.partition("_")
+        scopes.setdefault(scope, []).append(f"$var real 64 {name} {what} $end")
+    for lane, name in zip(channels, names[len(columns) :], strict=True):
+        kind = "wire 1" if lane.is_digital else "real 64"
+        scopes.setdefault(lane.group.replace(" ", "_"), []).append(f"$var {kind} {name} {lane.name} $end")
+    for scope, variables in scopes.items():
+        lines += [f"$scope module {scope} $end", *variables, "$upscope $end"]
+    return "\n".join([*lines, "$enddefinitions $end"]) + "\n"
+
+
+def _switchings(channels: Sequence[Lane], names: Sequence[str]) -> Iterator[Change]:
+    """The changes of the channels, in the order of time."""
+    changes = [
+        (round(time * PER_SECOND), f"{int(value != 0.0)}{name}\n" if lane.is_digital else _real(value, name))
+        for lane, name in zip(channels, names, strict=True)
+        for time, value in zip(lane.times, lane.values, strict=True)
+    ]
+    return iter(sorted(changes, key=itemgetter(0)))
+
+
+def _movements(
+    trace: Trace, columns: Sequence[Column], names: Sequence[str], rate: float, progress: Report
+) -> Iterator[Change]:
+    """What changes from row to row, to a thousandth of a count."""
+    decimals = [decimals_for(trace.resolution(column.axis)) for column in columns if column.axis is not None]
+    before = np.full(len(columns), np.nan)
+    total, done = trace.rows(rate), 0
+    for chunk in trace.chunks(rate):
+        table = np.stack([np.round(values, n) for values, n in zip(chunk.data[1:], decimals, strict=True)], 1)
+        times = np.rint(chunk.time * PER_SECOND).astype(np.int64)
+        rows, which = np.nonzero(table != np.concatenate((before[None], table[:-1])))
+        for time, k, value in zip(
+            times[rows].tolist(), which.tolist(), _plain(table[rows, which]), strict=True
+        ):
+            yield time, _real(value, names[k])
+        before = table[-1]
+        done += len(chunk)
+        progress(done / total)
+
+
+def _plain(values: NDArray[np.float64]) -> list[float]:
+    """The values, -0.0 as 0.0."""
+    plain: list[float] = (values + 0.0).tolist()
+    return plain
+
+
+def _real(value: float, name: str) -> str:
+    return f"r{value!r} {name}\n"
+
+
+def _identifier(number: int) -> str:
+    text = ""
+    while not text or number:
+        number, digit = divmod(number, _BASE)
+        text += chr(33 + digit)
+    return text
