@@ -22,6 +22,7 @@ class Poll:
     __slots__ = (
         "_accumulator",
         "_count",
+        "_depth",
         "_done",
         "_event",
         "_line",
@@ -37,7 +38,7 @@ class Poll:
         self.effects = 0
         self.fresh_until = INFINITY
         self._line: Line | None = None
-        self._pc = self._count = self._done = 0
+        self._pc = self._count = self._done = self._depth = 0
         self._accumulator: float | int = 0
         self._turn = 0
         self._event = 0.0
@@ -55,12 +56,14 @@ class Poll:
             and self._pc == task.pc
             and self._done == self.effects
             and self._accumulator == task.registers[0]
+            and self._depth == len(task.calls)
             and self._undisturbed()
         )
         length, until = task.count - self._count, self.fresh_until
         self._line, self._pc, self._done = task.line, task.pc, self.effects
         self._accumulator, self._count = task.registers[0], task.count
         self.fresh_until = INFINITY
+        self._depth = len(task.calls)
         self._turn, self._event = task.board.turns, task.board.controller.clock.next_time()
         if same and length > 0:
             return self._until_the_next_event(length, until)
@@ -77,15 +80,14 @@ class Poll:
         clock = board.controller.clock
         now = clock.now
         event = min(until, clock.next_time(), board.next_wake(task))
+        before = board.disturbances
         if event == INFINITY:
-            return Wait(
-                now, lambda: False, lambda: INFINITY, "in a loop that only looks at what does not change"
-            )
+            why = "in a loop that only looks at what does not change"
+            return Wait(now, lambda: board.disturbances != before, lambda: INFINITY, why)
         passes = int((event - now) / (length * task.cost)) - 1
         if passes <= 0:
             return None
         base, count = task.base, task.count + passes * length
-        before = board.disturbances
         due = base + count * task.cost
         if due >= event:
             return None

@@ -56,7 +56,7 @@ for _group in (
 ):
     ACTIONS.update(_group.ACTIONS)
 
-PURE = flow.PURE | registers.PURE | variables.PURE | io.PURE
+PURE = flow.PURE | macros.PURE | registers.PURE | variables.PURE | io.PURE
 
 
 def not_simulated(task: CommandTask, command: Command) -> None:

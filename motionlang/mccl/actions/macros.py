@@ -111,3 +111,4 @@ ACTIONS: dict[str, Action] = {
     "end_task": end_task,
     "tell_macro": tell_macro,
 }
+PURE = frozenset({"call_macro", "jump_macro", "leave"})
