@@ -34,7 +34,6 @@ def kind_of(piece: str) -> str:
 
 
 _CONTROL = {row.name.lower() for row in ROWS}
-)
 
 
 def mutated(random: Random) -> str:
