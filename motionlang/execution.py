@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.program import Program
+    from motionlang.lang.scheduler import Outside
 
 # A machine program has no end of its own: this is where a run ends when nothing else says so.
 ONE_SHIFT = 8 * 3600.0
@@ -102,6 +103,7 @@ def run(
     overrides: Mapping[str, float | str] | None = None,
     show: Callable[[str], None] | None = None,
     pace: Callable[[float], None] | None = None,
+    outside: Outside | None = None,
     cache: bool = True,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
@@ -110,6 +112,7 @@ def run(
     beside the program, if it has one (ProgramError where that is wrong). `until` is the machine time at which the run
     ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
     names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
+    `outside` is a world that acts by itself, such as a host: it then says how machine time passes.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name.
     """
@@ -123,7 +126,7 @@ def run(
     )
     compiled = _compile(source, language, settings, result, cache)
     if compiled is not None:
-        _execute(result, compiled, end_of(settings) if until is None else until, pace)
+        _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
     result.machine.terminal.close()
     result.time = result.machine.clock.now
@@ -185,12 +188,20 @@ def _compile(
     return compiled
 
 
-def _execute(result: Run, compiled: Program, until: float, pace: Callable[[float], None] | None) -> None:
+def _execute(
+    result: Run,
+    compiled: Program,
+    until: float,
+    pace: Callable[[float], None] | None,
+    outside: Outside | None,
+) -> None:
     """Run to the end, or to what ends it; whatever happened before stays in the result."""
     scheduler: Scheduler | None = None
     try:
+        if outside is not None:
+            outside.start(result.machine)
         parent = compiled.start(result.machine)
-        scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace)
+        scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
         result.status = scheduler.run(until)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":

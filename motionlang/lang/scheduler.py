@@ -10,10 +10,21 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Protocol
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Task, Wait
+
+    class Outside(Protocol):
+        """A world that acts by itself."""
+
+        def start(self, machine: Machine) -> None:
+            """The program is about to start on `machine`."""
+
+        def advance(self, time: float) -> None:
+            """Advance the machine's clock to `time`, or less far where something has come from outside."""
+
 
 INFINITY = float("inf")
 # Virtual seconds that one task may run while another is runnable.
@@ -31,11 +42,16 @@ class Stuck(Exception):
 class Scheduler:
     """Runs tasks on a machine, or on a bare controller; when the first one, the parent, ends, the program has ended.
 
-    `pace(now)` is called before time jumps, so that a run can be held to the wall clock.
+    `pace(now)` is called before time jumps, so that a run can be held to the wall clock. With `outside` there is a
+    world that acts by itself, such as a host: it says how far time passes, and no wait is without hope.
     """
 
     def __init__(
-        self, machine: Controller | Machine, parent: Task, pace: Callable[[float], None] | None = None
+        self,
+        machine: Controller | Machine,
+        parent: Task,
+        pace: Callable[[float], None] | None = None,
+        outside: Outside | None = None,
     ) -> None:
         self.machine = machine
         self.clock = machine.clock
@@ -45,6 +61,7 @@ class Scheduler:
         self.interrupts: list[Task] = []
         self.current: Task = parent
         self.pace = pace
+        self.outside = outside
         self._turn = 0
 
     def start(self, task: Task) -> None:
@@ -75,12 +92,12 @@ class Scheduler:
                 self._jump(until)
                 continue
             horizon = min(clock.next_time(), until)
-            if len(self.tasks) > 1:
+            if len(self.tasks) > 1 or self.outside is not None:
                 horizon = min(horizon, clock.now + QUANTUM)
             time, task.wait = task.resume(clock.now, horizon)
-            if self.pace is not None:
-                self.pace(time)
-            clock.advance(time)
+            self._advance(time)
+            while clock.now < time:
+                self._advance(time)
             if task.done and task is not self.parent:
                 self._forget(task)
         return True
@@ -100,6 +117,9 @@ class Scheduler:
             self._advance(min(finite))
 
     def _advance(self, time: float) -> None:
+        if self.outside is not None:
+            self.outside.advance(time)
+            return
         if self.pace is not None:
             self.pace(time)
         self.clock.advance(time)
@@ -139,7 +159,8 @@ class Scheduler:
         tasks = self.interrupts[-1:] or self.tasks
         due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
         time = min(due, clock.next_time(), until)
-        if time == INFINITY or (time == until and min(due, clock.next_time()) == INFINITY):
+        hopeless = self.outside is None
+        if hopeless and (time == INFINITY or (time == until and min(due, clock.next_time()) == INFINITY)):
             waiting = tasks[0]
             assert waiting.wait is not None
             raise Stuck(waiting, waiting.wait)
