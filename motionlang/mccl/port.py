@@ -1,8 +1,9 @@
 """A port: where a host's characters go in and the board's come out, as at the board's ASCII interface.
 
 Characters of a line are taken while the port is idle. While a line is being carried out they wait, except for the
-control characters: ESC abandons the line (?-7), a blank pauses and goes on again, Ctrl-B single-steps. Every line is
-answered with at least one line, then the prompt.
+control characters: ESC abandons the line (?-7), a blank pauses and goes on again, Ctrl-B single-steps. A blank behind
+characters that wait is one of a line that was sent ahead, and waits with it. Every line is answered with at least one
+line, then the prompt.
 """
 
 from __future__ import annotations
@@ -125,7 +126,7 @@ class Port:
         if code == CTRL_B:
             self.task.set_stepping(not self.task.stepping)
             return True
-        if code == BLANK and self.busy:
+        if code == BLANK and self.busy and (self.task.paused or not self._waiting):
             self.task.pause()
             return True
         if self.busy or self._waiting:
@@ -196,7 +197,7 @@ class Port:
 class PortTask(CommandTask):
     """Carries out the lines of one port; between them it waits for the next."""
 
-    __slots__ = ("_answered", "_fault", "_granted", "_holds", "_line", "_paused", "_port", "busy", "stepping")
+    __slots__ = ("_answered", "_fault", "_granted", "_holds", "_line", "_port", "busy", "paused", "stepping")
 
     def __init__(self, board: Board, port: Port) -> None:
         super().__init__("port", board)
@@ -204,7 +205,7 @@ class PortTask(CommandTask):
         self.write = self._send
         self.busy = False
         self.stepping = False
-        self._paused = self._granted = self._holds = False
+        self.paused = self._granted = self._holds = False
         self._answered = False
         self._line: Line | None = None
         self._fault: Fault | None = None
@@ -227,13 +228,13 @@ class PortTask(CommandTask):
         self.board.disturbances += 1
         self.abandon()
         self._line = None
-        self._paused = self._holds = False
+        self.paused = self._holds = False
         self.wait = None
         self.reply(f"?{codes.CANCELLED}")
 
     def pause(self) -> None:
         """A blank: hold the next command, or go on."""
-        self._paused = not self._paused
+        self.paused = not self.paused
 
     def set_stepping(self, on: bool) -> None:
         """Ctrl-B: carry out one command a key."""
@@ -285,7 +286,7 @@ class PortTask(CommandTask):
         return super()._carry_out(line)
 
     def _may_go_on(self) -> bool:
-        return self._granted or not (self._paused or self.stepping or self._port.full)
+        return self._granted or not (self.paused or self.stepping or self._port.full)
 
     def _send(self, text: str) -> None:
         self._answered = True

@@ -37,7 +37,7 @@ class Spy:
         line = self._open.setdefault(key, bytearray())
         for code in data:
             line.append(code)
-            if code in (10, 13) or len(line) >= LONGEST:
+            if code in (10, 13, 27) or len(line) >= LONGEST:
                 self._end(key)
         if mark == ">" and line == b">":
             self._end(key)

@@ -194,3 +194,48 @@ def test_any_characters(sent: list[bytes]) -> None:
     port.feed(b"\x11\x1b")
     port.take()
     assert b"01 0" in ask(console, port, b"RT\r1TP\r") or not port.board.prompt
+
+
+def test_a_blank_in_a_line_that_was_sent_ahead_is_no_pause() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP\r1TP 2TP\r") == b"01 0\n>01 0\n02 0\n>"
+
+
+def test_a_port_that_waits_for_a_key_is_not_working() -> None:
+    """Time does not pass for the sake of a host that is thinking."""
+    console, port = board()
+    ask(console, port, b"MD1,WA1,RP\r")
+    ask(console, port, b"GT1\r")
+    port.feed(b"\x02WA1,TR0\r")
+    began = console.now
+    assert console.settle()
+    assert (port.busy, port.working) == (True, False)
+    assert console.now < began + 0.1
+
+
+def test_what_background_tasks_say_to_a_host_that_does_not_read_is_lost_in_the_end() -> None:
+    console, port = board()
+    ask(console, port, b"MD1,HE,RP\r")
+    ask(console, port, b"GT1\r")
+    console.run(console.now + 0.05)
+    assert 500_000 < len(port.take()) < 600_000
+    console.close(port)
+    console.run(console.now + 0.01)
+    assert port.take() == b""
+
+
+def test_an_error_of_our_own_costs_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    console, port = board()
+    other = console.open(echo=False)
+    other.take()
+    monkeypatch.setattr("motionlang.mccl.port.PortTask._carry_out", lambda task, line: 1 / 0)
+    port.feed(b"1TP\r")
+    other.feed(b"1TP\r")
+    with pytest.raises(ZeroDivisionError) as trouble:
+        console.settle()
+    monkeypatch.undo()
+    console.drop_broken(trouble.value)
+    assert console.settle()
+    assert port.take() == b"?3\n>"
+    assert other.take() == b"01 0\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
