@@ -74,6 +74,8 @@ def _ends(path: Profile, course: Course, axis: int, scale: Scale, curve: Curve) 
 
     start, first = at(path.start, path.start_velocity)
     end, last = at(path.end, path.end_velocity)
+    if path.start == 0.0:
+        start = scale.position_to_counts(course.segments[0].start[axis])
     if path.end == course.length:
         end = scale.position_to_counts(course.segments[-1].end[axis])
     return from_curve(path.shape, start, end, curve, first, last)

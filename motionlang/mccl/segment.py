@@ -134,8 +134,13 @@ def arc_by_angle(
     if made.radius == 0.0:
         raise ValueError("the centre of the arc is its starting point")
     x, y = plane
-    made.end = {**end, x: made.at(x, made.length)[0], y: made.at(y, made.length)[0]}
+    made.end = {**end, **{axis: _clean(made.at(axis, made.length)[0], made.radius) for axis in (x, y)}}
     return made
+
+
+def _clean(position: float, radius: float) -> float:
+    """A position without the rounding of sine and cosine, so that a quarter circle ends on the axis."""
+    return round(position / radius, 12) * radius
 
 
 def center_by_radius(

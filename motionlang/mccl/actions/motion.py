@@ -40,7 +40,7 @@ def motor_off(task: CommandTask, command: Command) -> None:
 
 def move_to(task: CommandTask, command: Command) -> Wait | None:
     value = float(task.value(command))
-    targets = [(axis, axis.position(value)) for axis in _movable(task, command)]
+    targets = [(axis, axis.position(value)) for axis in movable(task, command)]
     return start_moves(task, command, targets)
 
 
@@ -49,7 +49,7 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
     controller = task.board.controller
     path = task.path_open
     targets = []
-    for axis in _movable(task, command):
+    for axis in movable(task, command):
         target = path.end_of(axis) if path is not None else controller.target(axis.number)
         if abs(target) == float("inf"):
             target = controller.position(axis.number)
@@ -58,7 +58,7 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
 
 
 def go_home(task: CommandTask, command: Command) -> Wait | None:
-    return start_moves(task, command, [(axis, axis.position(0.0)) for axis in _movable(task, command)])
+    return start_moves(task, command, [(axis, axis.position(0.0)) for axis in movable(task, command)])
 
 
 def go(task: CommandTask, command: Command) -> None:
@@ -147,7 +147,7 @@ def _mode(task: CommandTask, command: Command, mode: str) -> None:
         axis.mode = mode
 
 
-def _movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
+def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
     """The axis that the command names, or all that are on."""
     axes = task.axes(command)
     if command.axis:

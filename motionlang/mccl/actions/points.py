@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl import codes
-from motionlang.mccl.actions.motion import start_moves
+from motionlang.mccl.actions.motion import movable, start_moves
 from motionlang.mccl.codes import Fault
 
 TYPE_CHECKING = False
@@ -32,7 +32,7 @@ def learn_target(task: CommandTask, command: Command) -> None:
 def move_to_point(task: CommandTask, command: Command) -> Wait | None:
     """Move to a point; without an axis, every axis that has learned it moves."""
     point, points = task.whole(command), task.board.points
-    axes = task.axes(command)
+    axes = movable(task, command)
     targets = [(axis, points[point, axis.number]) for axis in axes if (point, axis.number) in points]
     if not targets:
         raise Fault(
