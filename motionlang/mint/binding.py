@@ -348,3 +348,12 @@ def _write_time(environment: Environment, row: Row) -> Operation:
         environment.task.timer[0] = environment.since(value)
 
     return write
+
+
+def _do_default_axes(environment: Environment, row: Row) -> Operation:
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in axes:
+            scale_of(environment, axis)
+        environment.task.axes = axes
+
+    return do

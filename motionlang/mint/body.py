@@ -152,8 +152,15 @@ class Body:
         self.emit(f"if t >= H: t, H = yield t{self.interrupted()}")
         self.waits = self.noted = True
 
-    def settle(self) -> None:
-        """Before a statement that takes note of time: let everything happen that is due until then."""
+    def now(self) -> str:
+        """The name that holds the present time after `settle`."""
+        return "u" if self.pending else "t"
+
+    def settle(self, tell: bool = True) -> None:
+        """Before a statement that takes note of time: let everything happen that is due until then.
+
+        `tell`: the clock is told, as what follows reads it.
+        """
         if self.calls:
             self.flush()
             self.noted = True
@@ -164,10 +171,10 @@ class Body:
             cost = self.cost(self.pending)
             self.emit(f"u = t + {cost}")
             self.emit(f"if u >= H: u, H = yield u; t = u - {cost}{self.interrupted()}")
-            self.emit("C.now = u")
         else:
             self.horizon()
-            self.emit("C.now = t")
+        if tell:
+            self.emit(f"C.now = {self.now()}")
 
     def interrupted(self) -> str:
         """After others have run: a loop that polls must look again."""

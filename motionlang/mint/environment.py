@@ -120,7 +120,19 @@ class Environment:
             return getattr(formats, f"using_{details[0]}")
         from motionlang.mint.binding import Row, bind
 
-        return bind(self, how, Row(*details))  # type: ignore[arg-type]
+        operation = bind(self, how, Row(*details))  # type: ignore[arg-type]
+        return self._timed(operation) if how in ("write", "do") else operation
+
+    def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
+        """An operation at a time, which answers with the horizon: it may have made a nearer event."""
+        clock = self.clock
+
+        def at(time: float, horizon: float, *arguments: object) -> float:
+            clock.now = time
+            operation(*arguments)
+            return clock.horizon if clock.horizon < horizon else horizon
+
+        return at
 
     # ---------------------------------------------------------------------------------------------- time
 
@@ -203,6 +215,28 @@ class Environment:
         from motionlang.mint.answers import take
 
         return take(self, as_text)
+
+    # ---------------------------------------------------------------------------------------------- axes
+
+    def default_axes(self) -> tuple[int, ...]:
+        """The axes that keywords without brackets mean; AXES sets them, each task has its own."""
+        return self.task.axes
+
+    def pairs(self, values: tuple[object, ...], repeat: bool) -> list[tuple[int, object]]:
+        """Each default axis with its value; `repeat` gives the last value to all further axes."""
+        axes = self.task.axes
+        if repeat:
+            values += values[-1:] * (len(axes) - len(values))
+        if len(values) != len(axes):
+            from motionlang.controller.faults import Refusal
+
+            names = ", ".join(map(str, axes))
+            raise Refusal(
+                "values",
+                f"AXES names {len(axes)} axes ({names}), and {len(values)} values are given",
+                "end the list with ; to give the last value to all further axes",
+            )
+        return list(zip(axes, values, strict=True))
 
     # --------------------------------------------------------------------------------------------- tasks
 
@@ -298,13 +332,14 @@ class TaskEnd(Exception):
 class MintTask(GeneratorTask):
     """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
-    __slots__ = ("environment", "held", "suspended", "timer")
+    __slots__ = ("axes", "environment", "held", "suspended", "timer")
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
         file = make.__code__.co_filename
         super().__init__(name, make, file, environment.files[file])
         self.environment = environment
         self.timer = [environment.clock.now]
+        self.axes: tuple[int, ...] = (0,)
         self.suspended = False
         self.held: Wait | None = None
 

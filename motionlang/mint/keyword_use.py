@@ -63,7 +63,10 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         b.problem("write-only", f"{row.name} {what}", node)
         return _NOTHING
     b.observes = True
-    arguments = indices(b, node, row, single=True)
+    if _default_axes(b, node, row):
+        arguments = [f"{b.whole.use('env', 'default_axes')}()[0]"]
+    else:
+        arguments = indices(b, node, row, single=True)
     if row.unit == "text":
         return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", STRING, ranges.ANY)
     kind = type_of(row.unit)
@@ -201,18 +204,44 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
     if row.verb == "wait":
         wait(b, node, node.values)
         return
+    if _default_axes(b, target, row):
+        _write_to_defaults(b, node, row)
+        return
     axes = indices(b, target, row, single=False)
     values = _values(b, node, row, max(1, len(axes)) if row.index in ("axis", "axes") else 1)
     if values is None:
         return
-    b.observes = True
-    b.settle()
+    _settle_for(b, row)
     if row.index in ("axis", "axes"):
         for axis, text in zip(axes, values, strict=True):
             _store(b, node, row, [axis], text)
     else:
         _store(b, node, row, axes, values[0])
-    b.events()
+    b.pending += 1
+
+
+def _settle_for(b: Body, row: Keyword) -> None:
+    """Operations tell the clock themselves; readings in their values, and moves that may wait, need it before."""
+    tell = b.observes or row.kind == "move"
+    b.observes = True
+    b.settle(tell)
+
+
+def _default_axes(b: Body, target: nodes.Name, row: Keyword) -> bool:
+    """Whether a keyword without brackets means the axes of AXES."""
+    return target.args is None and row.index in ("axis", "axes") and b.whole.names.uses_axes
+
+
+def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword) -> None:
+    """`SPEED = 10, 20` after `AXES[0, 1]`: how many axes there are is known when the program runs."""
+    texts = [_value(b, each, row) for each in node.values]
+    _settle_for(b, row)
+    axis, text = b.temp(), b.temp()
+    pairs = b.whole.use("env", "pairs")
+    b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):")
+    b.indent += 1
+    _store(b, node, row, [axis], text)
+    b.indent -= 1
     b.pending += 1
 
 
@@ -279,10 +308,15 @@ def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: st
         else:
             b.emit(f"t, H = yield {room}(t, {where[0]})")
         b.indent -= 1
+        b.events()
         return
     line = [str(b.whole.line(node.at))] if row.group == "motion" else []
-    arguments = ", ".join([*where, text, *line])
-    b.emit(f"{b.whole.operation('write', row)}({arguments})")
+    _operate(b, "write", row, [*where, text, *line])
+
+
+def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
+    """Call an operation at the present time; it answers with the horizon, which it may have brought nearer."""
+    b.emit(f"H = {b.whole.operation(how, row)}({', '.join([b.now(), 'H', *arguments])})")
 
 
 # ------------------------------------------------------------------------------------------------- commands
@@ -299,16 +333,17 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     if row.access != "C" or row.kind == "statement":
         _not_a_command(b, target, row)
         return
-    where = indices(b, target, row, single=False)
-    b.observes = True
-    b.settle()
-    if row.index == "axes":
-        where = [f"({', '.join(where)},)"]
+    if _default_axes(b, target, row):
+        default = f"{b.whole.use('env', 'default_axes')}()"
+        where = [default if row.index == "axes" else f"{default}[0]"]
+    else:
+        where = indices(b, target, row, single=False)
+        if row.index == "axes":
+            where = [f"({', '.join(where)},)"]
+    _settle_for(b, row)
     if row.index in ("axes", "axis") or row.group == "motion":
         where.append(str(b.whole.line(node.at)))
-    arguments = ", ".join(where)
-    b.emit(f"{b.whole.operation('do', row)}({arguments})")
-    b.events()
+    _operate(b, "do", row, where)
     b.pending += 1
 
 

@@ -62,6 +62,8 @@ class Names:
             self.main.scope.outer = None
             self.main.scope.names = module.names
         self.module = self.main.scope
+        # Whether AXES says which axes a keyword without brackets means.
+        self.uses_axes = self.typed
         self._taken: set[str] = {s.python for s in self.module.names.values()}
 
     # ------------------------------------------------------------------------------------- declarations
@@ -281,6 +283,7 @@ class Names:
             row = self.table.get(node.name)
             if row is not None and row.kind not in ("function", "constant"):
                 function.observes = True
+                self.uses_axes = self.uses_axes or row.name == "AXES"
             return
         if symbol.kind in ("variable", "parameter"):
             symbol.uses += 1

@@ -11,6 +11,10 @@ _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
 
 ROWS = (
+    Keyword("AXES", "", "command", "C", "axes", "", "default_axes",
+            "Which axes a keyword without brackets means, in this task; axis 0 until it is said.",
+            "AXES[0, 1]\nSPEED = 10, 20\nPRINT SPEED(1)",
+            source=_MN1270, trust="manual", group="axis"),
     Keyword("SCALEFACTOR", "SCALE", "setting", "RW", "axis", "number", "scale",
             "Encoder counts per user unit; every distance, speed and rate of the axis is in that unit.",
             "SCALEFACTOR(0) = 1200\nPRINT SCALEFACTOR(0)",
