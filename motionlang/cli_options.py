@@ -24,7 +24,7 @@ HIGHEST_RATE = 10e6
 FAMILIES = {
     "pvt": ("motionlang.cli_pvt", "position-velocity-time moves for Copley drives"),
     "servo": ("motionlang.cli_servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
-    "serve": ("motionlang.cli_serve", "let hosts talk to a virtual board, over TCP or a serial device"),
+    "serve": ("motionlang.cli_serve", "let hosts talk to a virtual board, or to a Mint program over Modbus"),
 }
 
 EPILOG = """\

@@ -1,4 +1,4 @@
-"""`motionlang serve`: a virtual board on a TCP port or a serial device, until Ctrl-C or SIGTERM."""
+"""`motionlang serve`: a virtual board on a TCP port or a serial device, or a Mint program behind Modbus."""
 
 from __future__ import annotations
 
@@ -13,15 +13,19 @@ from motionlang.serve.address import BadAddress, parse
 if TYPE_CHECKING:
     from motionlang.source import Source
 
-SUMMARY = "let hosts talk to a virtual board, over TCP or a serial device"
+SUMMARY = "let hosts talk to a virtual board, or to a Mint program over Modbus"
 EPILOG = """\
 The board is a PMC controller that understands ASCII MCCL; FILE is sent to it first, as a downloader would.
 With --clock real a move takes the time that it takes. With --clock lockstep time stands still unless a host waits for
 an answer, so that the same lines are answered the same; a line takes --step seconds, or as long as it waits.
 
+With --modbus FILE is a Mint program, and a Modbus TCP client reads and writes its comms array or NetData: element n is
+the holding registers 2n, the low half, and 2n + 1. In lock step machine time goes on by --step for each request.
+
 examples:
   motionlang serve --tcp 127.0.0.1:5010                    then: nc 127.0.0.1 5010
   motionlang serve macros.mcl --tcp 5010 --pty --log
+  motionlang serve packer.mnt --modbus 127.0.0.1:5020
   motionlang serve --tcp 0 --clock lockstep --set controller.model=dcx-pci300
 """
 
@@ -40,6 +44,12 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         default=[],
         metavar="HOST:PORT",
         help="listen here; without HOST only this computer can connect, port 0 is any that is free; may be repeated",
+    )
+    add(
+        "--modbus",
+        type=_address,
+        metavar="HOST:PORT",
+        help="run a Mint program and let Modbus TCP clients reach its memory here (needs pymodbus)",
     )
     add("--pty", action="store_true", help="make a serial device, and print its path (not on Windows)")
     _add_time(parser)
@@ -69,7 +79,8 @@ def _add_time(parser: argparse.ArgumentParser) -> None:
         "--step",
         type=_seconds,
         metavar="S",
-        help="machine seconds that a line takes at least, with --clock lockstep (0.001)",
+        help="machine seconds that a line takes at least (0.001), or by which time goes on for a Modbus request "
+        "(0.01), with --clock lockstep",
     )
 
 
@@ -92,6 +103,11 @@ def serve_command(args: argparse.Namespace) -> int:
         status = read_machine_file(options, settings)
         if status:
             return status
+    if args.modbus is not None:
+        from motionlang.cli_serve_modbus import serve_modbus
+
+        assert source is not None
+        return serve_modbus(args, source, settings, overrides)
     from motionlang.cli_serve_board import serve_board
 
     return serve_board(args, source, settings, overrides)
@@ -100,14 +116,30 @@ def serve_command(args: argparse.Namespace) -> int:
 def _check(args: argparse.Namespace) -> None:
     """What does not go together ends the command here."""
     error = args.parser.error
-    if not args.tcp and not args.pty:
-        error("no host could connect: give --tcp HOST:PORT or --pty")
+    if not args.tcp and not args.pty and args.modbus is None:
+        error("no host could connect: give --tcp HOST:PORT, --pty or --modbus HOST:PORT")
     if args.factor is not None and args.clock != "real":
         error("--factor is about the wall clock: it goes with --clock real")
     if args.step is not None and args.clock != "lockstep":
         error("--step is about lock step: it goes with --clock lockstep")
-    if _speaks_mint(args):
+    if args.modbus is not None:
+        _check_modbus(args)
+    elif _speaks_mint(args):
         error("a board that is served understands MCCL; Mint has no ASCII host interface")
+
+
+def _check_modbus(args: argparse.Namespace) -> None:
+    error = args.parser.error
+    if args.tcp or args.pty:
+        error("--modbus serves a Mint program, --tcp and --pty an MCCL board: one of them at a time")
+    if args.echo is not None or args.log:
+        error("--echo and --log are about hosts that send lines; Modbus has none")
+    if args.file is None:
+        error("--modbus needs the Mint program that it serves: motionlang serve FILE --modbus HOST:PORT")
+    if not _speaks_mint(args):
+        error(
+            "--modbus serves the memory of a Mint program; for a file without a Mint suffix say --dialect mint"
+        )
 
 
 def _speaks_mint(args: argparse.Namespace) -> bool:

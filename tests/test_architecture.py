@@ -40,6 +40,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "matplotlib": ("views",),
     "pyarrow": ("views",),
     "can": ("copley",),
+    "pymodbus": ("serve",),
     "canopen": ("copley",),
 }
 FILES = sorted(PACKAGE.rglob("*.py"))

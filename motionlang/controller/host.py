@@ -21,21 +21,25 @@ if TYPE_CHECKING:
 
 # Area -> (first element, last element).
 AREAS = {"comms": (1, 99), "netdata": (0, 999)}
+# How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
+PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
 _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
 
 
 class HostMemory:
     """Both areas. `listeners` hear (area, element, changed) of every element that the host writes.
 
-    What the program itself writes raises nothing: the documents speak of the client's writes only.
+    What the program itself writes raises nothing: the documents speak of the client's writes only. `mapping` is the
+    area that a Modbus client sees.
     """
 
-    __slots__ = ("_floats", "_words", "listeners")
+    __slots__ = ("_floats", "_words", "listeners", "mapping")
 
-    def __init__(self) -> None:
+    def __init__(self, mapping: str = "netdata") -> None:
         self._words = {area: array("i", bytes(4 * (last + 1))) for area, (_, last) in AREAS.items()}
         self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
         self.listeners: list[Listener] = []
+        self.mapping = mapping
 
     # ------------------------------------------------------------------------------------- the program's side
 
@@ -97,6 +101,14 @@ class HostMemory:
         words = _words(area, entry)
         time, element = float(entry.get("at", 0.0)), int(entry["element"])  # type: ignore[arg-type,call-overload]
         clock.at(max(time, clock.now), lambda: self.write(area, element, words))
+
+
+def product(model: str) -> str:
+    """The product among `PRODUCTS` that a model's name speaks of, the NextMove e100 where none; ES and ESB are "es"."""
+    name = "".join(letter for letter in model.lower() if letter.isalnum())
+    for family in ("nextmove", "microflex", "motiflex"):
+        name = name.removeprefix(family)
+    return next((each for each in PRODUCTS if name.startswith(each)), "e100")
 
 
 def packed(text: str) -> list[int]:

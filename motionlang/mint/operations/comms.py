@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.host import AREAS
+from motionlang.controller.host import AREAS, product
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,10 +13,9 @@ if TYPE_CHECKING:
 
     Operation = Callable[..., object]
 
-# Which elements raise an event, by the product that the model's name speaks of (mint-2 section 5, ABB AN00198 p. 19):
-# (first, last, only where the value changed). A product that is not named behaves like the NextMove e100.
+# Which elements raise an event, by product (ABB AN00198 p. 19): first, last, only where the value has changed.
 Span = tuple[int, int, bool]
-PRODUCTS: dict[str, dict[str, Span]] = {
+EVENTS: dict[str, dict[str, Span]] = {
     "es": {"comms": (1, 5, False)},
     "e150": {"netdata": (0, 31, True)},
     "e180": {"netdata": (0, 31, True)},
@@ -25,18 +24,12 @@ PRODUCTS: dict[str, dict[str, Span]] = {
 }
 
 
-def product(model: str) -> str:
-    """The product among `PRODUCTS` that a model's name speaks of; both NextMove ES and ESB are "es"."""
-    name = model.lower().replace("-", "").replace("_", "").replace(" ", "")
-    return next((each for each in PRODUCTS if each in name), "e100")
-
-
 class HostEvents:
     """Raises COMMS1, NETDATA0 and so on for what the host writes."""
 
     def __init__(self, environment: Environment) -> None:
         self._raise = environment.events.raise_
-        self._spans = PRODUCTS[product(environment.machine.model)]
+        self._spans = EVENTS[product(environment.machine.model)]
         environment.machine.host.listeners.append(self._written)
 
     def _written(self, area: str, element: int, changed: bool) -> None:
