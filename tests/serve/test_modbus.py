@@ -51,7 +51,7 @@ class Served:
         self._thread = Thread(target=self._run, args=(text, settings or {}), daemon=True)
         self._thread.start()
         self.client: Any = ModbusTcpClient("127.0.0.1", port=self.server.port, timeout=10)
-        assert self.client.connect()
+        assert self.client.connect()  # type: ignore[no-untyped-call,unused-ignore]
 
     def _run(self, text: str, settings: dict[str, object]) -> None:
         source = Source("served.mnt", text)
