@@ -9,7 +9,7 @@ from motionlang.profile import rest
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
 
 
 def put(a: Axis, move: Move) -> None:
@@ -41,7 +41,7 @@ def end(a: Axis) -> float:
     return a.buffer[-1].target if a.buffer else a.target
 
 
-def taken(controller: Controller, a: Axis) -> None:
+def taken(controller: Core, a: Axis) -> None:
     """An entry has left the buffer: tell, when with it the free places came to exceed the level set."""
     if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
         controller.tell("buffer-low", a.index)
@@ -57,7 +57,7 @@ class Dwell(Action):
             raise Refusal("range", f"an axis cannot dwell for {duration:g} seconds")
         self.duration = duration
 
-    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
         here = a.position(controller.clock.now)
         move.target = here
         controller._run(a, move, rest("dwell", here, self.duration))
@@ -71,7 +71,7 @@ class Outputs(Action):
     def __init__(self, values: dict[int, float]) -> None:
         self.values = values
 
-    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
         for channel, value in self.values.items():
             controller.outputs[channel] = value
 
@@ -86,5 +86,5 @@ class Pulse(Action):
             raise Refusal("range", f"a pulse cannot last {duration:g} seconds")
         self.channel, self.duration = channel, duration
 
-    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
         controller.pulse(self.channel, self.duration)

@@ -9,14 +9,14 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
 
 # Settings that may act on a move in progress.
 LIVE = frozenset({"speed", "accel", "decel", "accel_time", "decel_time", "override", "feedrate_mode"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode"})
 
 
-def changed(controller: Controller, a: Axis, name: str) -> None:
+def changed(controller: Core, a: Axis, name: str) -> None:
     """One of `LIVE` was set while a move is in progress; an axis that is suspended hears of it later."""
     move = a.move
     assert move is not None
@@ -41,7 +41,7 @@ def _concerns(a: Axis, name: str) -> bool:
     return move.overridden if name == "override" else True
 
 
-def _new_rates(controller: Controller, a: Axis) -> None:
+def _new_rates(controller: Core, a: Axis) -> None:
     """New rates hold for what the move still has to do, except where they would carry it past its target.
 
     A braking that they come too late for goes on as it was planned; no source says what a controller does there.

@@ -9,7 +9,7 @@ from motionlang.profile import halted, plan_stop
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
     from motionlang.profile import Profile
 
 
@@ -21,7 +21,7 @@ class Jog(Action):
     def __init__(self, velocity: float) -> None:
         self.velocity = velocity
 
-    def plan(self, controller: Controller, a: Axis) -> Profile:
+    def plan(self, controller: Core, a: Axis) -> Profile:
         return controller._plan_jog(a, self.velocity)
 
 
@@ -30,7 +30,7 @@ class Played(Action):
 
     __slots__ = ()
 
-    def suspend(self, controller: Controller, a: Axis) -> bool:
+    def suspend(self, controller: Core, a: Axis) -> bool:
         raise Refusal("moving", f"axis {a.index} follows a ready-made profile, which cannot be suspended")
 
 
@@ -39,14 +39,14 @@ class Stopping(Action):
 
     __slots__ = ()
 
-    def stop(self, controller: Controller, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
         return ended != "fault"
 
-    def suspend(self, controller: Controller, a: Axis) -> bool:
+    def suspend(self, controller: Core, a: Axis) -> bool:
         return True
 
 
-def stop(controller: Controller, a: Axis, ended: str) -> None:
+def stop(controller: Core, a: Axis, ended: str) -> None:
     """Decelerate to rest at the set rate, at `error_decel` for a fault."""
     move = a.move
     if move is None:
@@ -59,7 +59,7 @@ def stop(controller: Controller, a: Axis, ended: str) -> None:
     a.target = move.target = profile.end
 
 
-def braking(controller: Controller, a: Axis, decel: float) -> Profile:
+def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """From the state of the axis to rest."""
     state = a.at(controller.clock.now)
     try:
@@ -68,17 +68,17 @@ def braking(controller: Controller, a: Axis, decel: float) -> Profile:
         raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
 
 
-def standing(controller: Controller, a: Axis) -> Profile:
+def standing(controller: Core, a: Axis) -> Profile:
     """From the state of the axis to rest, and at rest for as long as nothing else is said."""
     return halted(braking(controller, a, _decel(controller, a)), "suspend")
 
 
-def _decel(controller: Controller, a: Axis) -> float:
+def _decel(controller: Core, a: Axis) -> float:
     speed = a.speed if a.move is None or a.move.speed is None else a.move.speed
     return controller.rates(a, speed)[1]
 
 
-def suspend(controller: Controller, a: Axis) -> None:
+def suspend(controller: Core, a: Axis) -> None:
     """Ramp to rest and keep the moves; what is started while the axis is suspended waits too."""
     if a.suspended:
         return
@@ -89,7 +89,7 @@ def suspend(controller: Controller, a: Axis) -> None:
         controller._replan(a)
 
 
-def resume(controller: Controller, a: Axis) -> None:
+def resume(controller: Core, a: Axis) -> None:
     """Go on to where the axis was going."""
     if not a.suspended:
         return
@@ -102,7 +102,7 @@ def resume(controller: Controller, a: Axis) -> None:
         a.move.action.resume(controller, a)
 
 
-def retarget(controller: Controller, a: Axis, position: float, command: str, line: int) -> None:
+def retarget(controller: Core, a: Axis, position: float, command: str, line: int) -> None:
     """Give the position move in progress another end; at rest it is a move of its own."""
     move = a.move
     if move is None:

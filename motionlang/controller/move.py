@@ -5,7 +5,7 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
     from motionlang.profile import Profile
 
 
@@ -64,41 +64,41 @@ class Action:
     def purge(self, a: Axis) -> None:
         """The entry was thrown out of the buffer of `a`."""
 
-    def ready(self, controller: Controller, a: Axis, move: Move) -> bool:
+    def ready(self, controller: Core, a: Axis, move: Move) -> bool:
         """Whether it may begin, being the first of its buffer and released."""
         return True
 
-    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
         """Begin; the entry has left the buffer."""
         raise NotImplementedError
 
-    def plan(self, controller: Controller, a: Axis) -> Profile:
+    def plan(self, controller: Core, a: Axis) -> Profile:
         """The way on with the settings as they are now: what remains, as long as nothing else is said."""
         return a.profiles[-1].after(controller.clock.now - a.starts[-1])
 
-    def replan(self, controller: Controller, a: Axis) -> None:
+    def replan(self, controller: Core, a: Axis) -> None:
         """A setting has changed that acts at once."""
         controller._continue(a, self.plan(controller, a), "")
 
-    def more(self, controller: Controller, a: Axis) -> None:
+    def more(self, controller: Core, a: Axis) -> None:
         """Further entries of the buffer were released while it is under way."""
 
-    def shift(self, controller: Controller, a: Axis, shift: float) -> None:
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
         """The axis's zero is about to move, so that positions grow by `shift`."""
 
-    def stop(self, controller: Controller, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
         """Come to rest in a way of its own; False where the axis shall simply decelerate."""
         return False
 
-    def suspend(self, controller: Controller, a: Axis) -> bool:
+    def suspend(self, controller: Core, a: Axis) -> bool:
         """Rest until `plan` is asked for the way on, in a way of its own; False where `plan` knows it."""
         return False
 
-    def resume(self, controller: Controller, a: Axis) -> None:
+    def resume(self, controller: Core, a: Axis) -> None:
         """Go on after `suspend`."""
         self.replan(controller, a)
 
-    def leave(self, controller: Controller, a: Axis, ended: str) -> None:
+    def leave(self, controller: Core, a: Axis, ended: str) -> None:
         """The axis is about to leave the motion for another one, or is held where it is."""
 
     @property

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
     from motionlang.controller.geometry import Segment
     from motionlang.controller.path_run import PathRun
     from motionlang.profile import Profile
@@ -44,7 +44,7 @@ class PathMove(Action):
         """The path from where its axes are, or will be."""
         return self.geometry.lay(starts, self.scales)
 
-    def pace(self, controller: Controller, segment: Segment) -> Pace:
+    def pace(self, controller: Core, segment: Segment) -> Pace:
         """Speed and rates along the path in user units: the master's, as far as the limits of each axis allow."""
         master, move = self.axes[0], self.moves[0]
         speed = master.speed if move.speed is None else move.speed
@@ -93,10 +93,10 @@ class PathMove(Action):
             for a, move in zip(self.axes, self.moves, strict=True)
         )
 
-    def ready(self, controller: Controller, a: Axis, move: Move) -> bool:
+    def ready(self, controller: Core, a: Axis, move: Move) -> bool:
         return all(each.move is None for each in self.axes) and self.stands_at(0)
 
-    def begin(self, controller: Controller, a: Axis, move: Move) -> None:
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
         from motionlang.controller.path_run import PathRun
 
         for other in self.axes:
@@ -108,30 +108,30 @@ class PathMove(Action):
 
     # -- under way
 
-    def replan(self, controller: Controller, a: Axis) -> None:
+    def replan(self, controller: Core, a: Axis) -> None:
         if self.run is not None and a is self.axes[0]:
             self.run.replan()
 
-    def more(self, controller: Controller, a: Axis) -> None:
+    def more(self, controller: Core, a: Axis) -> None:
         if self.run is not None:
             self.run.more()
 
-    def stop(self, controller: Controller, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
         if self.run is None:
             return False
         self.run.stop(a, ended)
         return True
 
-    def suspend(self, controller: Controller, a: Axis) -> bool:
+    def suspend(self, controller: Core, a: Axis) -> bool:
         if self.run is not None:
             self.run.suspend()
         return True
 
-    def resume(self, controller: Controller, a: Axis) -> None:
+    def resume(self, controller: Core, a: Axis) -> None:
         if self.run is not None:
             self.run.resume()
 
-    def leave(self, controller: Controller, a: Axis, ended: str) -> None:
+    def leave(self, controller: Core, a: Axis, ended: str) -> None:
         if self.run is None:
             return
         if ended == "retarget":
@@ -142,19 +142,19 @@ class PathMove(Action):
             )
         self.run.abandon(a, ended)
 
-    def shift(self, controller: Controller, a: Axis, shift: float) -> None:
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
         raise Refusal(
             "moving",
             f"axis {a.index} is on a path: its position cannot be given a new value",
             "wait until the path has ended",
         )
 
-    def plan(self, controller: Controller, a: Axis) -> Profile:
+    def plan(self, controller: Core, a: Axis) -> Profile:
         raise AssertionError("a path is planned by its run")
 
 
 def load_line(
-    controller: Controller, axes: Sequence[int], targets: Sequence[float], command: str, line: int
+    controller: Core, axes: Sequence[int], targets: Sequence[float], command: str, line: int
 ) -> None:
     """Put a straight line to `targets`, counts, into the buffers of its axes."""
     members = _members(controller, axes)
@@ -162,7 +162,7 @@ def load_line(
 
 
 def load_line_by(
-    controller: Controller, axes: Sequence[int], distances: Sequence[float], command: str, line: int
+    controller: Core, axes: Sequence[int], distances: Sequence[float], command: str, line: int
 ) -> None:
     """Put a straight line by `distances`, counted from the ends of the moves before it."""
     members = _members(controller, axes)
@@ -171,7 +171,7 @@ def load_line_by(
 
 
 def load_arc(
-    controller: Controller,
+    controller: Core,
     axes: Sequence[int],
     centre: Sequence[float],
     angle: float,
@@ -192,7 +192,7 @@ def load_arc(
     _put(members, geometry, ends, command, line)
 
 
-def _members(controller: Controller, axes: Sequence[int]) -> list[Axis]:
+def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
     if len(set(axes)) != len(axes) or len(axes) < 2:
         raise Refusal("axis", "a path needs two or more different axes", "MOVEA and MOVER move one axis")
     return [controller._ready(axis) for axis in axes]

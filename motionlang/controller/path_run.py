@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Event
-    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
     from motionlang.controller.geometry import Segment
     from motionlang.controller.path import PathMove
     from motionlang.profile import Profile
@@ -53,7 +53,7 @@ class PathRun:
         "tails",
     )
 
-    def __init__(self, controller: Controller, here: PathMove, starts: Sequence[float]) -> None:
+    def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
         self._controller, self.here, self.axes = controller, here, here.axes
         self.segment = here.lay(starts)
         self.ahead: list[tuple[PathMove, Segment]] = []
@@ -202,7 +202,7 @@ class PathRun:
             self.ahead.append(before)
 
     def _planned(self, place: float, speed: float, accel: float) -> Profile:
-        """From a place on this path to the end of the stretch that has one pace, there as fast as what follows allows."""
+        """To the end of the stretch that has one pace, and as fast there as what follows allows."""
         if self._suspended() or not self.here.pace(self._controller, self.segment).speed:
             return halted(hold(place).cut(0.0), "suspend") if speed == 0.0 else self._held(place, speed)
         if not self.segment.length:
@@ -397,4 +397,4 @@ class PathRun:
 
 def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
     """Whether an entry of the buffer is a path of the same axes, released, and next on all of them."""
-    return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined,no-any-return]
+    return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined]

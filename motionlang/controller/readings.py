@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from math import atan2, degrees
 
-from motionlang.controller import path
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.inputs import Channels
@@ -71,16 +70,6 @@ class Readings:
     def move_id(self, axis: int) -> int:
         """The mark of the move in progress, or of the last one."""
         return self.axes[axis].last_id
-
-    def path_speed(self, axis: int) -> float:
-        """The speed along the path that the axis is on, user units/s."""
-        run = path.run_of(self.axes[axis])
-        return run.speed if run is not None else 0.0
-
-    def path_remaining(self, axis: int) -> float:
-        """The distance along the path that the axis is on still to go, user units."""
-        run = path.run_of(self.axes[axis])
-        return run.remaining if run is not None else 0.0
 
     def vector_angle(self, x: int, y: int) -> float:
         """The direction, degrees, in which two axes are moving in their plane, in user units; 0 at rest."""

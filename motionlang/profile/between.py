@@ -12,6 +12,7 @@ from motionlang.profile.stop import ramps_of
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.profile.approach import Ramps
+    from motionlang.profile.ramps import Recipe
 
 
 class Pace:
@@ -56,13 +57,12 @@ def plan_between(pace: Pace, start: float, end: float, v0: float, v1: float, a0:
     reached by one ramp that just fits.
     """
     if v1 <= 0.0:
-        return plan(
-            pace.shape, start, end, pace.speed, pace.accel, pace.decel, v0, pace.ramp, pace.accel_jerk, pace.decel_jerk, a0
-        )  # fmt: skip
+        rates = pace.speed, pace.accel, pace.decel
+        return plan(pace.shape, start, end, *rates, v0, pace.ramp, pace.accel_jerk, pace.decel_jerk, a0)
     ramps, length = pace.ramps(), end - start
     top = _top_speed(ramps, length, pace.speed, v0, v1)
     if top is None:
-        recipe = (v0, 2.0 * length / (v0 + v1), 0.0, v1)
+        recipe: Recipe = (v0, 2.0 * length / (v0 + v1), 0.0, v1)
     else:
         first, kind = (ramps.up if top >= v0 else ramps.down)(v0, top)
         last, last_kind = (ramps.down if top >= v1 else ramps.up)(top, v1)
