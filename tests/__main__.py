@@ -9,7 +9,7 @@ STEPS = (
     ("format", ("ruff", "format", "--check", "--quiet", ".")),
     ("lint", ("ruff", "check", "--quiet", ".")),
     ("types", ("mypy", "--no-error-summary")),
-    ("tests", ("pytest", *sys.argv[1:])),
+    ("tests", ("pytest", "-n", "auto", *sys.argv[1:])),
 )
 
 
