@@ -31,8 +31,15 @@ def outline(trace: Trace, axis: int, quantity: str, bins: int = GRID) -> tuple[A
     values = _evaluate(table.columns[:, piece], inside, ORDERS[quantity])
     times = np.maximum.accumulate(table.origins[piece] + inside)
     trace.to_user(axis, quantity, values)
-    if len(times) > 8 * bins and trace.end > 0.0:
-        return _extremes(times, values, trace.end, bins)
+    return thinned(times, values, trace.end, bins)
+
+
+def thinned(times: Array, values: Array, end: float, bins: int = GRID) -> tuple[Array, Array]:
+    """The points up to `end`, or of very many of them the lowest and the highest of each of `bins` stretches."""
+    inside = int(np.searchsorted(times, end, "right"))
+    times, values = times[:inside], np.array(values[:inside])
+    if inside > 8 * bins and end > 0.0:
+        return _extremes(times, values, end, bins)
     return times, values
 
 

@@ -44,6 +44,11 @@ def figure(value: float, decimals: int = 3) -> str:
     return f"{value + 0.0:.{decimals}f}"
 
 
+def peak_of(value: float) -> str:
+    """A single figure beside a curve: six digits."""
+    return f"{value:.6g}"
+
+
 def _plain(value: float, decimals: int) -> str:
     text = f"{value:.{decimals}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text

@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import pytest
 
+from motionlang.controller.servo import Loop, simulate
+from motionlang.controller.servo.settings import make_plant
+from motionlang.controller.servo.trace import ServoTrace
 from motionlang.execution import Run
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
+from tests.views.test_vcd import switched
 
 matplotlib = pytest.importorskip("matplotlib")
+
+NO_SERVOS: Mapping[int, ServoTrace] = MappingProxyType({})
 
 
 @pytest.fixture
@@ -21,8 +29,8 @@ def texts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(plot.STYLE, "svg.fonttype", "none")
 
 
-def drawn(run: Run, folder: Path) -> list[str]:
-    write_plot(run, str(folder / "x.svg"))
+def drawn(run: Run, folder: Path, servos: Mapping[int, ServoTrace] = NO_SERVOS) -> list[str]:
+    write_plot(run, str(folder / "x.svg"), servos)
     return re.findall(r"<text[^>]*>([^<]*)</text>", (folder / "x.svg").read_text(encoding="utf-8"))
 
 
@@ -42,6 +50,47 @@ def test_every_axis_has_its_panels_and_every_move_its_line(tmp_path: Path) -> No
     assert [text for text in found if " · line " in text] == [
         "MOVER · line 5", "MOVEA · line 12", "MOVER · line 6", "JOG · line 14", "MOVER · line 8"]  # fmt: skip
     assert "stop" in found
+
+
+@pytest.mark.usefixtures("texts")
+def test_jerk_is_drawn_where_acceleration_does_not_only_jump(tmp_path: Path) -> None:
+    assert "jerk" not in drawn(ballscrew(), tmp_path)
+    assert [drawn(pick(), tmp_path).count(name) for name in ("acceleration", "jerk")] == [3, 2]
+
+
+@pytest.mark.usefixtures("texts")
+def test_channels_are_lanes_below_the_axes(tmp_path: Path) -> None:
+    found = drawn(switched(), tmp_path)
+    assert [text for text in found if text in ("ain0", "in3", "in12", "out1", "channels")] == [
+        "ain0", "channels", "in3", "in12", "out1"]  # fmt: skip
+
+
+@pytest.mark.usefixtures("texts")
+def test_what_is_not_drawn_is_said(tmp_path: Path) -> None:
+    run, controller = new_run(axes=12)
+    for axis in range(11):
+        controller.move_by(axis, 100.0)
+    controller.clock.advance(0.5)
+    for channel in range(30):
+        controller.outputs[channel] = 1
+    controller.clock.advance(1.0)
+    found = drawn(ended(run), tmp_path)
+    assert any(
+        text.endswith("3 more axes moved and are not drawn  ·  6 more channels changed and are not drawn")
+        for text in found
+    )
+
+
+@pytest.mark.usefixtures("texts")
+def test_a_servo_adds_its_error_and_its_output(tmp_path: Path) -> None:
+    run = ballscrew()
+    loop = Loop(proportional=0.05, derivative=0.5, dac_bits=12)
+    servo = simulate(run.controller.axes[0], loop, make_plant({}), until=run.time)
+    found = drawn(run, tmp_path, {0: servo})
+    for text in ("motor", "demand", "following error", "output", "(DAC steps)"):
+        assert text in found
+    peak = abs(servo.error).max() / 1200.0
+    assert f"peak {peak:.6g} uu" in found
 
 
 @pytest.mark.usefixtures("texts")

@@ -1,0 +1,93 @@
+"""What a picture of a run shows, axis by axis: its panels and their curves, before anything is drawn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from motionlang.views.outline import outline, thinned
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+    from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.controller.trace import Trace
+
+    Array = NDArray[np.float64]
+
+UNITS = {"position": "uu", "velocity": "uu/s", "acceleration": "uu/s²", "jerk": "uu/s³"}
+COLOURS = {
+    "position": "#1f5fae",
+    "velocity": "#0b7a5b",
+    "acceleration": "#b4490f",
+    "jerk": "#8a3b76",
+    "following error": "#b3261e",
+    "output": "#6b4fa0",
+    "motor": "#e08a1e",
+}
+# How much of a panel's usual height each quantity has.
+HEIGHTS = {
+    "position": 1.0,
+    "velocity": 1.0,
+    "acceleration": 0.8,
+    "jerk": 0.7,
+    "following error": 0.8,
+    "output": 0.8,
+}
+
+
+class Curve(NamedTuple):
+    """Times (s) and values; `name` is empty where a panel has one curve."""
+
+    times: Array
+    values: Array
+    colour: str
+    name: str = ""
+
+
+class Panel(NamedTuple):
+    """One quantity of one axis; the last of the curves is what it is about."""
+
+    quantity: str
+    unit: str
+    curves: tuple[Curve, ...]
+
+    @property
+    def peak(self) -> float:
+        """The largest absolute value of the last curve."""
+        return float(np.abs(self.curves[-1].values).max())
+
+
+def panels(trace: Trace, axis: int, servo: ServoTrace | None = None) -> list[Panel]:
+    """The panels of an axis from the top down; jerk where acceleration does not only jump, a servo where one ran."""
+    made = [
+        Panel(quantity, unit, (Curve(*outline(trace, axis, quantity), COLOURS[quantity]),))
+        for quantity, unit in UNITS.items()
+    ]
+    if not made[-1].peak:
+        made.pop()
+    if servo is not None and len(servo):
+        made[0] = _with_motor(made[0], trace, axis, servo)
+        made += _servo_panels(trace, axis, servo)
+    return made
+
+
+def _with_motor(position: Panel, trace: Trace, axis: int, servo: ServoTrace) -> Panel:
+    (demand,) = position.curves
+    times, values = thinned(servo.time, servo.position, trace.end)
+    trace.to_user(axis, "position", values)
+    motor = Curve(times, values, COLOURS["motor"], "motor")
+    return position._replace(curves=(motor, demand._replace(name="demand")))
+
+
+def _servo_panels(trace: Trace, axis: int, servo: ServoTrace) -> Iterator[Panel]:
+    times, error = thinned(servo.time, servo.error, trace.end)
+    trace.to_user(axis, "velocity", error)  # a difference of positions: no zero in it
+    yield Panel("following error", "uu", (Curve(times, error, COLOURS["following error"]),))
+    has_dac = servo.loop.dac_bits > 0
+    output = servo.dac_steps if has_dac else servo.output
+    curve = Curve(*thinned(servo.time, output, trace.end), COLOURS["output"])
+    yield Panel("output", "DAC steps" if has_dac else "V", (curve,))

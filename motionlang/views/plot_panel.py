@@ -1,0 +1,161 @@
+"""One panel of a picture of a run: its curves, the phases behind them, the moves named above."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from motionlang.views.words import peak_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from motionlang.views.lanes import Lane
+    from motionlang.views.panels import Panel
+
+    Rows = Sequence[dict[str, Any]]
+
+INK, FAINT, AXIS = "#1c2733", "#6b7785", "#9aa6b2"
+PHASES = {
+    "accel": "#e3f4ea",
+    "slew": "#edf3fb",
+    "decel": "#fdeee2",
+    "stop": "#fadede",
+    "segment": "#f1ebf9",
+    "hold": "#f4f6f8",
+}
+ON = "#3f6d9e"
+# Beyond these numbers shading is noise and names lie on top of each other.
+MOST_SHADED, MOST_NAMED = 60, 40
+# A letter of a name as a part of the width of the picture, and half a gap between two names.
+LETTER, GAP = 0.0072, 0.004
+
+
+def draw_panel(axes: Axes, panel: Panel, rows: Rows, second: float) -> None:
+    """The curves of a panel, `rows` being the moves of its axis; `second` is a unit of the time axis in seconds."""
+    if is_shaded(rows):
+        _shade(axes, rows, second)
+    dense = len(rows) > MOST_SHADED
+    for curve in panel.curves:
+        axes.plot(
+            curve.times / second,
+            curve.values,
+            color=curve.colour,
+            label=curve.name or None,
+            linewidth=0.6 if dense else 1.6,
+            alpha=0.7 if dense else 1.0,
+            solid_joinstyle="round",
+            zorder=3,
+        )
+    if panel.quantity != "position":
+        axes.axhline(0.0, color=AXIS, linewidth=0.8, zorder=1.5)
+        _remark(axes, f"peak {peak_of(panel.peak)} {panel.unit}")
+    if len(panel.curves) > 1:
+        axes.legend(loc="upper right", ncols=len(panel.curves), frameon=False, fontsize=8, borderpad=0.1)
+    axes.set_ylabel(f"{panel.quantity}\n({panel.unit})", fontsize=8.5)
+    values = [curve.values for curve in panel.curves]
+    _dress(axes, min(float(each.min()) for each in values), max(float(each.max()) for each in values))
+
+
+def draw_analogue(axes: Axes, lane: Lane, end: float, second: float) -> None:
+    """An analogue channel, which holds each value until the next."""
+    times = [time / second for time in (*lane.times, end)]
+    axes.plot(
+        times, [*lane.values, lane.values[-1]], color=ON, linewidth=1.3, drawstyle="steps-post", zorder=3
+    )
+    axes.set_ylabel(f"{lane.name}\n(%)", fontsize=8.5)
+    _dress(axes, min(lane.values), max(lane.values))
+
+
+def draw_lanes(axes: Axes, lanes: Sequence[Lane], end: float, second: float) -> None:
+    """Digital channels, one below the other: a bar while on, a line while off."""
+    for row, lane in enumerate(lanes):
+        edges = [*lane.times[1:], end]
+        spans = [
+            (begin / second, (finish - begin) / second)
+            for begin, finish, value in zip(lane.times, edges, lane.values, strict=True)
+            if value
+        ]
+        axes.hlines(row + 0.34, 0.0, end / second, color=AXIS, linewidth=0.8, zorder=1.5)
+        axes.broken_barh(spans, (row - 0.34, 0.68), facecolor=ON, edgecolor="none", alpha=0.8, zorder=2)
+    axes.set_yticks(range(len(lanes)), [lane.name for lane in lanes])
+    axes.set_ylim(len(lanes) - 0.4, -0.6)
+    axes.grid(True, axis="x", color="#8496a8", alpha=0.25, linewidth=0.7)
+    _undress(axes)
+
+
+def is_shaded(rows: Rows) -> bool:
+    """Whether the phases of these moves can be told from one another."""
+    return 0 < sum(len(row["phases"]) for row in rows) <= MOST_SHADED
+
+
+def name_moves(axes: Axes, rows: Rows, end: float, second: float) -> None:
+    """Above a panel: which line of the program each move comes from, where there is room to say so."""
+    if len(rows) > MOST_NAMED or not end:
+        return
+    free = 0.0
+    for row in rows:
+        middle, share = (row["start_time"] + 0.5 * row["duration"]) / end, row["duration"] / end
+        text = next((each for each in _names(row) if len(each) * LETTER < share), "")
+        half = 0.5 * len(text) * LETTER
+        if text and middle - half >= free:
+            free = middle + half + GAP
+            _above(axes, text, middle * end / second, "data", "center", 8.0)
+
+
+def _names(row: dict[str, Any]) -> tuple[str, str, str]:
+    """What a move may be called, the longest first."""
+    command, line = row["command"] or "move", row["line"]
+    return f"{command} · line {line}", f"{command} {line}", str(line)
+
+
+def _remark(axes: Axes, text: str) -> None:
+    _above(axes, text, 1.0, "axes fraction", "right", 7.5)
+
+
+def _above(axes: Axes, text: str, x: float, across: str, side: str, size: float) -> None:
+    axes.annotate(
+        text,
+        (x, 1.0),
+        (0, 3),
+        xycoords=(across, "axes fraction"),
+        textcoords="offset points",
+        ha=side,
+        fontsize=size,
+        color=FAINT,
+        parse_math=False,
+    )
+
+
+def _shade(axes: Axes, rows: Rows, second: float) -> None:
+    """Colour the phases of every move."""
+    for row in rows:
+        begin = row["start_time"]
+        for phase in row["phases"]:
+            end = begin + phase["duration"]
+            colour = PHASES.get(phase["name"], PHASES["hold"])
+            axes.axvspan(begin / second, end / second, color=colour, linewidth=0, zorder=0.5)
+            begin = end
+
+
+def _dress(axes: Axes, low: float, high: float) -> None:
+    """A few round ticks, a light grid, and room above and below."""
+    from matplotlib.ticker import MaxNLocator
+
+    axes.grid(True, color="#8496a8", alpha=0.25, linewidth=0.7)
+    axes.yaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3))
+    plain = max(abs(low), abs(high)) < 1e6
+    axes.ticklabel_format(axis="y", style="plain" if plain else "sci", scilimits=(0, 0), useOffset=False)
+    axes.yaxis.get_offset_text().set(fontsize=7.5, color=FAINT)
+    room = 0.08 * ((high - low) or abs(high) or 1.0)
+    axes.set_ylim(low - room, high + room)
+    _undress(axes)
+
+
+def _undress(axes: Axes) -> None:
+    """No ticks, no frame but below and to the left."""
+    axes.set_axisbelow(True)
+    axes.tick_params(length=0, labelsize=8)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
