@@ -78,10 +78,9 @@ class Flow:
         return state
 
     def _if(self, node: nodes.If, state: State) -> State | None:
-        return _join(
-            self._block(node.body, self._narrow(node.condition, True, state)),
-            self._block(node.orelse, self._narrow(node.condition, False, state)),
-        )
+        yes = _own(self._narrow(node.condition, True, state))
+        no = self._narrow(node.condition, False, state)
+        return _join(self._block(node.body, yes), self._block(node.orelse, no))
 
     def _while(self, node: nodes.While, state: State) -> State | None:
         return self._loop(node, "while", state, node.condition)
@@ -108,7 +107,8 @@ class Flow:
             else:
                 self._read_all(node.target, state)
             return state
-        return state | {symbol: _held(symbol, found[0] if found else ranges.ANY)}
+        state[symbol] = _held(symbol, found[0] if found else ranges.ANY)
+        return state
 
     def _dim(self, node: nodes.Dim, state: State) -> State:
         for variable in node.variables:
@@ -116,13 +116,15 @@ class Flow:
             symbol = self.function.scope.find(variable.name)
             if found and symbol in self.followed:
                 assert symbol is not None
-                state = state | {symbol: _held(symbol, found[0])}
+                state[symbol] = _held(symbol, found[0])
         return state
 
     def _input(self, node: nodes.Input, state: State) -> State:
         self._read_all(node, state)
         symbol = self._followed(node.target)
-        return state if symbol is None else state | {symbol: _held(symbol, ranges.ANY)}
+        if symbol is not None:
+            state[symbol] = _held(symbol, ranges.ANY)
+        return state
 
     def _select(self, node: nodes.Select, state: State) -> State | None:
         self._value(node.subject, state)
@@ -132,7 +134,7 @@ class Flow:
         for case in node.cases:
             for test in case.tests:
                 self._read_all(test, state)
-            out = _join(out, self._block(case.body, state))
+            out = _join(out, self._block(case.body, dict(state)))
             default = default or not case.tests
         for left in self._exits.pop()[1]:
             out = _join(out, left)
@@ -154,7 +156,7 @@ class Flow:
         symbol = self._followed(node.variable)
         if symbol is None:
             return self._loop(node, "for", state, None, bounded=True)
-        state = state | {symbol: _held(symbol, start[1])}
+        state[symbol] = _held(symbol, start[1])
         op = "<=" if step[0] > 0 else ">=" if step[1] < 0 else ""
         return self._loop(node, "for", state, None, bounded=True, counter=(symbol, op, stop, step))
 
@@ -174,7 +176,7 @@ class Flow:
         while True:
             turn += 1
             self._exits.append((kind, []))
-            inside = self._enter(head, test, counter)
+            inside = _own(self._enter(head, test, counter))
             back = self._block(node.body, inside)
             left = self._exits.pop()[1]
             if until is not None and back is not None:
@@ -196,7 +198,7 @@ class Flow:
         out: State | None = None
         for each in left:
             out = _join(out, each)
-        return out
+        return _own(out)  # the head stays as it is
 
     def _enter(
         self, head: State, test: nodes.Expr | None, counter: tuple[Symbol, str, Range, Range] | None
@@ -400,18 +402,26 @@ def _held(symbol: Symbol, known: Range) -> Range:
     return ranges.to_integer(known) if symbol.type.name == INTEGER else known
 
 
+def _own(state: State | None) -> State | None:
+    """A copy that may be changed: statements change the state they are given."""
+    return None if state is None else dict(state)
+
+
 def _join(a: State | None, b: State | None) -> State | None:
     if a is None or b is None:
         return b if a is None else a
     if a is b:
         return a
-    return {symbol: ranges.join(known, b[symbol]) or known for symbol, known in a.items()}
+    return {s: known if (other := b[s]) is known else ranges.join(known, other) or known for s, known in a.items()}
 
 
 def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
     if old is None:
         return new
-    return {symbol: ranges.widen(known, new[symbol], thresholds) for symbol, known in old.items()}
+    return {
+        s: known if (other := new[s]) is known else ranges.widen(known, other, thresholds)
+        for s, known in old.items()
+    }
 
 
 def _constants(body: Iterable[object], scope: Scope) -> set[int]:

@@ -38,15 +38,27 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
     stack = list(start)
     while stack:
         node = stack.pop()
-        if not isinstance(node, nodes.Node):
+        children = _CHILDREN.get(node.__class__)
+        if children is None:
             continue
-        yield node
-        for slot in type(node).__slots__:
+        yield node  # type: ignore[misc]
+        for slot in children:
             value = getattr(node, slot)
             if value.__class__ is list:
                 stack.extend(value)
             elif value is not None:
                 stack.append(value)
+
+
+# The slots of each class that may hold nodes; the others hold names, operators and the like.
+_NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
+                        "places", "repeat", "separator"))  # fmt: skip
+_CHILDREN: dict[type, tuple[str, ...]] = {
+    cls: tuple(slot for slot in cls.__slots__ if slot not in _NOT_NODES)
+    for cls in vars(nodes).values()
+    if isinstance(cls, type) and issubclass(cls, nodes.Node)
+}
+_CHILDREN[nodes.Number] = _CHILDREN[nodes.String] = ()
 
 
 class Names:
