@@ -1,0 +1,251 @@
+"""The client: send a line, read its answer, wait for an axis; the same for a real, a served and a virtual board."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Self
+
+from motionlang.client.answer import CANCELLED, PROMPT, code_of, is_whole, lines_of, number_of
+from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
+from motionlang.client.status import Status
+from motionlang.client.wire import SerialWire, TcpWire
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Mapping
+    from types import TracebackType
+
+    from motionlang.client.wire import Wire
+    from motionlang.mccl.console import Console
+
+TIMEOUT = 5.0
+# Seconds of silence after which a board without a prompt has said all, and a line has been drained.
+QUIET = 0.05
+ESC = b"\x1b"
+ATTEMPTS = 3
+# Lines that nobody asked for, from background tasks, that are kept.
+MOST_UNASKED = 1000
+
+
+class Client:
+    """A connection to a board, one line at a time; not for several threads at once.
+
+    Opening it sends ESC, so that whatever an earlier host left half said is forgotten, and asks for the version:
+    `version` is the board's answer, `prompts` whether it has a prompt. `unasked` collects what background tasks have
+    said between two lines. Time-outs are seconds, machine seconds for a virtual board.
+    """
+
+    def __init__(self, wire: Wire, timeout: float = TIMEOUT) -> None:
+        self.timeout = timeout
+        self.version = ""
+        self.prompts = True
+        self.unasked: deque[str] = deque(maxlen=MOST_UNASKED)
+        self._wire = wire
+        try:
+            self._find_board()
+        except BaseException:
+            wire.close()
+            raise
+
+    # ----------------------------------------------------------------------------------------------- opening
+
+    @classmethod
+    def tcp(cls, host: str, port: int, timeout: float = TIMEOUT) -> Self:
+        """A board on the network, or `motionlang serve --tcp`."""
+        return cls(TcpWire(host, port, timeout), timeout)
+
+    @classmethod
+    def serial(cls, path: str | os.PathLike[str], baud: int = 9600, timeout: float = TIMEOUT) -> Self:
+        """A board at a serial device, or `motionlang serve --pty`."""
+        return cls(SerialWire(str(path), baud, timeout), timeout)
+
+    @classmethod
+    def virtual(
+        cls,
+        board: Console | Mapping[str, object] | None = None,
+        *,
+        step: float = 0.001,
+        timeout: float = TIMEOUT,
+    ) -> Self:
+        """A virtual board in this process: a `Console`, or the settings of a machine file for a new one.
+
+        Nothing takes wall time. A line takes `step` machine seconds, or as long as it waits.
+        """
+        from motionlang.client.virtual import VirtualWire
+        from motionlang.lang.machine import Machine
+        from motionlang.mccl.console import Console
+
+        console = board if isinstance(board, Console) else Console(Machine(board, first_axis=1))
+        return cls(VirtualWire(console, step), timeout)
+
+    @classmethod
+    def open(cls, where: str, timeout: float = TIMEOUT) -> Self:
+        """`HOST:PORT`, the path of a serial device, or `virtual`."""
+        host, colon, port = where.rpartition(":")
+        if where == "virtual":
+            return cls.virtual(timeout=timeout)
+        if colon and port.isdecimal():
+            return cls.tcp(host.strip("[]") or "127.0.0.1", int(port), timeout)
+        return cls.serial(where, timeout=timeout)
+
+    def close(self) -> None:
+        """Leave the board; motion and background tasks go on."""
+        self._wire.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    # ----------------------------------------------------------------------------------------------- talking
+
+    def send(self, line: str, timeout: float | None = None) -> list[str]:
+        """Send a line and read the lines of its answer, none for a command that reports nothing.
+
+        CommandError for `?code`; NoReply when the line takes longer, after it has been abandoned; ConnectionLost.
+        """
+        data = _encoded(line)
+        self._collect_unasked()
+        self._wire.send(data)
+        seconds = self.timeout if timeout is None else timeout
+        answer = self._answer(line, seconds)
+        for k, each in enumerate(answer):
+            code = code_of(each)
+            if code is not None:
+                raise CommandError(code, line, answer[:k])
+        return answer
+
+    def ask(self, line: str, timeout: float | None = None) -> str:
+        """Send a line that is answered with one line."""
+        answer = self.send(line, timeout)
+        if len(answer) != 1:
+            raise ClientError(f"{line}: {len(answer)} lines of answer, not one: {answer}")
+        return answer[0]
+
+    def number(self, line: str, timeout: float | None = None) -> float | int:
+        """Send a line that is answered with a number, in decimal mode: `1TP` gives 1234 of `01 1234`."""
+        answer = self.ask(line, timeout)
+        try:
+            return number_of(answer)
+        except ValueError:
+            raise ClientError(f"{line}: the answer is no number: {answer}") from None
+
+    def download(self, text: str, timeout: float | None = None) -> list[str]:
+        """Send the lines of a file without its comments; all that they were answered."""
+        from motionlang.mccl.split import without_comment
+
+        answer: list[str] = []
+        for number, line in enumerate(text.splitlines(), 1):
+            line = without_comment(line).strip()
+            if line:
+                try:
+                    answer += self.send(line, timeout)
+                except CommandError as error:
+                    raise CommandError(error.code, line, answer + error.answer, number) from None
+        return answer
+
+    def escape(self) -> None:
+        """Abandon what the board is doing for this client, a wait too; motion goes on."""
+        self._wire.send(ESC)
+        self._drain()
+
+    # -------------------------------------------------------------------------------------------------- axes
+
+    def position(self, axis: int) -> float | int:
+        """Actual position, in the axis's units."""
+        return self.number(f"{axis}TP")
+
+    def status(self, axis: int) -> Status:
+        """The primary status word."""
+        return Status(int(self.number(f"{axis}TS")) & 0xFFFFFFFF)
+
+    def wait_for_stop(self, axis: int, timeout: float | None = None) -> None:
+        """Wait until the trajectory is complete (WS). AxisFault if it ended in an error; NoReply if it did not end."""
+        self._wait(axis, "WS", timeout)
+
+    def wait_for_target(self, axis: int, timeout: float | None = None) -> None:
+        """Wait until the axis is at its target (WT), within DB for DT. Errors as for `wait_for_stop`."""
+        self._wait(axis, "WT", timeout)
+
+    def _wait(self, axis: int, command: str, timeout: float | None) -> None:
+        try:
+            self.send(f"{axis}{command}", timeout)
+        except NoReply:
+            self._check(axis)
+            raise
+        self._check(axis)
+
+    def _check(self, axis: int) -> None:
+        status = self.status(axis)
+        if status & Status.MOTOR_ERROR:
+            raise AxisFault(axis, status)
+
+    # ------------------------------------------------------------------------------------------------ inside
+
+    def _find_board(self) -> None:
+        if not self._wire.fresh:
+            self._drain()
+        for _ in range(ATTEMPTS):
+            self._wire.send(ESC + b"VE\r")
+            if self._hear_version(self.timeout / ATTEMPTS):
+                return
+            self._drain()
+        raise NoReply("VE", self.timeout)
+
+    def _hear_version(self, seconds: float) -> bool:
+        """Read the answer to VE, which is the last thing that the board says; False when there is none."""
+        end, data, lines = self._wire.now() + seconds, b"", []
+        while not (lines and is_whole(data)):
+            try:
+                said = self._wire.receive(QUIET if lines else end - self._wire.now())
+            except ConnectionLost:
+                if code_of(data.decode("latin-1").strip()) is not None:
+                    raise ConnectionLost("the server has no room for a further host") from None
+                raise
+            if not said:
+                break
+            data += said
+            whole = data[: max(data.rfind(b"\n"), data.rfind(b"\r")) + 1]
+            lines = [line for line in lines_of(whole) if line not in ("VE", CANCELLED)]
+        self.version = lines[-1] if lines else ""
+        self.prompts = data.endswith(PROMPT)
+        return bool(lines)
+
+    def _answer(self, line: str, seconds: float) -> list[str]:
+        wire, data = self._wire, b""
+        end = wire.now() + seconds
+        while True:
+            left = end - wire.now()
+            ended = data[-1:] in (b"\n", b"\r") and not self.prompts
+            said = wire.receive(min(left, QUIET) if ended else left)
+            data += said
+            if is_whole(data) if self.prompts else (ended and not said):
+                return lines_of(data, line)
+            if not said:
+                self.escape()
+                raise NoReply(line, seconds)
+
+    def _collect_unasked(self) -> None:
+        said = self._wire.receive(0.0)
+        if said:
+            self.unasked.extend(lines_of(said))
+
+    def _drain(self) -> None:
+        """Forget what comes until the line is silent."""
+        end = self._wire.now() + self.timeout
+        while self._wire.receive(QUIET):
+            if self._wire.now() >= end:
+                return
+
+
+def _encoded(line: str) -> bytes:
+    try:
+        data = line.encode("latin-1")
+    except UnicodeEncodeError:
+        data = b"\n"
+    if any(code < 32 and code != 9 for code in data):
+        raise ValueError(f"{line!r} is not one line of MCCL")
+    return data + b"\r"

@@ -1,0 +1,51 @@
+"""What can go wrong between a program and a board."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mccl.codes import MEANINGS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.client.status import Status
+
+
+class ClientError(Exception):
+    """Any of the errors below."""
+
+
+class CommandError(ClientError):
+    """The board answered `?code`.
+
+    `line` is what was sent, `answer` the lines that came before the code, `number` the line's number in a file that
+    was being downloaded.
+    """
+
+    def __init__(self, code: int, line: str, answer: Sequence[str] = (), number: int | None = None) -> None:
+        self.code, self.line, self.answer, self.number = code, line, list(answer), number
+        self.meaning = MEANINGS.get(code, "a code that is not in the manual")
+        place = "" if number is None else f"line {number}: "
+        super().__init__(f"{place}{line}: ?{code}, {self.meaning}")
+
+
+class NoReply(ClientError, TimeoutError):
+    """The board did not answer in time; the line has been abandoned with ESC, motion goes on."""
+
+    def __init__(self, line: str, seconds: float) -> None:
+        self.line, self.seconds = line, seconds
+        super().__init__(f"{line}: no answer within {seconds:g} s")
+
+
+class ConnectionLost(ClientError, ConnectionError):
+    """There is no board at the other end, or not any more."""
+
+
+class AxisFault(ClientError):
+    """The axis that was waited for has an error; `status` says which."""
+
+    def __init__(self, axis: int, status: Status) -> None:
+        self.axis, self.status = axis, status
+        names = ", ".join(status.faults) or "motor error"
+        super().__init__(f"axis {axis}: {names} (status {int(status)})")
