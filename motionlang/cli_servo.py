@@ -240,7 +240,7 @@ def run(args: argparse.Namespace) -> int:
     loop = loop_of(args, plant)
     result = run_program(args.file, dialect=args.dialect, until=args.until)
     if any(found.severity == "error" for found in result.diagnostics):
-        raise ValueError(f"{args.file} does not run: {result.diagnostics[0].message}")
+        return _complain("run", f"{args.file} does not run: {result.diagnostics[0].message}", WRONG)
     rows = []
     for number, axis in result.controller.axes.items():
         if len(axis.starts) > 1:

@@ -1,16 +1,34 @@
 """The servo as one would write it down first: one object, one step, nothing clever. The oracle of the real one.
 
-It shares no code with the package: the plant is integrated by SciPy's matrix exponential, one regime at a time.
+It shares no code with the package: the plant is integrated by a matrix exponential of its own, one regime at a time.
 """
 
 from __future__ import annotations
 
 from math import copysign, pi
+from typing import Any
 
 import numpy as np
-from scipy.linalg import expm
+from numpy.typing import NDArray
 
 from motionlang.controller.servo import Drive, Loop, Motor
+
+Array = NDArray[np.float64]
+
+
+def expm(m: Array) -> Array:
+    """e to a matrix, as the definition says: (1 + m/2^k + ...)^(2^k), in extended precision."""
+    k = max(0, int(np.ceil(np.log2(max(1e-12, float(np.abs(m).sum(axis=1).max()))))) + 4)
+    x: Any = m.astype(np.longdouble) / 2.0**k
+    total: Any = np.eye(len(m), dtype=np.longdouble)
+    term = total
+    for n in range(1, 25):
+        term = term @ x / n
+        total = total + term
+    for _ in range(k):
+        total = total @ total
+    made: Array = total.astype(np.float64)
+    return made
 
 
 def clamp(value: float, low: float, high: float) -> float:
@@ -23,7 +41,7 @@ class PlainPlant:
     def __init__(self, plant: Motor | Drive, h: float, position: float) -> None:
         self.plant, self.h = plant, h
         self.x = np.array([position, 0.0, 0.0, 0.0, 0.0])
-        self.cache: dict[tuple[int, int], np.ndarray] = {}
+        self.cache: dict[tuple[int, int], Array] = {}
 
     def measured(self) -> float:
         plant = self.plant
@@ -41,7 +59,7 @@ class PlainPlant:
         if plant.inductance:
             return float(self.x[2])
         back = plant.torque_constant * self.x[1] / plant.counts_per_radian
-        return (plant.amplifier_gain * u - back) / plant.resistance
+        return float((plant.amplifier_gain * u - back) / plant.resistance)
 
     def torques(self, u: float, contact: int) -> float:
         """Everything on the motor shaft but Coulomb friction and its own damping, N m."""
@@ -57,7 +75,7 @@ class PlainPlant:
         swing = self.x[3] - contact * plant.backlash / 2
         slip = self.x[1] - self.x[4]
         spring = omega**2 * together * swing + 2 * plant.resonance_damping * omega * together * slip
-        return total - spring / plant.counts_per_radian
+        return float(total - spring / plant.counts_per_radian)
 
     def step(self, u: float) -> None:
         plant = self.plant
@@ -77,13 +95,13 @@ class PlainPlant:
             self.x[0] = before[0] + 0.5 * self.h * before[1] ** 2 / (before[1] - self.x[1])
             self.x[1] = 0.0
 
-    def matrix(self, side: int, contact: int) -> np.ndarray:
+    def matrix(self, side: int, contact: int) -> Array:
         key = (side, contact)
         if key not in self.cache:
             self.cache[key] = expm(self.continuous(side, contact) * self.h)[:5]
         return self.cache[key]
 
-    def continuous(self, side: int, contact: int) -> np.ndarray:
+    def continuous(self, side: int, contact: int) -> Array:
         m, plant = np.zeros((7, 7)), self.plant
         m[0, 1] = 1.0
         if isinstance(plant, Drive):
@@ -213,9 +231,7 @@ def _truncated(value: int, divisor: int) -> int:
     return int(copysign(abs(value) // divisor, value))
 
 
-def run_plain(
-    loop: Loop, plant: Motor | Drive, points: np.ndarray, demanded: np.ndarray
-) -> dict[str, np.ndarray]:
+def run_plain(loop: Loop, plant: Motor | Drive, points: Array, demanded: Array) -> dict[str, Array]:
     """A sample for every demanded position; `points` of the trajectory decide what depends on the cycle."""
     controller, motor = PlainLoop(loop, points[0]), PlainPlant(plant, loop.period, points[0])
     ratio, rows = loop.ratio, []

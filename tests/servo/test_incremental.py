@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -144,3 +147,18 @@ def test_far_from_zero_nothing_is_lost() -> None:
     shifted = Track(track().starts, [profile.shifted(far) for profile in track().profiles])
     near, there = simulate(track(), PID, Motor(), until=1.0), simulate(shifted, PID, Motor(), until=1.0)
     assert np.abs(near.output - there.output).max() < 1e-6
+
+
+def test_a_servo_that_goes_along_needs_no_numpy() -> None:
+    """A program that reads POS now and then should not wait for its import."""
+    code = """
+import sys
+from motionlang.controller.servo import Loop, Motor, Servo, Track
+from motionlang.profile import plan_trapezoid
+servo = Servo(Loop(0.04, 0.0, 0.9), Motor(coulomb=0.01), Track([0.0], [plan_trapezoid(0, 900, 1e4, 1e5, 1e5)]))
+for k in range(1, 10):
+    servo.advance(k * 0.02)
+assert servo.position > 850.0, servo.position
+assert "numpy" not in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)

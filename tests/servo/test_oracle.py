@@ -7,7 +7,7 @@ import pytest
 
 from motionlang.controller.servo import Drive, Loop, Motor, Override, Track, simulate
 from motionlang.profile import hold, plan_sinusoidal, plan_trapezoid
-from tests.servo.plain import run_plain
+from tests.servo.plain import Array, run_plain
 
 PID = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
 LONG = 1.6
@@ -28,7 +28,7 @@ LOOPS = {
     "Mint rates": Loop(0.04, 1e-4, 0.3, servo_rate=1000.0),
     "12-bit output": Loop(0.0411, 0.0, 0.9, dac_bits=12),
 }
-PLANTS = {
+PLANTS: dict[str, Motor | Drive] = {
     "motor": Motor(),
     "no inductance": Motor(inductance=0.0),
     "current amplifier": Motor(amplifier="current", amplifier_gain=0.3, viscous=1e-4),
@@ -74,7 +74,7 @@ def there_and_back() -> Track:
     )
 
 
-def points_of(loop: Loop, track: Track, seconds: float) -> np.ndarray:
+def points_of(loop: Loop, track: Track, seconds: float) -> Array:
     # Like the generator: a profile shows from the first cycle that begins after it.
     rate = loop.trajectory_rate
     made = []

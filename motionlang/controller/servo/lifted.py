@@ -35,10 +35,10 @@ GROUP = 16
 CHUNK = 2048
 FIRST_CHUNK = 512
 """Blocks that are tried at once, at most and to begin with."""
-_CAUTIOUS = 64
+_CAUTIOUS = 256
 WORTHWHILE = 4
 """Blocks below which plain steps are quicker."""
-_CALM = 2
+_CALM = 1
 _PATIENCE = 128
 
 
@@ -164,8 +164,8 @@ class Lifted:
             made = np.matmul(x, self.outputs[name], out=views.get(name))
             done.add(name)
             if not (made.max() <= limit and made.min() >= -limit):
-                within = (made.max(axis=1) <= limit) & (made.min(axis=1) >= -limit)
-                good = min(good, int(within.argmin()))
+                within = (made <= limit) & (made >= -limit)
+                good = min(good, int(within.argmin()) // self.steps)
         return good, done
 
     def _plain(

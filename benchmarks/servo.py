@@ -1,0 +1,187 @@
+"""The servo: blocks against a plain Python loop, and everything against real time.
+
+Prints `name value unit`. Ratios are taken within one run, of the best of several interleaved rounds; every engine is
+given the same trajectory points and gives the same columns, and the results are compared before they are timed.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+from time import process_time
+from typing import TYPE_CHECKING
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+
+from motionlang.controller.servo import Loop, Motor, Track, simulate
+from motionlang.controller.servo.discrete import discretise
+from motionlang.controller.servo.steps import COLUMNS, empty_columns, initial_state, stepper
+from motionlang.controller.servo.stretch import run_stretch
+from motionlang.profile import hold, plan_sinusoidal
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+SECONDS = 60
+RATE = 4000
+STEPS = SECONDS * RATE
+ROUNDS = 7
+SHORTEST = 0.02
+ASKED = ("position", "output")
+LOOP = Loop(0.04, 2e-5, 0.9, integral_limit=5.0)
+MOTOR = Motor()
+
+
+def points(kick: float = 0.0) -> Array:
+    """Smooth moves of 0.8 s back and forth, one a second; every ten seconds a jump of `kick` counts."""
+    t = np.arange(SECONDS * 1000 + 1) / 1000.0
+    x = np.minimum((t % 1.0) / 0.8, 1.0)
+    s = x - np.sin(2.0 * np.pi * x) / (2.0 * np.pi)
+    there = np.where(np.floor(t) % 2 == 0, s, 1.0 - s) * 4000.0 + kick * (np.floor(t / 10.0) % 2)
+    return np.append(there[0], there)
+
+
+def track() -> Track:
+    """The same kind of motion as profiles of the planner."""
+    starts, profiles, place = [0.0], [hold(0.0)], 0.0
+    for k in range(SECONDS):
+        target = 4000.0 if k % 2 == 0 else 0.0
+        move = plan_sinusoidal(place, target, 15_000.0, 100_000.0, 100_000.0)
+        starts += [float(k), k + move.duration]
+        profiles += [move, hold(target)]
+        place = target
+    return Track(starts, profiles)
+
+
+def python_loop(demand: list[float], loop: Loop, motor: Motor) -> tuple[list[float], list[float]]:
+    """The loop and the motor as one writes them in Python when it matters: everything in locals, one pass."""
+    regime = discretise(motor, loop.period).regimes[1, 1]
+    (a00, a01, a02), (a10, a11, a12), (a20, a21, a22) = regime.a
+    b0, b1, b2 = regime.b
+    kp, ki, kd = loop.proportional, loop.integral, loop.derivative
+    most, sum_most = loop.output_limit, loop.integral_limit / loop.integral
+    least, sum_least = -most, -sum_most
+    p = v = c = s = last = 0.0
+    positions: list[float] = []
+    outputs: list[float] = []
+    put, out = positions.append, outputs.append
+    for r in demand:
+        e = r - p
+        s += e
+        if s > sum_most:
+            s = sum_most
+        elif s < sum_least:
+            s = sum_least
+        u = kp * e + ki * s + kd * (e - last)
+        last = e
+        if u > most:
+            u = most
+        elif u < least:
+            u = least
+        put(p)
+        out(u)
+        p, v, c = (
+            a00 * p + a01 * v + a02 * c + b0 * u,
+            a10 * p + a11 * v + a12 * c + b1 * u,
+            a20 * p + a21 * v + a22 * c + b2 * u,
+        )
+    return positions, outputs
+
+
+def blocks(at: Array, columns: tuple[str, ...]) -> list[Array]:
+    """The block form over trajectory points, of which the first is what was before."""
+    state = initial_state(discretise(MOTOR, LOOP.period), float(at[1]))
+    made, _ = run_stretch(LOOP, MOTOR, columns, at, 0, STEPS, state)
+    return [np.asarray(column) for column in made.columns]
+
+
+def written_out(demand: list[float], loop: Loop, motor: Motor, columns: tuple[str, ...]) -> None:
+    """The step loop made for one loop and one motor."""
+    run = stepper(loop, motor, columns)
+    run(demand, (), initial_state(discretise(motor, loop.period), 0.0), empty_columns(columns))
+
+
+def interpolated(at: Array) -> list[float]:
+    """The demand at the servo rate."""
+    time = np.arange(STEPS) / RATE
+    made: list[float] = np.interp(time, np.arange(-1, len(at) - 1) / 1000.0, at).tolist()
+    return made
+
+
+def timed(jobs: dict[str, Callable[[], object]]) -> dict[str, float]:
+    """CPU seconds of each job, the best of interleaved rounds; a quick one is repeated until it takes a while."""
+    best: dict[str, float] = {}
+    repeats: dict[str, int] = {}
+    for name, job in jobs.items():
+        job()
+        begin = process_time()
+        job()
+        repeats[name] = max(1, round(SHORTEST / max(process_time() - begin, 1e-6)))
+        best[name] = float("inf")
+    for _ in range(ROUNDS):
+        for name, job in jobs.items():
+            gc.collect()
+            begin = process_time()
+            for _ in range(repeats[name]):
+                job()
+            best[name] = min(best[name], (process_time() - begin) / repeats[name])
+    return best
+
+
+def check(at: Array) -> float:
+    """The largest difference between the two, as a share of the travel and of the output limit."""
+    positions, outputs = python_loop(interpolated(at), LOOP, MOTOR)
+    position, output = blocks(at, ASKED)
+    worst = float(np.abs(position - positions).max()) / float(np.abs(at).max())
+    return max(worst, float(np.abs(output - outputs).max()) / LOOP.output_limit)
+
+
+def main() -> None:
+    """Measure, and print."""
+    calm, rough = points(), points(500.0)
+    demand, moves = interpolated(calm), track()
+    jobs: dict[str, Callable[[], object]] = {
+        "python": lambda: python_loop(demand, LOOP, MOTOR),
+        "written": lambda: written_out(demand, LOOP, MOTOR, ASKED),
+        "written-all": lambda: written_out(demand, LOOP, MOTOR, COLUMNS),
+        "blocks": lambda: blocks(calm, ASKED),
+        "blocks-all": lambda: blocks(calm, COLUMNS),
+        "blocks-limits": lambda: blocks(rough, ASKED),
+        "simulate": lambda: simulate(moves, LOOP, MOTOR, until=SECONDS - 1e-4, columns=ASKED),
+        "quantised": lambda: written_out(demand, LOOP, Motor(quantised=True), ASKED),
+        "friction": lambda: written_out(demand, LOOP, Motor(coulomb=0.003), ASKED),
+        "both": lambda: written_out(demand, LOOP, Motor(coulomb=0.003, quantised=True), ASKED),
+        "both-all": lambda: written_out(demand, LOOP, Motor(coulomb=0.003, quantised=True), COLUMNS),
+        "chapter12": lambda: written_out(
+            demand,
+            Loop(100, 4, 2000, integral_limit=2000, arithmetic="chapter12", dac_bits=12),
+            Motor(quantised=True),
+            ASKED,
+        ),
+    }
+    took = timed(jobs)
+    saturated = int((np.abs(blocks(rough, ASKED)[1]) >= LOOP.output_limit).sum())
+    print(f"difference-to-python {max(check(calm), check(rough)):.2e} of range")
+    for name, seconds in took.items():
+        print(f"{name}-step {seconds / STEPS * 1e9:.2f} ns")
+    print(f"saturated-steps {saturated} of {STEPS}")
+    for name in ("blocks", "blocks-limits", "simulate"):
+        print(f"{name}-vs-python {took['python'] / took[name]:.1f} times faster")
+    print(f"blocks-vs-written-out {took['written'] / took['blocks']:.1f} times faster")
+    print(
+        f"blocks-all-vs-written-out {took['written-all'] / took['blocks-all']:.1f} times faster, six columns"
+    )
+    for name in ("blocks", "blocks-limits", "simulate"):
+        print(f"{name}-real-time {SECONDS / took[name]:.0f} times, one axis")
+    for name in ("quantised", "friction", "both", "both-all", "chapter12"):
+        print(f"{name}-real-time {SECONDS / took[name] / 8.0:.0f} times, eight axes")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,161 @@
+"""`motionlang servo`: what it prints as JSON, what it draws, and how it refuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from motionlang.cli import main
+
+SCHEMA = "motionlang.servo/1"
+
+
+def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    """Exit status, standard output, standard error."""
+    try:
+        status = main(["servo", *words])
+    except SystemExit as ended:
+        status = int(ended.code or 0)
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("slip",),
+        ("slip", "--distance", "2", "--accel", "3"),
+        ("dac",),
+        ("compare", "--equal", "time"),
+        ("step",),
+        ("step", "--plant", "coulomb=0.01"),
+        ("step", "--plant", "kind=drive", "--plant", "speed_per_volt=5000"),
+        ("tune",),
+        ("listing",),
+        ("figure", "12.6"),
+    ],
+    ids=" ".join,
+)
+def test_every_command_speaks_json(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = said(capsys, *words, "--report", "json")
+    assert (status, err) == (0, "")
+    assert json.loads(out)["schema"] == SCHEMA
+
+
+def test_figures_in_full(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = said(capsys, "slip", "--report", "json")
+    found = json.loads(out)
+    assert found["limit"] == pytest.approx(3.22)
+    assert found["fastest_time"] == pytest.approx(0.5175983, abs=5e-8)
+    _, out, _ = said(capsys, "dac", "--bits", "12", "--report", "json")
+    (timing,) = json.loads(out)["timings"]
+    assert timing["step_time"] == pytest.approx(252.7336e-6, abs=5e-11)
+
+
+def test_a_slipping_load_is_an_exit_status(capsys: pytest.CaptureFixture[str]) -> None:
+    assert said(capsys, "slip", "--distance", "2", "--accel", "4")[0] == 1
+    assert said(capsys, "slip", "--distance", "2", "--accel", "3")[0] == 0
+
+
+def test_infinite_jerk_is_null(capsys: pytest.CaptureFixture[str]) -> None:
+    _, out, _ = said(capsys, "compare", "--equal", "acceleration", "--report", "json")
+    jerks = {row["shape"]: row["jerk"] for row in json.loads(out)["acceleration"]}
+    assert jerks["trapezoid"] is None
+    assert jerks["sinusoidal"] == pytest.approx(5e5)
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    from motionlang.source import Source
+
+    path = tmp_path / "move.mnt"
+    path.write_text(
+        "SCALE(0) = 100\nSPEED(0) = 200\nACCEL(0) = 2000\nDECEL(0) = 2000\nMOVER(0) = 40\nGO(0)\n"
+    )
+    assert Source.read(path).text
+    return path
+
+
+def test_a_program_runs_through_the_servo(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = said(capsys, "run", str(program), "--window", "2", "--report", "json")
+    assert (status, err) == (0, "")
+    (axis,) = json.loads(out)["axes"]
+    assert axis["axis"] == 0
+    assert 0.0 < axis["peak_error"] < 100.0
+    assert 0.3 < axis["settled_at"] < 0.6
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("slip",),
+        ("dac",),
+        ("compare", "--equal", "time"),
+        ("step",),
+        ("listing", "--updates", "50"),
+        *(("figure", f"12.{k}") for k in range(1, 12)),
+    ],
+    ids=" ".join,
+)
+def test_every_picture_is_drawn(
+    words: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "out.svg"
+    status, out, err = said(capsys, *words, "--report", "none", "--plot", str(path))
+    assert (status, out, err) == (0, "", "")
+    drawn = path.read_bytes()
+    assert drawn.startswith(b"<?xml")
+    assert len(drawn) > 4000
+    said(capsys, *words, "--report", "none", "--plot", str(path))
+    assert path.read_bytes() == drawn, "the same picture has the same bytes"
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "message"),
+    [
+        (("slip", "--friction", "0"), 2, "argument --friction: '0' is not a number greater than zero"),
+        (("slip", "--speed", "nan"), 2, "'nan' is not a number greater than zero"),
+        (("slip", "--accel", "3"), 2, "to check a move give its --distance and its --accel"),
+        (("slip", "--distance", "3"), 2, "to check a move give its --accel as well"),
+        (("slip", "--distance", "2", "--accel", "1", "--ramp", "0.7"), 2, "ramp must be"),
+        (("dac", "--bits", "4"), 2, "'4' is not a whole number from 8 to 16"),
+        (("dac", "--share", "2"), 2, "the demanded share of the limit must be below 1, not 2"),
+        (("step", "--plot", "x.gif"), 2, "--plot writes .png and .svg files, not x.gif"),
+        (("step", "--plant", "inertia"), 2, "'inertia' is not NAME=VALUE"),
+        (("step", "--mint", "KPROP=1", "--mccl", "SG=1"), 2, "gains are Mint's or MCCL's, not both"),
+        (("step", "--loop", "proportional=nan"), 2, "proportional must be a finite number"),
+        (("figure", "12.12"), 2, "invalid choice"),
+        (("run", "missing.mnt"), 1, "missing.mnt: No such file or directory"),
+        (("step", "--machine", "missing.toml"), 1, "missing.toml: No such file or directory"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
+)
+def test_refusals(
+    words: tuple[str, ...], status: int, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found, out, err = said(capsys, *words)
+    assert (found, out) == (status, "")
+    assert message in err
+    assert "Traceback" not in err
+
+
+def test_a_machine_file_that_is_not_toml(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "m.toml"
+    path.write_text("[axis.0.plant\n")
+    found, _, err = said(capsys, "step", "--machine", str(path))
+    assert found == 2
+    assert "m.toml" in err
+    path.write_text("axis = 3\n")
+    assert said(capsys, "step", "--machine", str(path))[0] == 0
+    path.write_text("[axis.0]\nplant = 3\n")
+    assert "axis.0.plant must be a table" in said(capsys, "step", "--machine", str(path))[2]
+
+
+def test_a_program_that_does_not_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "bad.mnt"
+    path.write_text("MOVER(0) =\n")
+    found, out, err = said(capsys, "run", str(path))
+    assert (found, out) == (1, "")
+    assert "does not run" in err
