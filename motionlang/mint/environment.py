@@ -185,9 +185,7 @@ class Environment:
 
         return watch(self, t, ready, watches, why)
 
-    def skip(
-        self, t: float, since: float, horizon: float, watches: tuple[tuple[object, ...], ...]
-    ) -> float:
+    def skip(self, t: float, since: float, horizon: float, watches: tuple[tuple[object, ...], ...]) -> float:
         """A loop polls, its last turn from `since` to `t`: the end of the last turn that can be no different.
 
         Turns are counted in whole statements, so that no rounding adds up over millions of them. What its conditions
@@ -215,6 +213,27 @@ class Environment:
         from motionlang.mint.answers import take
 
         return take(self, as_text)
+
+    # ----------------------------------------------------------------------------------------- semaphores
+
+    def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
+        """Take a semaphore, or give back what this task holds; false while another task holds it."""
+        holder = semaphore[0]
+        if holder is not None and holder.done:
+            holder = None  # what a task holds is free when it ends
+        if not wanted:
+            semaphore[0] = None if holder is self.task else holder
+            return True
+        if holder is not None and holder is not self.task:
+            return False
+        semaphore[0] = self.task
+        return True
+
+    def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
+        """Wait until nobody holds a semaphore."""
+        return Wait(
+            t, lambda: (holder := semaphore[0]) is None or holder.done, lambda: INFINITY, "for a semaphore"
+        )
 
     # ---------------------------------------------------------------------------------------------- axes
 

@@ -8,7 +8,7 @@ from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
 from motionlang.mint.fold import binary as fold_binary
 from motionlang.mint.fold import unary as fold_unary
-from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, STRING, TIME, Symbol, Type
+from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -106,7 +106,10 @@ def _number(b: Body, node: nodes.Number) -> Value:
     if node.value in (ranges.INFINITY, -ranges.INFINITY):
         b.problem("overflow", "the number is too large", node)
         return _NOTHING
-    return literal(node.value)
+    value = node.value
+    if ranges.INT_HIGH < value < 1 << 32 and type(value) is int and b.whole.problems.is_pattern(node.at):
+        value -= 1 << 32  # a pattern of 32 bits is an Integer, whatever its highest bit
+    return literal(value)
 
 
 def _string(b: Body, node: nodes.String) -> Value:
@@ -223,6 +226,8 @@ def _loaded(b: Body, text: str, type: Type, known: ranges.Range | None) -> Value
     if type.name == TIME:
         b.observes = True
         return Value(f"{b.whole.use('env', 'elapsed')}({text})", INTEGER, ranges.INTEGER)
+    if type.name == SEMAPHORE:
+        return Value(f"({text}[0] is not None)", INTEGER, ranges.BOOL)
     if known is None:
         known = ranges.INTEGER if type.name == INTEGER else ranges.FLOAT
     return Value(text, str(type) if type.name == RECORD else type.name, known)

@@ -183,6 +183,9 @@ class Names:
     def _declare_data(self, function: Function) -> None:
         for node in _ordered(walk(function.body), (nodes.Const, nodes.Define, nodes.Dim)):
             if type(node) is nodes.Dim:
+                if node.nv:
+                    self.problems.add("not-simulated", "nv data lasts as long as the run", node.at,
+                                      "nothing is kept from one run to the next", "warning")  # fmt: skip
                 for variable in node.variables:
                     self._declare_variable(function, variable)
             elif type(node) is nodes.Const:
@@ -193,6 +196,8 @@ class Names:
                 self.add(function.scope, symbol)
 
     def _declare_variable(self, function: Function, node: nodes.Variable) -> None:
+        if node.type is not None and node.type.name.lower() == "controller":
+            self.problems.add("not-simulated", "there is no network of controllers here", node.type.at)
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
                         self._python("v_", node.name), node.at, function)  # fmt: skip
         symbol.dimensions = self._dimensions(node, function.scope)

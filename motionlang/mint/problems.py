@@ -35,6 +35,14 @@ class Problems:
         near = nearest(word, words)
         self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)
 
+    def is_pattern(self, at: int) -> bool:
+        """Whether the number at a place is written in hexadecimal or binary."""
+        places = getattr(self._module, "places", None)
+        if places is None:
+            return False
+        start, end = places.span(at)
+        return end - start > 2 and places.source.text[start + 1] in "xXbB"
+
     def line(self, at: int) -> int:
         return self._module.line(at)
 

@@ -6,7 +6,7 @@ from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausin
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
 from motionlang.mint.expressions import article, condition, converted, number, place, unknown, value
-from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, STRING, TIME, Symbol, Type
+from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -112,6 +112,9 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
         b.problem("type", "an array cannot be assigned to as a whole", node)
         return
     found = value(b, node.values[0])
+    if kind.name == SEMAPHORE:
+        _take_or_give(b, text, converted(b, found, Type(INTEGER), node.values[0]))
+        return
     if kind.name == RECORD:
         _give_record(b, node, text, kind, found)
         return
@@ -132,12 +135,23 @@ def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Valu
     b.pending += 1
 
 
+def _take_or_give(b: Body, text: str, wanted: str) -> None:
+    """`s = _TRUE` waits until no other task holds a semaphore and takes it, `s = _FALSE` gives it back."""
+    b.observes = True
+    b.flush()
+    b.settle()
+    take, wait = b.whole.use("env", "take"), b.whole.use("env", "wait_for_semaphore")
+    b.emit(f"while not {take}({text}, {wanted}): t, H = yield {wait}(t, {text})")
+    b.emit("H = t")
+    b.pending += 1
+
+
 def zero(kind: Type) -> str:
     """The text of a new variable's value."""
     if kind.name == RECORD and kind.record is not None:
         parts = [fresh(member, sizes) for _, member, sizes in kind.record.members.values()]
         return f"[{', '.join(parts)}]"
-    return {INTEGER: "0", FLOAT: "0.0", STRING: "''", TIME: "0.0"}.get(kind.name, "None")
+    return {INTEGER: "0", FLOAT: "0.0", STRING: "''", TIME: "0.0", SEMAPHORE: "[None]"}.get(kind.name, "None")
 
 
 def fresh(kind: Type, sizes: tuple[int, ...]) -> str:
