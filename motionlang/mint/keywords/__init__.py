@@ -31,6 +31,7 @@ def _rows() -> list[Keyword]:
         homing,
         io,
         language,
+        latches,
         limits,
         motion,
         state,
@@ -38,7 +39,10 @@ def _rows() -> list[Keyword]:
         terminal,
     )
 
-    groups = (axis, motion, state, control, tasks, terminal, io, comms, limits, homing, functions, constants, language)
+    groups = (
+        axis, motion, state, control, tasks, terminal, io, comms, limits, homing, latches, functions, constants,
+        language,
+    )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
     for row in _not_simulated():
