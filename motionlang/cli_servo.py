@@ -236,16 +236,16 @@ def run(args: argparse.Namespace) -> int:
     from motionlang.controller.servo import simulate
     from motionlang.views import servo as view
 
-    plant = plant_of(args)
-    loop = loop_of(args, plant)
     result = run_program(args.file, dialect=args.dialect, until=args.until)
     if any(found.severity == "error" for found in result.diagnostics):
         return _complain("run", f"{args.file} does not run: {result.diagnostics[0].message}", WRONG)
     rows = []
-    for number, axis in result.controller.axes.items():
+    for args.axis, axis in result.controller.axes.items():
         if len(axis.starts) > 1:
+            plant = plant_of(args)
+            loop = loop_of(args, plant, axis.scale.counts)
             trace = simulate(axis, loop, plant, until=min(result.time + args.rest, args.until))
-            rows.append((number, trace, trace.settled_at(args.window, axis.end_of_motion())))
+            rows.append((args.axis, trace, trace.settled_at(args.window, axis.end_of_motion())))
     if args.report == "json":
         _print_json({"axes": [view.run_figures(*row) for row in rows], "time": result.time})
     elif args.report == "table":

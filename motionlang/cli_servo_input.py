@@ -68,8 +68,11 @@ def plant_of(args: argparse.Namespace) -> Motor | Drive:
     return make_plant(given) if given else EXAMPLE
 
 
-def loop_of(args: argparse.Namespace, plant: Motor | Drive) -> Loop:
-    """The loop that the options describe; without any gain a loop tuned for the plant, without feed-forward."""
+def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) -> Loop:
+    """The loop that the options describe; without any gain a loop tuned for the plant, without feed-forward.
+
+    `scale` is counts per user unit, which MCCL's feed-forward gains are written in.
+    """
     from dataclasses import replace
 
     if args.mint and args.mccl:
@@ -78,7 +81,7 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive) -> Loop:
     if args.mint:
         return make_loop(section, mint_loop(numbers(args.mint)))
     if args.mccl:
-        return make_loop(section, mccl_loop(numbers(args.mccl), args.model))
+        return make_loop(section, mccl_loop(numbers(args.mccl), args.model, scale))
     loop = make_loop(section)
     if any((loop.proportional, loop.integral, loop.derivative, loop.velocity_feedback)):
         return loop

@@ -14,7 +14,7 @@ from motionlang.controller.servo.gains import (
     mint_loop,
     mint_values,
 )
-from motionlang.controller.servo.settings import KEYS, PLANT, SERVO, make_loop, make_plant, problem
+from motionlang.controller.servo.settings import KEYS, PLANT, SERVO, make_loop, make_plant, problem, section
 from motionlang.controller.servo.tuning import suggest
 from motionlang.profile import hold, plan_trapezoid
 
@@ -160,3 +160,15 @@ def test_every_word_is_documented() -> None:
             assert word == row.word
             assert row.help.endswith(".")
             assert row.trust in ("manual", "code", "memory")
+
+
+def test_dotted_settings_fall_into_sections() -> None:
+    found = {
+        "controller.axes": 2,
+        "axis.1.plant.inertia": 3e-5,
+        "axis.1.servo.derivative": 0.5,
+        "axis.0.travel": 1,
+    }
+    assert make_plant(section(found, 1, "plant")) == Motor(inertia=3e-5)
+    assert make_loop(section(found, 1, "servo")) == Loop(derivative=0.5)
+    assert section(found, 0, "plant") == {}

@@ -132,6 +132,12 @@ def _range_words(key: Key) -> str:
     return f"{key.low:g} to {key.high:g}"
 
 
+def section(settings: Mapping[str, object], axis: int, name: str) -> dict[str, object]:
+    """`axis.N.plant.…` or `axis.N.servo.…` of settings with dotted keys, as `make_plant` and `make_loop` take it."""
+    prefix = f"axis.{axis}.{name}."
+    return {key[len(prefix) :]: value for key, value in settings.items() if key.startswith(prefix)}
+
+
 def make_plant(values: Mapping[str, object]) -> Motor | Drive:
     """The plant of an `[axis.N.plant]` section (names without the prefix); ValueError names what is wrong."""
     given = _checked(values, PLANT, "plant")
