@@ -56,10 +56,12 @@ class Task:
     Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
     """
 
-    __slots__ = ("done", "name", "priority", "wait")
+    __slots__ = ("busy", "done", "name", "priority", "wait")
 
     def __init__(self, name: str) -> None:
         self.name = name
+        # For how long, of its own running time, nobody can tell what the task does: it computes with what is its own.
+        self.busy = 0.0
         self.priority = 0  # of two tasks that can run, the one with the higher priority does
         self.done = False
         self.wait: Wait | None = None
@@ -78,11 +80,13 @@ class Task:
 
 
 if TYPE_CHECKING:
-    Steps = Generator[float | Wait, tuple[float, float], float]
+    Steps = Generator[float | Wait | tuple[float, float], tuple[float, float], float]
 
 
 class GeneratorTask(Task):
     """A task made of a generator: it yields the time at the horizon, or a `Wait`, and returns its last time.
+
+    At the horizon it may yield `(time, busy)` instead, and say that way how long nobody can tell what it does.
 
     `file` is the file name of the generated code and `places[n]` the place in the program of its line `n`.
     """
@@ -117,6 +121,7 @@ class GeneratorTask(Task):
         return self._places[line] if line else self.at
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        self.busy = 0.0
         try:
             if self._generator is None:
                 self._generator = self._make(now, horizon)
@@ -128,4 +133,7 @@ class GeneratorTask(Task):
             return stop.value, None
         if out.__class__ is float:
             return out, None  # type: ignore[return-value,unused-ignore]
+        if out.__class__ is tuple:
+            time, self.busy = out  # type: ignore[misc,unused-ignore]
+            return time, None
         return out.since, out  # type: ignore[union-attr,return-value,unused-ignore]

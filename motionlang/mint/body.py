@@ -147,9 +147,9 @@ class Body:
             self.emit(f"t += {self.cost(self.pending)}")
             self.pending = 0
 
-    def horizon(self) -> None:
+    def horizon(self, answer: str = "t") -> None:
         """Let others run when their time has come; `t` is up to date."""
-        self.emit(f"if t >= H: t, H = yield t{self.interrupted()}")
+        self.emit(f"if t >= H: t, H = yield {answer}{self.interrupted()}")
         self.waits = self.noted = True
 
     def now(self) -> str:

@@ -11,6 +11,7 @@ in whole statements, and the loop gives way after exactly the turn at which it w
     for i in range(i, i + n * step, step): …; c += 1 where a branch costs something
     i += step
     t += c * dt
+    if t >= H: t, H = yield (t, how long the turns that are left will take at least)
 """
 
 from __future__ import annotations
@@ -189,7 +190,8 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
         b.emit(" pass")
     b.emit(f"{text} += {step}")
     b.emit(f"t += {c} * dt")
-    b.horizon()
+    left = f"({stop} - {text})" if step == 1 else f"(({stop} - {text}) // {step})"
+    b.horizon(f"(t, {left} * {b.cost(each)})")
     b.indent -= 1
 
 

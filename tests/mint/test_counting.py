@@ -7,6 +7,7 @@ from random import Random
 import pytest
 
 from motionlang import run
+from motionlang.lang import scheduler
 from motionlang.mint import counting
 from motionlang.mint.compiler import compile_module
 from motionlang.mint.parser import parse
@@ -85,3 +86,38 @@ def test_random_programs_take_the_same_time(seed: int, monkeypatch: pytest.Monke
     turn_by_turn = run(source, cache=False)
     assert in_chunks.output == turn_by_turn.output
     assert in_chunks.time == pytest.approx(turn_by_turn.time, abs=1e-9)
+
+
+WORK = "For i = 1 To 3000\n  x = x + i\n  If x > 500 Then x = 0\nNext\n"
+TWO = f"""Dim done As Integer
+Run A : Run B
+PAUSE done = 2
+PRINT "all at ", TIME
+End
+Task A
+  Dim i As Integer, x As Integer
+  {WORK}
+  done = done + 1
+  PRINT "A at ", TIME
+End Task
+Task B
+  Dim i As Integer, x As Integer
+  {WORK}
+  {WORK}
+  done = done + 1
+  PRINT "B at ", TIME
+End Task
+"""
+
+
+def test_tasks_that_compute_by_themselves_take_long_turns_and_end_when_they_would(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """To the length of a turn of the loop, that is: where a slice ends is where a turn does."""
+    long_turns = timeline(TWO)
+    monkeypatch.setattr(scheduler.Scheduler, "_turn_length", lambda *_: 1e-3)
+    short_turns = timeline(TWO)
+    assert [line.split()[0] for line in long_turns[0]] == ["A", "B", "all"]
+    assert long_turns[1] == pytest.approx(short_turns[1], rel=0.01)
+    for one, other in zip(long_turns[0], short_turns[0], strict=True):
+        assert int(one.split()[-1]) == pytest.approx(int(other.split()[-1]), rel=0.01)
