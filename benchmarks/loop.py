@@ -21,6 +21,13 @@ FORMS = {
     "undeclared": LOOP,
     "while": f"i = 1\nWhile i <= {TURNS}\n  x = x + i * 2\n  If x > 1000 Then x = 0\n  i = i + 1\nEnd While\n",
     "shared": f"{LOOP}End\nTask Other\n  x = i\nEnd Task\n",
+    "four_tasks": "".join(f"Run T{k}\n" for k in range(4))
+    + "".join(f"PAUSE TASKSTATUS(T{k}) = 0\n" for k in range(4))
+    + "End\n"
+    + "".join(
+        f"Task T{k}\nDim i As Integer, x As Integer\n{LOOP.replace(str(TURNS), str(TURNS // 4))}End Task\n"
+        for k in range(4)
+    ),
 }
 
 
@@ -38,7 +45,7 @@ def native() -> int:
 def seconds(text: str) -> float:
     machine = Machine()
     task = DIALECT.compile(Source("loop.mnt", text)).start(machine)
-    scheduler = Scheduler(machine, task)
+    scheduler = machine.scheduler = Scheduler(machine, task)
     start = process_time()
     scheduler.run()
     return process_time() - start
