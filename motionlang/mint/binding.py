@@ -222,11 +222,23 @@ def _reading(environment: Environment, row: Row) -> Operation:
     return read
 
 
+def _read_is_idle(environment: Environment, row: Row) -> Operation:
+    is_idle = environment.controller.is_idle
+
+    def read(axis: int) -> int:
+        scale_of(environment, axis)
+        return int(is_idle(axis) and (environment.settled is None or environment.settled(axis)))
+
+    return read
+
+
 def _read_position(environment: Environment, row: Row) -> Operation:
-    position = environment.controller.position
+    position, wraps = environment.controller.position, environment.wraps
 
     def read(axis: int) -> float:
-        return scale_of(environment, axis).position_to_user(position(axis))
+        found = scale_of(environment, axis).position_to_user(position(axis))
+        wrap = wraps.get(axis)
+        return found % wrap if wrap else found
 
     return read
 
@@ -266,7 +278,7 @@ def _load_load_to(environment: Environment, row: Row) -> Operation:
         _finite(row, value)
         if room(axis) <= 0:
             return True
-        load(axis, scale.position_to_counts(value), row.name, line)
+        load(axis, scale.position_to_counts(value + environment.turn(axis)), row.name, line)
         return False
 
     return to

@@ -53,6 +53,10 @@ class Environment:
         self.priorities: dict[str, int] = {}
         self.quanta: dict[str, int] = {}
         self.jogs: dict[int, float] = {}
+        # User units after which POS begins again, of the axes that wrap.
+        self.wraps: dict[int, float] = {}
+        # What IDLE asks for beyond the end of the move, where a program asks for more.
+        self.settled: Callable[[int], bool] | None = None
         self.task: MintTask
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
@@ -155,6 +159,16 @@ class Environment:
     def copy(self, record: list[object]) -> list[object]:
         """A copy of a value of a user type, with its arrays and its inner values."""
         return [self.copy(each) if each.__class__ is list else each for each in record]
+
+    def turn(self, axis: int) -> float:
+        """Where the turn begins, in user units, in which a wrapped axis will be when its buffer is empty."""
+        wrap = self.wraps.get(axis)
+        if not wrap:
+            return 0.0
+        from motionlang.controller.buffer import end
+
+        a = self.controller.axes[axis]
+        return a.scale.position_to_user(end(a)) // wrap * wrap
 
     # --------------------------------------------------------------------------------------------- waits
 

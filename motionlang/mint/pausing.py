@@ -22,9 +22,11 @@ if TYPE_CHECKING:
 MOVING = frozenset(
     {
         "position", "velocity", "remaining", "following_error", "time", "demand", "acceleration",
+        "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
+        "sensing.turns",
     }
 )  # fmt: skip
-COUNTING = frozenset({"time"})
+COUNTING = frozenset({"time", "sensing.seconds"})
 # Those of them whose crossing of a value can be solved.
 SOLVED = frozenset({"position", "remaining", "time"})
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))

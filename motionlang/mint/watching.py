@@ -102,8 +102,19 @@ class _Waiting:
             return INFINITY  # a refusal, if there is to be one, comes from the condition itself
         scale = controller.axes[axis].scale
         if kind == "position":
+            wrap = self.environment.wraps.get(axis)
+            if wrap:
+                return self._wrapped_crossing(axis, level_uu, wrap)
             return controller.crossing_time(axis, scale.position_to_counts(level_uu))
         return controller.crossing_time(axis, controller.target(axis) - scale.to_counts(level_uu, "uu"))
+
+    def _wrapped_crossing(self, axis: int, level_uu: float, wrap: float) -> float:
+        """The next moment at which a wrapped position passes a level, or begins again."""
+        controller = self.environment.controller
+        scale = controller.axes[axis].scale
+        turn = scale.position_to_user(controller.position(axis)) // wrap * wrap
+        places = [turn + each + offset for each in (-wrap, 0.0, wrap) for offset in (0.0, level_uu % wrap)]
+        return min(controller.crossing_time(axis, scale.position_to_counts(place)) for place in places)
 
 
 def _next_tick(now: float) -> float:

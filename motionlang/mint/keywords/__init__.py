@@ -34,14 +34,15 @@ def _rows() -> list[Keyword]:
         latches,
         limits,
         motion,
+        sensing,
         state,
         tasks,
         terminal,
     )
 
     groups = (
-        axis, motion, state, control, tasks, terminal, io, comms, limits, homing, latches, functions, constants,
-        language,
+        axis, motion, state, control, tasks, terminal, io, comms, limits, homing, latches, sensing, functions,
+        constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

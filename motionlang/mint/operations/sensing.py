@@ -1,0 +1,290 @@
+"""What an axis and its encoder tell: kind of motion, demands, targets, idle windows, encoder counts, wraps."""
+
+from __future__ import annotations
+
+from math import floor
+
+from motionlang.controller import buffer
+from motionlang.controller.faults import Refusal
+from motionlang.mint.binding import scale_of
+from motionlang.mint.operations.limits import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.binding import Row
+    from motionlang.mint.environment import Environment
+
+    Operation = Callable[..., object]
+
+# AXISMODE: the bit of each kind of motion, by the keyword that began it. 0 is idle; the bits are our own.
+KINDS: dict[int, tuple[str, ...]] = {
+    1: ("MOVEA", "MOVER", "INCA", "INCR", "MOVEDWELL"),
+    2: ("JOG",),
+    4: ("HOME",),
+    8: ("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"),
+    16: ("FOLLOW",),
+    32: ("CAM",),
+    64: ("FLY",),
+    128: ("SPLINE",),
+    256: ("OFFSET",),
+}
+OTHER, SUSPENDED = 512, 1024
+_BITS = {word: bit for bit, words in KINDS.items() for word in words}
+
+
+def read_axis_mode(environment: Environment, row: Row) -> Operation:
+    axes = environment.controller.axes
+
+    def read(axis: int) -> int:
+        a = axes[axis_of(environment, axis)]
+        if a.move is None:
+            return 0
+        return _BITS.get(a.move.command, OTHER) | (SUSPENDED if a.suspended else 0)
+
+    return read
+
+
+def read_acceleration(environment: Environment, row: Row) -> Operation:
+    axes, clock = environment.controller.axes, environment.clock
+
+    def read(axis: int) -> float:
+        scale = scale_of(environment, axis)
+        return scale.to_user(axes[axis].at(clock.now).acceleration, row.unit)
+
+    return read
+
+
+def read_target(environment: Environment, row: Row) -> Operation:
+    """POSTARGET; of motion without an end, where the axis is."""
+    controller = environment.controller
+
+    def read(axis: int) -> float:
+        scale = scale_of(environment, axis)
+        return scale.position_to_user(_finite(environment, axis, controller.target(axis)))
+
+    return read
+
+
+def read_last_target(environment: Environment, row: Row) -> Operation:
+    """POSTARGETLAST: where the axis will be when its buffer is empty."""
+    axes = environment.controller.axes
+
+    def read(axis: int) -> float:
+        scale = scale_of(environment, axis)
+        return scale.position_to_user(_finite(environment, axis, buffer.end(axes[axis])))
+
+    return read
+
+
+def _finite(environment: Environment, axis: int, target: float) -> float:
+    return target if abs(target) < 1e300 else environment.controller.position(axis)
+
+
+def read_seconds(environment: Environment, row: Row) -> Operation:
+    clock = environment.clock
+    return lambda: float(clock.now)
+
+
+# --------------------------------------------------------------------------------------------- idle windows
+
+AT_POSITION, AT_SPEED = 1, 2
+DEFAULTS = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
+
+
+class IdleWindows:
+    """What IDLE asks for beyond the end of the move, by keyword and axis, in counts."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._controller = environment.controller
+        self._settings: dict[tuple[str, int], float] = {}
+        self._since: dict[int, float] = {}
+        self._controller.listeners.append(self._heard)
+        environment.settled = self.settled
+
+    def setting(self, name: str, axis: int) -> float:
+        return self._settings.get((name, axis), DEFAULTS[name])
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        self._settings[name, axis] = value
+
+    def settled(self, axis: int) -> bool:
+        """Whether an axis whose move is over is inside its windows, and has been for IDLETIME."""
+        mode = int(self.setting("IDLEMODE", axis))
+        if not mode:
+            return True
+        controller = self._controller
+        if mode & AT_POSITION and abs(controller.following_error(axis)) > self.setting("IDLEPOS", axis):
+            return False
+        if mode & AT_SPEED and abs(controller.velocity(axis)) > self.setting("IDLEVEL", axis):
+            return False
+        rest = controller.clock.now - self._since.get(axis, -1e300)
+        return rest >= self.setting("IDLETIME", axis) / 1000.0
+
+    def _heard(self, what: str, axis: int) -> None:
+        """The move is over: IDLETIME later whoever waits for IDLE must look again."""
+        if what == "idle":
+            clock = self._controller.clock
+            self._since[axis] = clock.now
+            clock.at(clock.now + self.setting("IDLETIME", axis) / 1000.0, lambda: None)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        for name in DEFAULTS:
+            self._settings.pop((name, axis), None)
+
+
+def read_window(environment: Environment, row: Row) -> Operation:
+    windows, name, unit = environment.part(IdleWindows), row.name, row.unit
+
+    def read(axis: int) -> float:
+        value = scale_of(environment, axis).to_user(windows.setting(name, axis), unit)
+        return value if unit.startswith("uu") else int(value)
+
+    return read
+
+
+def write_window(environment: Environment, row: Row) -> Operation:
+    windows, name, unit = environment.part(IdleWindows), row.name, row.unit
+
+    def write(axis: int, value: float) -> None:
+        row.check(value)
+        windows.set(name, axis, scale_of(environment, axis).to_counts(value, unit))
+
+    return write
+
+
+def read_settling_time(environment: Environment, row: Row) -> Operation:
+    windows = environment.part(IdleWindows)
+
+    def read(axis: int) -> int:
+        axis_of(environment, axis)
+        return int(windows.setting("IDLETIME", axis)) if windows.setting("IDLEMODE", axis) else 0
+
+    return read
+
+
+# ------------------------------------------------------------------------------------------------- encoders
+
+
+class Encoders:
+    """The encoders of the axes, which count on whatever zero the program gives to an axis.
+
+    What an encoder shows is its counts / ENCODERPRESCALE / ENCODERSCALE, from the value it was given, within
+    ENCODERWRAP.
+    """
+
+    def __init__(self, environment: Environment) -> None:
+        self._controller = environment.controller
+        self._settings: dict[tuple[str, int], float] = {}
+
+    def setting(self, name: str, channel: int) -> float:
+        return self._settings.get((name, channel), 0.0 if name in ("ENCODERWRAP", "zero") else 1.0)
+
+    def set(self, name: str, channel: int, value: float) -> None:
+        self._settings[name, channel] = value
+
+    def counts(self, channel: int) -> float:
+        return self._controller.position(channel) - self._controller.axes[channel].datum
+
+    def read(self, channel: int) -> float:
+        shown = self.counts(channel) / self._per_unit(channel) + self.setting("zero", channel)
+        wrap = self.setting("ENCODERWRAP", channel)
+        return shown % wrap if wrap else shown
+
+    def write(self, channel: int, value: float) -> None:
+        self.set("zero", channel, value - self.counts(channel) / self._per_unit(channel))
+
+    def speed(self, channel: int) -> float:
+        return self._controller.velocity(channel) / self._per_unit(channel)
+
+    def _per_unit(self, channel: int) -> float:
+        return self.setting("ENCODERSCALE", channel) * self.setting("ENCODERPRESCALE", channel)
+
+
+def channel_of(environment: Environment, channel: int) -> int:
+    """The encoder channel, or the refusal of one that does not exist: they are those of the axes."""
+    if channel not in environment.controller.axes:
+        axes = list(environment.controller.axes)
+        hint = f"the encoders are those of axes {axes[0]} to {axes[-1]}"
+        raise Refusal("channel", f"there is no encoder {channel}", hint)
+    return channel
+
+
+def read_encoder(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(Encoders)
+    return lambda channel: encoders.read(channel_of(environment, channel))
+
+
+def write_encoder(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(Encoders)
+    return lambda channel, value: encoders.write(channel_of(environment, channel), value)
+
+
+def read_encoder_speed(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(Encoders)
+    return lambda channel: encoders.speed(channel_of(environment, channel))
+
+
+def read_encoder_count(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(Encoders)
+    return lambda channel: floor(encoders.counts(channel_of(environment, channel)) + 0.5)
+
+
+def read_encoder_setting(environment: Environment, row: Row) -> Operation:
+    encoders, name, whole = environment.part(Encoders), row.name, row.unit == "integer"
+
+    def read(channel: int) -> float:
+        value = encoders.setting(name, channel_of(environment, channel))
+        return int(value) if whole else value
+
+    return read
+
+
+def write_encoder_setting(environment: Environment, row: Row) -> Operation:
+    encoders, name = environment.part(Encoders), row.name
+
+    def write(channel: int, value: float) -> None:
+        row.check(value)
+        encoders.set(name, channel_of(environment, channel), value)
+
+    return write
+
+
+# ---------------------------------------------------------------------------------------------------- wraps
+
+
+def read_wrap(environment: Environment, row: Row) -> Operation:
+    return lambda axis: environment.wraps.get(axis_of(environment, axis), 0.0)
+
+
+def write_wrap(environment: Environment, row: Row) -> Operation:
+    def write(axis: int, value: float) -> None:
+        row.check(value)
+        environment.wraps[axis_of(environment, axis)] = value
+
+    return write
+
+
+def read_turns(environment: Environment, row: Row) -> Operation:
+    """POSROLLOVER: how many times POS has wrapped."""
+    controller = environment.controller
+
+    def read(axis: int) -> int:
+        wrap = environment.wraps.get(axis)
+        scale = scale_of(environment, axis)
+        return floor(scale.position_to_user(controller.position(axis)) / wrap) if wrap else 0
+
+    return read
+
+
+def write_turns(environment: Environment, row: Row) -> Operation:
+    turns = read_turns(environment, row)
+
+    def write(axis: int, value: int) -> None:
+        before: int = turns(axis)  # type: ignore[assignment]
+        counts = scale_of(environment, axis).to_counts((value - before) * environment.wraps.get(axis, 0.0))
+        environment.controller.define_position(axis, environment.controller.position(axis) + counts)
+
+    return write
