@@ -145,7 +145,7 @@ def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:
         for row in rows
     ]
     title = "equal peak acceleration" if basis == "acceleration" else "equal time"
-    head = f"{title}; settled: within {figure(window)} count{'' if window == 1.0 else 's'} of the demand for good"
+    head = f"{title}; settled: within {_counts(window)} of the demand for good"
     return [head, *grid(columns, cells, width=WIDTH)]
 
 
@@ -270,7 +270,11 @@ def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> l
         ]
         for axis, trace, settled in rows
     ]
-    return [*grid(columns, cells, width=WIDTH), "", f"settled: within {figure(window)} counts for good"]
+    return [
+        *grid(columns, cells, width=WIDTH),
+        "",
+        f"settled: within {_counts(window)} of the demand for good",
+    ]
 
 
 def errata_lines() -> list[str]:
@@ -281,6 +285,10 @@ def errata_lines() -> list[str]:
 def figure(value: float, digits: int = 7) -> str:
     """A number to seven figures, with nothing that says nothing."""
     return f"{value:.{digits}g}"
+
+
+def _counts(value: float) -> str:
+    return f"{figure(value)} count{'' if value == 1.0 else 's'}"
 
 
 def _plain(value: float) -> str:

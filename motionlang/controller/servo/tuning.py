@@ -81,6 +81,7 @@ def _shape(plant: Motor | Drive, base: Loop, integral: bool) -> Callable[[float]
             base,
             proportional=kp / push,
             integral=ki / push / base.servo_rate,
+            integral_limit=min(base.integral_limit, base.output_limit),
             derivative=kd / push * base.servo_rate,
             velocity_feedback=0.0,
             velocity_ff=damping / push,
