@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.operations import inputs, outputs
+from motionlang.mint.defaults import ANALOGUE, PATTERNS
 
 _LIBRARY = "Mint type library"
 _DRIVE = "symbol table of a Baldor drive"
@@ -11,20 +11,20 @@ _DRIVE = "symbol table of a Baldor drive"
 
 def _pattern(name: str, help: str, example: str) -> Keyword:
     return Keyword(name, "", "setting", "RW", "bank", "bits", "inputs.pattern", help, example,
-                   default=float(inputs.PATTERNS[name]), trust="memory", source=_LIBRARY, group="io")  # fmt: skip
+                   default=float(PATTERNS[name]), trust="memory", source=_LIBRARY, group="io")  # fmt: skip
 
 
 def _adc(name: str, short: str, help: str, low: float, high: float, unit: str = "%") -> Keyword:
     value = "1" if unit == "integer" else "50"
     return Keyword(name, short, "setting", "RW", "channel", unit, "outputs.adc_setting", help,
-                   f"{name}(0) = {value}\nPRINT {name}(0)", default=outputs.DEFAULTS[name], low=low, high=high,
+                   f"{name}(0) = {value}\nPRINT {name}(0)", default=ANALOGUE[name], low=low, high=high,
                    trust="memory", source=_LIBRARY, group="io")  # fmt: skip
 
 
 ROWS = (
     Keyword("IN", "", "reading", "R", "bank", "bits", "inputs.bank",
             "The digital inputs of a bank as bits, bank 0 when none is given; edges that are latched are read off.",
-            "If IN(0) And 3 Then PRINT 1", default=0.0, source=_DRIVE, trust="code", group="io"),
+            "If IN(0) & 3 Then PRINT 1", default=0.0, source=_DRIVE, trust="code", group="io"),
     Keyword("INX", "", "reading", "R", "input", "bool", "inputs.bit",
             "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",
             "PRINT INX(3)", default=0.0, source=_DRIVE, trust="code", group="io"),
