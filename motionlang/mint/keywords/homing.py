@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.operations.homing import BACKOFF, SPEED, TYPES
+from motionlang.mint.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 
 _LIBRARY = "Mint type library"
 _MN1270 = "Baldor MN1270 p. 86"
@@ -25,13 +25,14 @@ def _what(direction: int, switch: str, index: bool) -> str:
 ROWS = (
     Keyword("HOME", "", "setting", "RW", "axis", "integer", "homing.home",
             "Find the datum of the axis: run to the switch, leave it slowly, go on to the index; one of the _hm types.",
-            _HOMED.format("HOME"), low=0, high=len(TYPES) - 1, source=_MN1270, trust="manual", group="motion"),
+            _HOMED.format("HOME"), low=0, high=len(HOME_TYPES) - 1, source=_MN1270, trust="manual", group="motion"),
     Keyword("HOMETYPE", "", "setting", "RW", "axis", "integer", "homing.type",
             "The type of homing, as HOME was given it last.",
             "HOMETYPE(0) = _hmPOSITIVE_SWITCH\nPRINT HOMETYPE(0)",
-            default=0.0, low=0, high=len(TYPES) - 1, source=_LIBRARY, trust="memory", group="homing"),
-    _setting("HOMESPEED", "uu/s", "50", "Speed of the search for the switch.", SPEED, 1e-6, 8388607.0),
-    _setting("HOMEBACKOFF", "number", "20", "What HOMESPEED is divided by while the axis leaves the switch.", BACKOFF,
+            default=0.0, low=0, high=len(HOME_TYPES) - 1, source=_LIBRARY, trust="memory", group="homing"),
+    _setting("HOMESPEED", "uu/s", "50", "Speed of the search for the switch.", HOME_SPEED, 1e-6, 8388607.0),
+    _setting("HOMEBACKOFF", "number", "20", "What HOMESPEED is divided by while the axis leaves the switch.",
+             HOME_BACKOFF,
              1.0, 1e6),
     _setting("HOMECREEPSPEED", "uu/s", "2", "Speed of the search for the index after the switch, and of the way to "
              "HOMEOFFSET; HOMESPEED / HOMEBACKOFF until it is set.", None, 1e-6, 8388607.0),
@@ -59,6 +60,6 @@ ROWS = (
     *(
         Keyword(name, "", "constant", "R", "none", "integer", str(value), _what(direction, switch, index),
                 f"PRINT {name}", source=_MN1270 if value == 1 else "", trust="memory", group="constants")
-        for value, (name, direction, switch, index) in enumerate(TYPES)
+        for value, (name, direction, switch, index) in enumerate(HOME_TYPES)
     ),
 )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.operations.limits import MODES
+from motionlang.mint.defaults import MODES, STOP_INPUT_MODE
 
 _LIBRARY = "Mint type library"
 _CLEAR = "JOG(0) = 100\nWAIT = 100\nABORT\nPRINT AXISERROR(0)\nCANCEL(0)\nPRINT AXISERROR(0)"
@@ -13,7 +13,7 @@ def _mode(name: str, help: str) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "integer", "limits.mode",
                    f"{help}: one of _emIGNORE, _emCRASH_STOP, _emCRASH_STOP_DISABLE, _emERROR_DECEL, "
                    "_emERROR_DECEL_DISABLE, _emCALL_EVENT.",
-                   f"{name}(0) = _emERROR_DECEL\nPRINT {name}(0)", default=float(MODES[name][1]), low=0, high=5,
+                   f"{name}(0) = _emERROR_DECEL\nPRINT {name}(0)", default=float(MODES[name]), low=0, high=5,
                    source=_LIBRARY, trust="memory", group="limits")  # fmt: skip
 
 
@@ -68,7 +68,7 @@ ROWS = (
             "What the axis does when its stop input becomes active: _emIGNORE only the event STOP, _emCRASH_STOP "
             "a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
-            default=3.0, low=0, high=3, source=_LIBRARY, trust="memory", group="limits"),
+            default=float(STOP_INPUT_MODE), low=0, high=3, source=_LIBRARY, trust="memory", group="limits"),
     _switch("STOPSWITCH", "", "switches.switch", "1 while the stop input of the axis is active."),
     _input("SUSPENDINPUT", "", "The input that suspends the axis for as long as it is active"),
     _switch("SUSPENDSWITCH", "", "switches.switch", "1 while the suspend input of the axis is active."),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.operations.sensing import DEFAULTS
+from motionlang.mint.defaults import IDLE
 
 _LIBRARY = "Mint type library"
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"
@@ -16,7 +16,7 @@ def _reading(name: str, short: str, unit: str, verb: str, help: str, trust: str 
 
 def _window(name: str, unit: str, help: str, high: float) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, "sensing.window", help,
-                   f"{name}(0) = 3\nPRINT {name}(0)", default=float(DEFAULTS[name]), low=0, high=high,
+                   f"{name}(0) = 3\nPRINT {name}(0)", default=float(IDLE[name]), low=0, high=high,
                    source=_LIBRARY, trust="memory", group="state")  # fmt: skip
 
 

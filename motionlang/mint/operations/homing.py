@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.controller.homing import HOME, INDEX, LIMIT, STATES, Homing
+from motionlang.controller.homing import HOME, LIMIT, STATES, Homing
 from motionlang.mint.binding import scale_of
+from motionlang.mint.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.mint.operations.limits import axis_of
 
 TYPE_CHECKING = False
@@ -15,22 +16,6 @@ if TYPE_CHECKING:
     from motionlang.mint.environment import Environment
 
     Operation = Callable[..., object]
-
-# Type -> (constant, direction of the search, what is looked for, whether an index mark follows). From memory; the
-# sources only say that 1 homes on the switch and the encoder's index (MN1270 p. 86).
-TYPES: tuple[tuple[str, int, str, bool], ...] = (
-    ("_hmNEGATIVE_SWITCH", -1, HOME, False),
-    ("_hmNEGATIVE_SWITCH_INDEX", -1, HOME, True),
-    ("_hmPOSITIVE_SWITCH", +1, HOME, False),
-    ("_hmPOSITIVE_SWITCH_INDEX", +1, HOME, True),
-    ("_hmNEGATIVE_INDEX", -1, INDEX, True),
-    ("_hmPOSITIVE_INDEX", +1, INDEX, True),
-    ("_hmNEGATIVE_LIMIT", -1, LIMIT, False),
-    ("_hmNEGATIVE_LIMIT_INDEX", -1, LIMIT, True),
-    ("_hmPOSITIVE_LIMIT", +1, LIMIT, False),
-    ("_hmPOSITIVE_LIMIT_INDEX", +1, LIMIT, True),
-)
-SPEED, BACKOFF = 4000.0, 10.0
 
 
 class Homes:
@@ -55,7 +40,7 @@ class Homes:
         if name in ("HOMEACCEL", "HOMEDECEL"):
             a = self._environment.controller.axes[axis]
             return a.rates(a.speed)[name == "HOMEDECEL"]
-        return {"HOMESPEED": SPEED, "HOMEBACKOFF": BACKOFF}.get(name, 0.0)
+        return {"HOMESPEED": HOME_SPEED, "HOMEBACKOFF": HOME_BACKOFF}.get(name, 0.0)
 
     def set(self, name: str, axis: int, value: float) -> None:
         self._settings[name, axis] = value
@@ -70,7 +55,7 @@ class Homes:
         controller = self._environment.controller
         if not controller.is_idle(axis):
             raise Refusal("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
-        _, direction, switch, index = TYPES[kind]
+        _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
         self._warn(axis, switch, index, line)
         self._borrow(axis)

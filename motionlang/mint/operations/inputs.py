@@ -8,6 +8,7 @@ edge that has come since it was read last.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.mint.defaults import PATTERNS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
 
 BANK = 32
 LAST_CHANNEL = 999
-ALL = -1
-# Bit patterns of a bank, and what they are until the program sets them.
-PATTERNS = {"INPUTMODE": 0, "INPUTPOSTRIGGER": ALL, "INPUTNEGTRIGGER": 0, "IMASK": ALL}
 # Seconds between two samples of an input.
 SAMPLE = 1e-3
 

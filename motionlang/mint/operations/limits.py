@@ -18,6 +18,7 @@ from motionlang.controller.faults import (
 )
 from motionlang.controller.limit import Limit
 from motionlang.mint.binding import scale_of
+from motionlang.mint.defaults import MODES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,16 +32,15 @@ if TYPE_CHECKING:
 
 ACTIONS = ("ignore", "abort", "off", "error-stop", "error-stop", "event")
 STOP_THEN_OFF = 4
-# Keyword -> (the errors it is about, its default).
-MODES: dict[str, tuple[tuple[int, ...], int]] = {
-    "LIMITMODE": ((LIMIT_FORWARD, LIMIT_REVERSE), 1),
-    "SOFTLIMITMODE": ((SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE), 1),
-    "FOLERRORMODE": ((FOLLOWING_ERROR,), 2),
-    "ERRORINPUTMODE": ((ERROR_INPUT,), 3),
-    "ABORTMODE": ((ABORT,), 1),
+# Keyword -> the errors it is about.
+ERRORS: dict[str, tuple[int, ...]] = {
+    "LIMITMODE": (LIMIT_FORWARD, LIMIT_REVERSE),
+    "SOFTLIMITMODE": (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE),
+    "FOLERRORMODE": (FOLLOWING_ERROR,),
+    "ERRORINPUTMODE": (ERROR_INPUT,),
+    "ABORTMODE": (ABORT,),
 }
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
-DEFAULTS = {"FOLERRORFATAL": 0.0}
 
 
 class AxisErrors:
@@ -57,12 +57,12 @@ class AxisErrors:
     # ---------------------------------------------------------------------------------------------- modes
 
     def mode(self, name: str, axis: int) -> int:
-        return self._modes.get((name, axis), MODES[name][1])
+        return self._modes.get((name, axis), MODES[name])
 
     def set_mode(self, name: str, axis: int, mode: int) -> None:
         """Say what an axis does about a kind of error."""
         self._modes[name, axis] = mode
-        for bit in MODES[name][0]:
+        for bit in ERRORS[name]:
             if self._world is not None:
                 self._world.actions[axis, bit] = ACTIONS[mode]
             for limit in self._controller.axes[axis].limits:
@@ -74,7 +74,7 @@ class AxisErrors:
         return ACTIONS[self._mode_of(axis, bit)]
 
     def _mode_of(self, axis: int, bit: int) -> int:
-        return next(self.mode(name, axis) for name, (bits, _) in MODES.items() if bit in bits)
+        return next(self.mode(name, axis) for name, bits in ERRORS.items() if bit in bits)
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "fault":
@@ -129,7 +129,7 @@ class AxisErrors:
         """DEFAULT: modes and limits as at power-up."""
         for name in MODES:
             if (name, axis) in self._modes:
-                self.set_mode(name, axis, MODES[name][1])
+                self.set_mode(name, axis, MODES[name])
         if (axis, SOFT_LIMIT_FORWARD) in self._soft:
             for bit in (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE):
                 self.set_soft_limit(axis, bit, 0.0)

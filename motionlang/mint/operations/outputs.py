@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.mint.defaults import ANALOGUE
 from motionlang.mint.operations.inputs import BANK, LAST_CHANNEL, bits_of, checked
 
 TYPE_CHECKING = False
@@ -54,8 +55,6 @@ def write_active_level(environment: Environment, row: Row) -> Operation:
 
 # ------------------------------------------------------------------------------------------------- analogue
 
-# Settings of an analogue channel until the program writes them.
-DEFAULTS = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0, "ADCDEADBAND": 0.0, "ADCDEADBANDOFFSET": 0.0, "ADCMODE": 0}
 LAST_ANALOGUE = 63
 
 
@@ -67,7 +66,7 @@ class Analogue:
         self._settings: dict[tuple[str, int], float] = {}
 
     def setting(self, name: str, channel: int) -> float:
-        return self._settings.get((name, channel), DEFAULTS[name])
+        return self._settings.get((name, channel), ANALOGUE[name])
 
     def set(self, name: str, channel: int, value: float) -> None:
         self._settings[name, channel] = value

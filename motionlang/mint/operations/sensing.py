@@ -7,6 +7,7 @@ from math import floor
 from motionlang.controller import buffer
 from motionlang.controller.faults import Refusal
 from motionlang.mint.binding import scale_of
+from motionlang.mint.defaults import IDLE
 from motionlang.mint.operations.limits import axis_of
 
 TYPE_CHECKING = False
@@ -90,7 +91,6 @@ def read_seconds(environment: Environment, row: Row) -> Operation:
 # --------------------------------------------------------------------------------------------- idle windows
 
 AT_POSITION, AT_SPEED = 1, 2
-DEFAULTS = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
 
 
 class IdleWindows:
@@ -104,7 +104,7 @@ class IdleWindows:
         environment.settled = self.settled
 
     def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), DEFAULTS[name])
+        return self._settings.get((name, axis), IDLE[name])
 
     def set(self, name: str, axis: int, value: float) -> None:
         self._settings[name, axis] = value
@@ -131,7 +131,7 @@ class IdleWindows:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name in DEFAULTS:
+        for name in IDLE:
             self._settings.pop((name, axis), None)
 
 

@@ -6,6 +6,7 @@ An assignment is a channel, -1 for none. What an input means happens when its st
 from __future__ import annotations
 
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.mint.defaults import STOP_INPUT_MODE
 from motionlang.mint.operations.inputs import Inputs
 from motionlang.mint.operations.limits import ACTIONS, AxisErrors, axis_of
 from motionlang.mint.operations.resetting import AT_ERROR_DECEL, CRASH, reset, stop
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
 
 NONE = -1
-# STOPINPUTMODE: what an axis does when its stop input becomes active, in the words of `limits.ACTIONS`.
-DEFAULT_STOP_MODE = 3
 
 
 class Switches:
@@ -78,7 +77,7 @@ class Switches:
     def _stop(self, axis: int, on: bool) -> None:
         if not on:
             return
-        action = ACTIONS[self.stop_modes.get(axis, DEFAULT_STOP_MODE)]
+        action = ACTIONS[self.stop_modes.get(axis, STOP_INPUT_MODE)]
         if action in ("abort", "error-stop"):
             stop(self._environment, axis, CRASH if action == "abort" else AT_ERROR_DECEL)
         self._environment.events.raise_("stop")
@@ -141,7 +140,7 @@ def read_home_switch(environment: Environment, row: Row) -> Operation:
 
 def read_stop_input_mode(environment: Environment, row: Row) -> Operation:
     modes = environment.part(Switches).stop_modes
-    return lambda axis: modes.get(axis_of(environment, axis), DEFAULT_STOP_MODE)
+    return lambda axis: modes.get(axis_of(environment, axis), STOP_INPUT_MODE)
 
 
 def write_stop_input_mode(environment: Environment, row: Row) -> Operation:

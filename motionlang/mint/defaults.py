@@ -1,0 +1,26 @@
+"""What settings are until a program writes them, for the rows of the table and for the operations that go by them."""
+
+from __future__ import annotations
+
+# Bit patterns of a bank of inputs.
+PATTERNS = {"INPUTMODE": 0, "INPUTPOSTRIGGER": -1, "INPUTNEGTRIGGER": 0, "IMASK": -1}
+ANALOGUE = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0, "ADCDEADBAND": 0.0, "ADCDEADBANDOFFSET": 0.0, "ADCMODE": 0}
+# What an axis does about an error: one of the _em constants.
+MODES = {"LIMITMODE": 1, "SOFTLIMITMODE": 1, "FOLERRORMODE": 2, "ERRORINPUTMODE": 3, "ABORTMODE": 1}
+STOP_INPUT_MODE = 3
+IDLE = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
+HOME_SPEED, HOME_BACKOFF = 4000.0, 10.0
+# HOME: the constant, the direction of the search, what is looked for, whether an index mark follows. From memory; the
+# sources only say that 1 homes on the switch and the encoder's index (MN1270 p. 86).
+HOME_TYPES: tuple[tuple[str, int, str, bool], ...] = (
+    ("_hmNEGATIVE_SWITCH", -1, "home", False),
+    ("_hmNEGATIVE_SWITCH_INDEX", -1, "home", True),
+    ("_hmPOSITIVE_SWITCH", +1, "home", False),
+    ("_hmPOSITIVE_SWITCH_INDEX", +1, "home", True),
+    ("_hmNEGATIVE_INDEX", -1, "index", True),
+    ("_hmPOSITIVE_INDEX", +1, "index", True),
+    ("_hmNEGATIVE_LIMIT", -1, "limit", False),
+    ("_hmNEGATIVE_LIMIT_INDEX", -1, "limit", True),
+    ("_hmPOSITIVE_LIMIT", +1, "limit", False),
+    ("_hmPOSITIVE_LIMIT_INDEX", +1, "limit", True),
+)
