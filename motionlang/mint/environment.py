@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.faults import Refusal
 from motionlang.lang.task import GeneratorTask, Wait, wait_until
 
 TYPE_CHECKING = False
@@ -170,13 +171,15 @@ class Environment:
         a = self.controller.axes[axis]
         return a.scale.position_to_user(end(a)) // wrap * wrap
 
+    def row(self, number: int) -> str:
+        """What places the cursor at the begin of a row of the screen."""
+        return f"\x1b[{max(number, 1)};1H"
+
     # --------------------------------------------------------------------------------------------- waits
 
     def wait(self, t: float, milliseconds: float) -> Wait:
         """`WAIT`."""
         if not 0 <= milliseconds < INFINITY:
-            from motionlang.controller.faults import Refusal
-
             raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
         return wait_until(self.machine, t, t + milliseconds / 1000.0)
 
@@ -210,8 +213,6 @@ class Environment:
 
             horizon = min(horizon, next_change(self, since, watches))
         if horizon == INFINITY:
-            from motionlang.controller.faults import Refusal
-
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
         cost = round((t - since) / self.machine.instruction_time) * self.machine.instruction_time
         return t + max(0, int((horizon - t) / cost)) * cost
@@ -261,8 +262,6 @@ class Environment:
         if repeat:
             values += values[-1:] * (len(axes) - len(values))
         if len(values) != len(axes):
-            from motionlang.controller.faults import Refusal
-
             names = ", ".join(map(str, axes))
             raise Refusal(
                 "values",
@@ -387,6 +386,11 @@ class MintTask(GeneratorTask):
         except TaskEnd as end:
             self.done = True
             return end.time, None
+        except Refusal as refusal:
+            from motionlang.mint.errors import with_number
+
+            with_number(refusal)
+            raise
         if self.suspended:
             self.held, wait = wait, self.never()
         return time, wait

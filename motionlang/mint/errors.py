@@ -31,6 +31,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "limit": (1007, "out of memory"),
 }
 GENERIC = (1, "keyword error")
+FIRST_OWN = 1001  # from here on the numbers are this program's
 AXIS_ERROR = 10000  # the asynchronous error of an axis; ERRDATA(1) is the axis, ERRDATA(2) its error bits
 
 # The groups of ERRORPRESENT and its family.
@@ -143,3 +144,11 @@ def text_of(number: int) -> str:
     if number == AXIS_ERROR:
         return "axis error"
     return next((text for each, text in NUMBERS.values() if each == number), f"error {number}")
+
+
+def with_number(refusal: Refusal) -> None:
+    """Add Mint's own number to the hint of what a program is ended with, where it is known."""
+    number, text = NUMBERS.get(refusal.code, GENERIC)
+    if GENERIC[0] < number < FIRST_OWN:
+        known = f"Mint error {number}, {text}"
+        refusal.hint = f"{refusal.hint} ({known})" if refusal.hint else known

@@ -330,6 +330,11 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     if row.verb == "wait":
         wait(b, target, target.args or [])
         return
+    if row.verb == "line":
+        from motionlang.mint.terminal_use import line
+
+        line(b, node)
+        return
     if row.access != "C" or row.kind == "statement":
         _not_a_command(b, target, row)
         return

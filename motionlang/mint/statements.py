@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausing, polling
+from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausing, polling, terminal_use
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
-from motionlang.mint.expressions import article, condition, converted, number, place, unknown, value
-from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
+from motionlang.mint.expressions import article, condition, converted, place, unknown, value
+from motionlang.mint.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -323,59 +323,6 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
     return f"{name} {loops.COMPARISONS[test.op]} {sides[0].text}"
 
 
-# --------------------------------------------------------------------------------------------------- printing
-
-
-def _print(b: Body, node: nodes.Print) -> None:
-    texts = [_shown(b, item) for item in node.items]
-    if node.terminal is not None:
-        number(b, node.terminal, "the number of a terminal")
-    if not node.items or not node.items[-1].separator:
-        texts.append("'\\n'")
-    b.observes = True
-    b.settle()
-    b.emit(f"P({' + '.join(_joined(texts))})")
-    b.pending += 1
-
-
-def _joined(texts: list[str]) -> list[str]:
-    """Literal texts that stand side by side as one."""
-    out: list[str] = []
-    for text in texts:
-        if out and out[-1][0] in "'\"" and text[0] in "'\"":
-            out[-1] = repr(_unquoted(out[-1]) + _unquoted(text))
-        else:
-            out.append(text)
-    return out
-
-
-def _unquoted(text: str) -> str:
-    from ast import literal_eval
-
-    return str(literal_eval(text))
-
-
-def _shown(b: Body, item: nodes.PrintItem) -> str:
-    found = value(b, item.value)
-    if item.using:
-        return _using(b, item, found)
-    if found.type == STRING:
-        return found.text if found.const is not None else f"({found.text})"
-    if found.type not in NUMERIC:
-        b.problem("type", f"a {found.type} cannot be printed", item.value, "print its members")
-        return "''"
-    return f"{b.whole.use('show', 'float' if found.type == FLOAT else 'integer')}({found.text})"
-
-
-def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:
-    kind = {STRING: "text", FLOAT: "float"}.get(found.type, "integer")
-    widths = [converted(b, number(b, each, "a width"), Type(INTEGER), each) for each in item.using]
-    if len(widths) > 2:
-        b.problem("values", f"USING takes a width and decimals, {len(widths)} values given", item)
-        return "''"
-    return f"{b.whole.use('using', kind)}({', '.join([found.text, *widths])})"
-
-
 # --------------------------------------------------------------------------------------------------- ending
 
 
@@ -433,40 +380,11 @@ def _return(b: Body, node: nodes.Return) -> None:
         leave(b)
 
 
-# ---------------------------------------------------------------------------------------------------- input
-
-
-def _input(b: Body, node: nodes.Input) -> None:
-    target: nodes.Expr = node.target
-    if type(target) is nodes.Name and (b.scope.find(target.name) is None):
-        unknown(b, target)
-        return
-    text, kind, _ = place(b, node.target)
-    if type(target) is nodes.Name and (symbol := b.scope.find(target.name)) is not None:
-        if symbol.kind not in ("variable", "parameter"):
-            b.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", target)
-            return
-        if not (symbol.is_array or symbol.boxed or symbol.by_ref):
-            b.use_outside(symbol)
-    if node.terminal is not None:
-        number(b, node.terminal, "the number of a terminal")
-    b.observes = True
-    b.flush()
-    b.settle()
-    if node.prompt is not None:
-        b.emit(f"P({value(b, node.prompt).text})")
-    b.wait(f"{b.whole.use('env', 'input')}(t)")
-    typed = f"{b.whole.use('env', 'typed')}({kind.name == STRING})"
-    found = Value(typed, STRING if kind.name == STRING else FLOAT)
-    b.emit(f"{text} = {converted(b, found, kind, node)}")
-    b.pending += 1
-
-
 _STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Assign: _assign,
     nodes.Call: _call,
-    nodes.Print: _print,
-    nodes.Input: _input,
+    nodes.Print: terminal_use.print_,
+    nodes.Input: terminal_use.input_,
     nodes.Dim: _dim,
     nodes.Const: _nothing,
     nodes.Define: _nothing,
