@@ -48,12 +48,25 @@ class Compiled:
 
     def __init__(self, whole: Whole, lines: list[Line], file: str) -> None:
         self.text = "\n".join(line for line, _ in lines)
-        self.code: CodeType = compile(self.text, file, "exec")
         self.places = [0, *(at for _, at in lines)]
+        self.code = _code(self.text, file, self.places, whole.problems)
         self.specs, self.operations = whole.specs, list(whole.spec_names.values())
         self.costs = sorted(whole.costs)
         self.problems = whole.problems
         self.blocks = {_key(f): f.python for f in whole.names.functions if f.kind in ("task", "event")}
+
+
+def _code(text: str, file: str, places: list[int], problems: Problems) -> CodeType:
+    """The code of a text; Python takes twenty loops within one another and a hundred blocks, and so does Mint here."""
+    try:
+        return compile(text, file, "exec")
+    except SyntaxError as error:
+        if not str(error.msg).startswith("too many"):
+            raise
+        at = places[min(error.lineno or 0, len(places) - 1)]
+        problems.add("syntax", "blocks are nested too deeply here", at, "move a part of them into a sub")
+        problems.raise_errors()
+        raise
 
 
 def compile_module(

@@ -8,6 +8,7 @@ from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
 from motionlang.mint.fold import binary as fold_binary
 from motionlang.mint.fold import unary as fold_unary
+from motionlang.mint.functions import LONGEST
 from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False
@@ -80,9 +81,10 @@ def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool =
     if type.name == FLOAT and found.is_number:
         return as_float(found) if exact else found.text
     if type.name == STRING and found.type == STRING:
-        if type.size is None or (isinstance(found.const, str) and len(found.const) <= type.size):
+        size = LONGEST if type.size is None else type.size
+        if isinstance(found.const, str) and len(found.const) <= size:
             return found.text
-        return f"{b.whole.use('fn', 'fit')}({found.text}, {type.size})"
+        return f"{b.whole.use('fn', 'fit')}({found.text}, {size})"
     if type.name == TIME and found.is_number:
         return f"{b.whole.use('env', 'since')}({found.text})"
     hint = ""

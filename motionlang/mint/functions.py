@@ -91,6 +91,10 @@ def subscript(value: float, size: int) -> int:
     return whole if 1 <= whole <= size else index(whole, size)
 
 
+# A String without a size holds this many characters: without a bound a loop could fill the computer's memory.
+LONGEST = 65_535
+
+
 def fit(text: str, size: int) -> str:
     """A text for a String of `size` characters."""
     if len(text) > size:
