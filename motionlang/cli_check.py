@@ -1,47 +1,88 @@
-"""`motionlang check`: every mistake of every file, nothing run."""
+"""`motionlang check`: every mistake and every warning of every file, nothing run."""
 
 from __future__ import annotations
 
 import json
+import os
 import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli_run import complain, no_dialect, read_source, unreadable
-from motionlang.execution import dialect, dialect_of
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect, dialect_of, machine_beside
+from motionlang.lang.machine_file import read_machine
+from motionlang.source import Source
 from motionlang.views.diagnostics import tally
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.errors import Diagnostic
-    from motionlang.source import Source
 
 SCHEMA = "motionlang.check/1"
 
 
-def check_command(files: Sequence[str], dialect_name: str | None, as_json: bool) -> int:
+class CheckOptions:
+    """What the command line asks of a check: `strict` counts warnings as mistakes."""
+
+    __slots__ = ("as_json", "dialect", "machine", "model", "strict")
+
+    def __init__(
+        self,
+        dialect: str | None = None,
+        *,
+        as_json: bool = False,
+        machine: str | None = None,
+        model: str | None = None,
+        strict: bool = False,
+    ) -> None:
+        self.dialect, self.as_json, self.machine = dialect, as_json, machine
+        self.model, self.strict = model, strict
+
+
+def check_command(files: Sequence[str], options: CheckOptions) -> int:
     """Check files; diagnostics go to standard error, a line a file to standard output; 1 if any has an error."""
     rows: list[dict[str, object]] = []
     wrong = False
     for file in files:
-        language, source, diagnostics = _check(file, dialect_name)
-        wrong = wrong or any(each.severity == "error" for each in diagnostics)
-        complain(diagnostics, source, file)
+        language, source, diagnostics = _check(file, options)
+        wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
+        complain(
+            diagnostics, source, source.name if source is not None and source.name != _name(file) else file
+        )
         found = [each.as_dict() for each in diagnostics]
         rows.append({"program": file, "dialect": language, "diagnostics": found})
-        if not as_json:
+        if not options.as_json:
             sys.stdout.write(f"{file}: {tally(diagnostics) or 'no mistakes'}\n")
-    if as_json:
+    if options.as_json:
         sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
     return 1 if wrong else 0
 
 
-def _check(file: str, name: str | None) -> tuple[str, Source | None, list[Diagnostic]]:
-    language = dialect(name) if name is not None else dialect_of(file)
+def _name(file: str) -> str:
+    return "<stdin>" if file == "-" else os.path.basename(file)
+
+
+def _check(file: str, options: CheckOptions) -> tuple[str, Source | None, list[Diagnostic]]:
+    """The language, the source that the diagnostics are about (the program or its machine file), the diagnostics."""
+    language = dialect(options.dialect) if options.dialect is not None else dialect_of(file)
     if language is None:
         return "", None, [no_dialect(file)]
     try:
         source = read_source(file)
     except OSError as error:
         return language.name, None, [unreadable(file, error)]
-    return language.name, source, language.check(source)
+    path = options.machine or (machine_beside(file) if file != "-" else None)
+    settings: dict[str, object] = {}
+    if path is not None:
+        try:
+            machine = Source.read(path)
+        except OSError as error:
+            return language.name, None, [unreadable(path, error)]
+        try:
+            settings = read_machine(machine)
+        except ProgramError as error:
+            return language.name, machine, error.diagnostics
+    if options.model is not None:
+        settings["controller.model"] = options.model
+    return language.name, source, language.check(source, settings)

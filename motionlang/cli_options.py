@@ -331,17 +331,71 @@ def _factor(text: str) -> float:
 # ------------------------------------------------------------------------------------------- other commands
 
 
+CHECK_EPILOG = """\
+Warnings are about what compiles and yet is hardly meant: a move that no GO starts, a wait that nothing can end.
+docs/lint.md explains each; a comment with `lint: ignore CODE` silences one on its line.
+
+exit status: 0 no file has a mistake; 1 one has (with --strict, or a warning); 2 the command line is wrong
+
+examples:
+  motionlang check pick.mnt --machine cell.toml      moves beyond the machine's travel, inputs that nothing drives
+  motionlang check old.prg --model mintmt            what MintMT does not accept of a Mint v4 program
+"""
+
+
 def _add_check(commands: Commands) -> None:
-    parser = _command(commands, "check", "report every mistake of every file; nothing is run", _check)
+    parser = _command(
+        commands,
+        "check",
+        "report every mistake and every warning of every file; nothing is run",
+        _check,
+        CHECK_EPILOG,
+    )
     parser.add_argument("files", metavar="FILE", nargs="+", help="programs; - reads standard input")
     _add_dialect(parser)
+    parser.add_argument(
+        "--machine",
+        metavar="M.toml",
+        help="the machine the programs are for; without it pick.machine.toml beside pick.mnt, if there is one",
+    )
+    parser.add_argument(
+        "--model",
+        type=_model,
+        metavar="MODEL",
+        help="the controller they are for: mint4 or mintmt, or one of its names such as NextMove ESB; for MCCL one of "
+        f"{', '.join(_mccl_models())}",
+    )
+    parser.add_argument("--strict", action="store_true", help="count warnings as mistakes")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
-def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    from motionlang.cli_check import check_command
+def _mccl_models() -> list[str]:
+    from motionlang.mccl.models import MODELS
 
-    return check_command(arguments.files, arguments.dialect, arguments.json)
+    return list(MODELS)
+
+
+def _model(text: str) -> str:
+    from motionlang.mint.models import NAMES, age
+
+    if age(text) is None and text not in _mccl_models():
+        near = nearest(text, [*NAMES, *_mccl_models()])
+        hint = f"did you mean {near}?" if near else f"such as {', '.join([*NAMES, *_mccl_models()])}"
+        raise argparse.ArgumentTypeError(f"{text!r} is no controller that is known here; {hint}")
+    return text
+
+
+def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    from motionlang.cli_check import CheckOptions, check_command
+
+    options = CheckOptions(
+        arguments.dialect,
+        as_json=arguments.json,
+        machine=arguments.machine,
+        model=arguments.model,
+        strict=arguments.strict,
+    )
+    return check_command(arguments.files, options)
 
 
 def _add_repl(commands: Commands) -> None:

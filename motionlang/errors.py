@@ -45,6 +45,28 @@ CODES: dict[str, str] = {
     "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",
     "command-error": "The controller answered the command with an error code.",
+    "model": "The controller that was named does not know this.",
+    # Warnings of the linters; docs/lint.md explains each.
+    "never-started": "A move is loaded into the buffer and never started.",
+    "in-motion": "A position is read or set while the move that was just started is under way.",
+    "scale-in-motion": "The scale is changed while the axis moves.",
+    "scale-after-speed": "The scale is set after speeds and rates, which thereby change.",
+    "time-before-speed": "The time of a ramp is set before the speed to which it counts.",
+    "unused-setting": "A speed or a rate is set and nothing goes by it.",
+    "buffer-overfilled": "More moves are loaded before GO than the buffer holds.",
+    "beyond-travel": "A move ends beyond the travel of the axis or its software limits.",
+    "two-tasks": "Two tasks command the same axis.",
+    "endless-wait": "A wait for what nothing can change.",
+    "endless-loop": "A loop whose condition nothing in it changes.",
+    "constant-condition": "A condition that is always true or always false.",
+    "unreachable": "No way leads to the statement.",
+    "unused-label": "A label that nothing goes to.",
+    "unused-variable": "A variable that nothing reads.",
+    "unused-sub": "A sub or a function that nothing calls.",
+    "unused-task": "A task that nothing runs.",
+    "motor-off": "A command moves a motor that was never switched on.",
+    "nothing-to-wait-for": "A wait for the end of a move that was never started.",
+    "silenced": "A comment silences a warning that does not exist.",
 }
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Table
@@ -29,8 +29,8 @@ class Dialect:
         """Parse and compile; ProgramError with every mistake of the text."""
         raise NotImplementedError
 
-    def check(self, source: Source) -> list[Diagnostic]:
-        """Every mistake and every warning, nothing run."""
+    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+        """Every mistake and every warning, nothing run; `settings` are those of the machine file."""
         raise NotImplementedError
 
     def load(self, payload: bytes) -> Program:

@@ -6,7 +6,7 @@ from motionlang.lang.dialect import Dialect, Interactive
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Table
@@ -31,10 +31,10 @@ class Mccl(Dialect):
 
         return MacroFile(source)
 
-    def check(self, source: Source) -> list[Diagnostic]:
+    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.mccl.check import check
 
-        return check(source)
+        return check(source, settings)
 
     def load(self, payload: bytes) -> Program:
         raise NotImplementedError("MCCL programs are not cached: decoding is as quick")

@@ -12,9 +12,10 @@ from motionlang.mccl.program import locate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from motionlang.mccl.command import Command
+    from motionlang.mccl.models import Model
     from motionlang.source import Source
 
 # Verbs that need a macro to be there.
@@ -22,23 +23,38 @@ _CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 _JUMPS = frozenset({"jump", "jump_by"})
 
 
-def check(source: Source) -> list[Diagnostic]:
-    """The diagnostics of a file, in the order of its text."""
+def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    """The diagnostics of a file, in the order of its text; warnings of the linter where it has no mistake."""
+    from motionlang.lang.lint import silence
+    from motionlang.mccl.lint import COMMENT
+
+    model = MODELS.get(str((settings or {}).get("controller.model", "")), MODELS[DEFAULT])
     lines = list(lines_of(source.text))
+    whole = [each for each in lines if isinstance(each, Line)]
     found: list[Diagnostic] = []
     for each in lines:
         if isinstance(each, Line):
-            found.extend(_line(source, each))
+            found.extend(_line(source, each, model))
         else:
             fault, at, _ = each
             found.append(_diagnostic(source, at, fault))
-    found.extend(_macros(source, [each for each in lines if isinstance(each, Line)]))
-    return sorted(found, key=lambda d: (d.line, d.column))
+    found.extend(_macros(source, whole))
+    if not any(each.severity == "error" for each in found):
+        found.extend(_lint(source, whole))
+    return sorted(silence(source, found, COMMENT), key=lambda d: (d.line, d.column))
 
 
-def _line(source: Source, line: Line) -> Iterator[Diagnostic]:
+def _lint(source: Source, lines: list[Line]) -> list[Diagnostic]:
+    from motionlang.mccl.lint import lint
+
+    found: list[Diagnostic] = []
+    lint(lines, lambda at, fault: found.append(_diagnostic(source, at, fault, "warning")))
+    return found
+
+
+def _line(source: Source, line: Line, model: Model) -> Iterator[Diagnostic]:
     for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
-        fault = problem(command) or _wrong_here(line, k, command)
+        fault = problem(command) or _wrong_here(line, k, command, model) or _unknown_to(model, command)
         if fault is not None:
             yield _diagnostic(source, at, fault)
         elif command.row is not None and not command.row.simulated:
@@ -46,7 +62,21 @@ def _line(source: Source, line: Line) -> Iterator[Diagnostic]:
             yield _diagnostic(source, at, Fault(0, message, command.row.help, "not-simulated"), "warning")
 
 
-def _wrong_here(line: Line, k: int, command: Command) -> Fault | None:
+def _unknown_to(model: Model, command: Command) -> Fault | None:
+    """What this board does not have."""
+    assert command.row is not None
+    missing = {
+        "shape_scurve": not model.shapes,
+        "shape_parabolic": not model.shapes,
+        "start_task": not model.tasks,
+        "decel": not model.separate_decel,
+    }
+    if not missing.get(command.row.verb):
+        return None
+    return Fault(codes.INVALID, f"the {model.title} has no {command.name}", command.row.help, "model")
+
+
+def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:
     """What is wrong with a command at its place in the line."""
     row = command.row
     assert row is not None
@@ -62,7 +92,7 @@ def _wrong_here(line: Line, k: int, command: Command) -> Fault | None:
                 "put it on a line of its own",
                 "syntax",
             )
-        last = MODELS[DEFAULT].macros
+        last = model.macros
         if number is not None and number > last:
             return Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
     if row.verb == "repeat" and number is not None and number < 0:

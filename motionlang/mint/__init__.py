@@ -6,7 +6,7 @@ from motionlang.lang.dialect import Dialect
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Interactive
@@ -28,14 +28,10 @@ class Mint(Dialect):
 
         return compile_source(source, settings)[0]
 
-    def check(self, source: Source) -> list[Diagnostic]:
-        from motionlang.errors import ProgramError
-        from motionlang.mint.compiler import compile_source
+    def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+        from motionlang.mint.lint import check
 
-        try:
-            return compile_source(source)[1]
-        except ProgramError as error:
-            return error.diagnostics
+        return check(source, settings)
 
     def load(self, payload: bytes) -> Program:
         from motionlang.mint.runtime import load

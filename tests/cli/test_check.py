@@ -29,3 +29,49 @@ def test_json(cell: Cell) -> None:
     (file,) = document["files"]
     assert (file["program"], file["dialect"]) == ("wrong.mcl", "mccl")
     assert file["diagnostics"][0]["code"] == "unknown-word"
+
+
+def test_warnings_are_no_mistakes_unless_strict(cell: Cell) -> None:
+    cell.write("idle.mnt", "Dim spare As Integer\n")
+    ran = cell("check", "idle.mnt")
+    assert (ran.status, ran.out) == (0, "idle.mnt: 1 warning\n")
+    assert "warning[unused-variable]: spare is declared and never used\n --> idle.mnt:1:5\n" in ran.err
+    assert cell("check", "idle.mnt", "--strict").status == 1
+
+
+def test_the_machine_is_given_or_lies_beside(cell: Cell) -> None:
+    cell.write("far.mnt", "MOVEA(0) = 300\nGO(0)\n")
+    cell.write("small.toml", "axis.0.travel = [0.0, 100.0]\n")
+    assert cell("check", "far.mnt").out == "far.mnt: no mistakes\n"
+    ran = cell("check", "far.mnt", "--machine", "small.toml")
+    assert "the move ends at 300, beyond the limit switch at 100 of axis 0" in ran.err
+    cell.write("far.machine.toml", "axis.0.travel = [0.0, 200.0]\n")
+    assert "beyond the limit switch at 200 of axis 0" in cell("check", "far.mnt").err
+
+
+def test_a_mistake_in_the_machine_file_is_told_there(cell: Cell) -> None:
+    cell.write("pick.mnt", "PRINT 1\n")
+    cell.write("pick.machine.toml", "axis.0.travle = [0.0, 200.0]\n")
+    ran = cell("check", "pick.mnt")
+    assert ran.status == 1
+    assert " --> pick.machine.toml:1:1\n" in ran.err
+    assert "did you mean axis.N.travel?" in ran.err
+
+
+def test_a_model_of_the_other_age(cell: Cell) -> None:
+    cell.write("old.prg", "SPEED.0 = 10\nWHILE INX.1\nENDW\n")
+    ran = cell("check", "old.prg", "--model", "mintmt")
+    assert ran.status == 1
+    assert "error[model]: SPEED.0 is Mint v4: it does not compile on MintMT\n" in ran.err
+    assert "error[model]: ENDW is Mint v4: it does not compile on MintMT\n" in ran.err
+    assert cell("check", "old.prg", "--model", "NextMove PC").status == 0
+    ran = cell("check", "old.prg", "--model", "mint5")
+    assert ran.status == 2
+    assert "did you mean mint4?" in ran.err
+
+
+def test_a_board_without_tasks(cell: Cell) -> None:
+    cell.write("tasks.mcl", "MD1,1MN,1MR5\nGT1\n")
+    assert cell("check", "tasks.mcl").status == 0
+    ran = cell("check", "tasks.mcl", "--model", "dcx-pc100")
+    assert "error[model]: the DCX-PC100 modular controller has no GT" in ran.err

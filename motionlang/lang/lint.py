@@ -1,0 +1,80 @@
+"""What linters of both languages share: their vocabulary, and the comments that silence a warning on a line.
+
+`lint: ignore` in a comment silences every warning of its line, `lint: ignore code, code` those that are named. A
+comment that has a line to itself speaks of the line below it. Errors cannot be silenced.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.errors import CODES, Diagnostic, nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.source import Source
+
+# Every warning that a linter gives, with the languages it is about; `docs/lint.md` has a paragraph for each.
+WARNINGS: dict[str, str] = {
+    "never-started": "Mint",
+    "in-motion": "Mint",
+    "scale-in-motion": "Mint",
+    "scale-after-speed": "Mint",
+    "time-before-speed": "Mint",
+    "unused-setting": "Mint",
+    "buffer-overfilled": "Mint",
+    "beyond-travel": "Mint",
+    "two-tasks": "Mint",
+    "endless-wait": "Mint",
+    "endless-loop": "Mint",
+    "constant-condition": "Mint",
+    "unreachable": "Mint, MCCL",
+    "unused-label": "Mint",
+    "unused-variable": "Mint",
+    "unused-sub": "Mint",
+    "unused-task": "Mint",
+    "not-simulated": "Mint, MCCL",
+    "motor-off": "MCCL",
+    "nothing-to-wait-for": "MCCL",
+    "unknown-word": "MCCL",
+    "silenced": "Mint, MCCL",
+}
+_IGNORE = re.compile(r"lint:\s*ignore\b[ \t]*([\w ,-]*)", re.IGNORECASE)
+
+
+def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str]) -> list[Diagnostic]:
+    """The diagnostics without those that a comment silences; a comment that names no warning is one itself.
+
+    `comment` matches a line up to where a comment of the language begins, which is its group 1.
+    """
+    found = list(found)
+    if "lint:" not in source.text.lower():
+        return found
+    ignored: dict[int, set[str]] = {}
+    for number, line in enumerate(source.text.split("\n"), 1):
+        if "lint:" not in line.lower():
+            continue
+        begin = comment.search(line)
+        match = _IGNORE.search(line, begin.end()) if begin is not None else None
+        if begin is None or match is None:
+            continue
+        codes = {code for code in re.split(r"[\s,]+", match[1].strip().lower()) if code}
+        found += [_unknown(code, number, match.start(1) + 1) for code in sorted(codes - WARNINGS.keys())]
+        below = not line[: begin.start(1)].strip()
+        ignored.setdefault(number + below, set()).update(codes or {""})
+    return [each for each in found if not _is_ignored(each, ignored.get(each.line, set()))]
+
+
+def _is_ignored(diagnostic: Diagnostic, codes: set[str]) -> bool:
+    return diagnostic.severity == "warning" and ("" in codes or diagnostic.code in codes)
+
+
+def _unknown(code: str, line: int, column: int) -> Diagnostic:
+    near = nearest(code, WARNINGS)
+    hint = f"did you mean {near}?" if near else "docs/lint.md has all of them"
+    message = f"there is no warning {code} that could be ignored"
+    if code in CODES:
+        message, hint = f"{code} is a mistake, which cannot be ignored", ""
+    return Diagnostic("silenced", message, line, column, length=len(code), hint=hint, severity="warning")

@@ -1,0 +1,92 @@
+"""The linter of Mint: what the compiler accepts and a motion engineer would rather know before the machine moves."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.lint import silence
+from motionlang.mint.keywords import table
+from motionlang.mint.lint_acts import Facts
+from motionlang.mint.lint_axis import Follower
+from motionlang.mint.lint_buffer import Buffers
+from motionlang.mint.lint_flow import Ways
+from motionlang.mint.lint_motion import Motion
+from motionlang.mint.lint_names import check_names, check_tasks
+from motionlang.mint.lint_settings import Settings
+from motionlang.mint.names import Names
+from motionlang.mint.problems import Problems
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.mint.nodes import Module
+    from motionlang.source import Source
+
+# Where a comment begins, as group 1: not inside a text in quotes.
+COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)
+
+
+def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    """Every mistake of a program; if it has none, every warning, too."""
+    from motionlang.mint.compiler import compile_module
+    from motionlang.mint.parser import parse
+
+    settings = dict(settings or {})
+    try:
+        module = parse(source)
+    except ProgramError as error:
+        return error.diagnostics
+    try:
+        found = list(compile_module(module, dict(settings)).problems.found.values())
+    except ProgramError as error:
+        found = [_known(each) for each in error.diagnostics]
+    if not any(each.severity == "error" for each in found):
+        found += lint(module, settings)
+    found += _foreign(module, source, str(settings.get("controller.model", "")))
+    found = silence(source, found, COMMENT)
+    return sorted(found, key=lambda each: (each.line, each.column, each.code))
+
+
+def _known(diagnostic: Diagnostic) -> Diagnostic:
+    """A word that this program does not simulate is no mistake of the program's."""
+    if diagnostic.code == "not-simulated":
+        diagnostic.severity = "warning"
+    return diagnostic
+
+
+def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
+    """What a controller of the other age of Mint would refuse: mistakes, where a model was named."""
+    problems = Problems(module)
+    if model:
+        from motionlang.mint.lint_model import check_model
+
+        check_model(module, source, model, table(), problems.add)
+    return list(problems.found.values())
+
+
+def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
+    """The warnings of a program that compiles, in no particular order."""
+    problems = Problems(module)
+    names = Names(table(), problems, None)
+    names.declare_module(module)
+    facts = Facts(names, table())
+    found: dict[tuple[str, int, str], Diagnostic] = {}
+
+    def add(code: str, message: str, at: int, hint: str = "") -> None:
+        place = module.line(at), module.column(at)
+        length = module.length(at)
+        found.setdefault(
+            (code, at, message),
+            Diagnostic(code, message, *place, length=length, hint=hint, severity="warning"),
+        )
+
+    follower = Follower(facts)
+    Motion(facts, follower, settings, add).check()
+    Buffers(facts, follower, add).check()
+    Settings(facts, follower, add).check()
+    Ways(facts, follower, settings, add).check()
+    check_names(facts, add)
+    check_tasks(facts, add)
+    return list(found.values())

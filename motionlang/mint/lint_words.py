@@ -1,0 +1,72 @@
+"""What the words of Mint do to an axis, as far as the linter goes by it; a word that is not here is known by its row.
+
+The roles are those of the manual, so that they hold for words before they are simulated, too.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+
+# Moves of one axis that wait in its buffer until GO, and where they end is known.
+MOVES = frozenset(("MOVEA", "MOVER"))
+# Entries of the buffer of one axis that do not move it.
+ENTRIES = frozenset(("MOVEDWELL", "MOVEOUT", "MOVEOUTX", "MOVEPULSEOUTX"))
+# Moves of several axes together; a GO of one of them starts all.
+PATHS = frozenset(("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"))
+# End what an axis does and empty its buffer; those of HALTS at once.
+STOPS = frozenset(("STOP", "CANCEL", "CANCELALL", "ABORT", "RESET", "RESETALL", "DEFAULT", "DEFAULTALL"))
+HALTS = STOPS - {"STOP"}
+OF_ALL_AXES = frozenset(("CANCELALL", "ABORT", "RESETALL", "DEFAULTALL"))
+# Move an axis at once, without GO.
+AT_ONCE = frozenset(
+    ("JOG", "INCA", "INCR", "HOME", "DATUM", "FOLLOW", "FLY", "CAM", "SPLINE", "OFFSET", "TORQUE", "FREQ")
+)
+# Words that give the same property of moves; the one written last counts.
+SLOTS = {
+    "SPEED": "speed",
+    "FEEDRATE": "speed",
+    "ACCEL": "accel",
+    "ACCELTIME": "accel",
+    "ACCELTIMEMAX": "accel",
+    "DECEL": "decel",
+    "DECELTIME": "decel",
+    "ACCELJERK": "accel jerk",
+    "ACCELJERKTIME": "accel jerk",
+    "DECELJERK": "decel jerk",
+    "DECELJERKTIME": "decel jerk",
+    "PROFILEMODE": "shape",
+}
+# Readings of an axis that stand still while it does.
+STANDING = frozenset(("POS", "VEL", "POSREMAINING", "POSDEMAND", "VELDEMAND", "FOLERROR"))
+SCALES = frozenset(("SCALEFACTOR", "POSSCALEFACTOR"))
+
+
+def role(row: Keyword, written: bool) -> str:
+    """What a statement with this word does to the axes it names.
+
+    "move", "entry", "path", "go", "stop", "act" (moves at once), "slot" (sets one of `SLOTS`), "scale", "zero" (POS),
+    "use" (anything else that is given a value or carried out) and "read".
+    """
+    if not written:
+        return "read"
+    name = row.name
+    for words, what in _ROLES:
+        if name in words:
+            return what
+    return "use"
+
+
+_ROLES = (
+    (MOVES, "move"),
+    (ENTRIES, "entry"),
+    (PATHS, "path"),
+    (frozenset(("GO",)), "go"),
+    (STOPS, "stop"),
+    (AT_ONCE, "act"),
+    (frozenset(SLOTS), "slot"),
+    (SCALES, "scale"),
+    (frozenset(("POS",)), "zero"),
+)

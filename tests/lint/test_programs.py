@@ -1,0 +1,63 @@
+"""Programs with everything that a linter can find, and the whole of what it says, beside each in a `.txt`.
+
+A `.toml` beside a program is the machine that it is for. `pytest --update` writes the texts anew.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang.errors import CODES
+from motionlang.execution import dialect_of
+from motionlang.lang.lint import WARNINGS
+from motionlang.lang.machine_file import read_machine
+from motionlang.source import Source
+from motionlang.views.diagnostics import render
+
+HERE = Path(__file__).parent
+PROGRAMS = sorted([*HERE.glob("mint/*.mnt"), *HERE.glob("mccl/*.mcl")])
+GALLERY = sorted([*HERE.parents[1].glob("scripts/mint/*.mnt"), *HERE.parents[1].glob("scripts/mccl/*.mcl")])
+
+
+def told(path: Path) -> str:
+    """Every message about a program, as it is shown."""
+    language, source = dialect_of(path.name), Source.read(path)
+    assert language is not None
+    machine = next((each for each in _machines(path) if each.exists()), None)
+    settings = read_machine(Source.read(machine)) if machine is not None else {}
+    return "".join(render(each, source) for each in language.check(source, settings))
+
+
+def _machines(path: Path) -> tuple[Path, ...]:
+    return path.with_suffix(".toml"), path.with_suffix(".machine.toml")
+
+
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.name)
+def test_what_is_said(path: Path, request: pytest.FixtureRequest) -> None:
+    text, golden = told(path), path.with_suffix(".txt")
+    if request.config.getoption("--update"):
+        golden.write_text(text, encoding="utf-8")
+    assert text == golden.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)
+def test_no_program_of_the_gallery_gives_an_alarm(path: Path) -> None:
+    assert told(path) == ""
+
+
+def test_every_warning_is_shown_by_a_program() -> None:
+    texts = "".join(path.with_suffix(".txt").read_text(encoding="utf-8") for path in PROGRAMS)
+    assert {code for code in WARNINGS if f"warning[{code}]" not in texts} == set()
+
+
+def test_every_warning_has_its_sentence() -> None:
+    assert set(WARNINGS) <= set(CODES)
+
+
+def test_every_warning_has_its_paragraph() -> None:
+    page = (HERE.parents[1] / "docs" / "lint.md").read_text(encoding="utf-8")
+    rows = [line.split("|")[1:3] for line in page.split("\n") if line.startswith("| `")]
+    assert {code.strip(" `"): languages.strip() for code, languages in rows} == WARNINGS
+    assert [code for code in WARNINGS if f"\n### {code}\n" not in page] == []
