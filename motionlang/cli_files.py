@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from motionlang.cli_run import Options
     from motionlang.execution import Run
 
-# Formats of the design that are not there yet, by option.
-LATER = {"--trace": (), "--plot": (".html",)}
 # What a format is written by, and the extra that brings it.
 NEEDED = {
     ".png": ("matplotlib", "plot"),
@@ -33,8 +31,6 @@ def wrong_target(option: str, path: str) -> str | None:
     formats = TRACES if option == "--trace" else PLOTS
     suffix = os.path.splitext(path)[1].lower()
     known = f"{', '.join(formats[:-1])} and {formats[-1]}"
-    if suffix in LATER[option]:
-        return f"{suffix} files are not written yet: {option} writes {known}"
     if suffix not in formats:
         what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
         return f"{option} writes {known}, {what}"
@@ -84,7 +80,12 @@ def _write_trace(result: Run, options: Options) -> None:
 
 
 def _write_plot(result: Run, options: Options) -> None:
-    from motionlang.views.plot import write_plot
-
     assert options.plot is not None
-    write_plot(result, options.plot)
+    if options.plot.lower().endswith(".html"):
+        from motionlang.views.scope import write_scope
+
+        write_scope(result, options.plot)
+    else:
+        from motionlang.views.plot import write_plot
+
+        write_plot(result, options.plot)

@@ -14,10 +14,11 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.execution import Run
+    from motionlang.lang.scheduler import Outside
 
 REPORTS = ("table", "json", "none")
 TRACES = (".csv", ".npz", ".parquet", ".vcd")
-PLOTS = (".png", ".svg")
+PLOTS = (".png", ".svg", ".html")
 RATE = 1000.0
 # TN1069: trajectory points a second, and samples of the loop that goes from one to the next in a straight line.
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
@@ -84,16 +85,12 @@ def run_command(options: Options) -> int:
         status = read_machine_file(options, settings)
         if status:
             return status
-    result = run(
-        source,
-        dialect=options.dialect or dialect_of(options.file),
-        machine=settings,
-        until=options.until,
-        overrides=options.overrides,
-        show=None if options.report == "json" else _show,
-        pace=None if options.realtime is None else pacer(options.realtime),
-        cache=options.cache,
-    )
+    if options.realtime is not None and options.file != "-" and sys.stdin.isatty():
+        from motionlang.cli_keyboard import run_live
+
+        result = run_live(lambda keyboard: _run(options, source, settings, keyboard), options.realtime)
+    else:
+        result = _run(options, source, settings)
     _report(result, options)
     status = _write_files(result, options)
     complain(result.diagnostics, result.source, options.file)
@@ -101,6 +98,22 @@ def run_command(options: Options) -> int:
         return 130
     wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
     return 1 if wrong else status
+
+
+def _run(
+    options: Options, source: Source, settings: dict[str, object], outside: Outside | None = None
+) -> Run:
+    return run(
+        source,
+        dialect=options.dialect or dialect_of(options.file),
+        machine=settings,
+        until=options.until,
+        overrides=options.overrides,
+        show=None if options.report == "json" else _show,
+        pace=None if options.realtime is None else pacer(options.realtime),
+        outside=outside,
+        cache=options.cache,
+    )
 
 
 def _show(text: str) -> None:

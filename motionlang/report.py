@@ -128,7 +128,7 @@ def _document(head: Row, rows: Iterator[Row], tail: Row) -> str:
         try:
             return encode(value)
         except ValueError:
-            return encode(_finite(value))
+            return encode(finite(value))
 
     body = ",\n  ".join(map(line, rows))
     fields = [f'"{name}": {line(value)}' for name, value in head.items()]
@@ -137,12 +137,12 @@ def _document(head: Row, rows: Iterator[Row], tail: Row) -> str:
     return "{" + ",\n ".join(fields) + "}\n"
 
 
-def _finite(value: object) -> object:
+def finite(value: object) -> object:
     """The same with null for what JSON has no number for: a figure that overflowed."""
     if isinstance(value, dict):
-        return {name: _finite(each) for name, each in value.items()}
+        return {name: finite(each) for name, each in value.items()}
     if isinstance(value, list):
-        return [_finite(each) for each in value]
+        return [finite(each) for each in value]
     if isinstance(value, float) and not abs(value) < float("inf"):
         return None
     return value

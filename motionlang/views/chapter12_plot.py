@@ -17,7 +17,7 @@ from motionlang.views.chapter12 import (
     s_curve,
     trapezoid,
 )
-from motionlang.views.plot import INK
+from motionlang.views.plot_panel import INK
 from motionlang.views.servo_plot import BLUE, GREEN, GREY, RED, VIOLET, WIDTH, drawing, dress
 
 if TYPE_CHECKING:

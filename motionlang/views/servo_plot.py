@@ -8,7 +8,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from motionlang.views.files import replacing
-from motionlang.views.plot import DPI, FAINT, INK, STYLE
+from motionlang.views.plot import DPI, STYLE
+from motionlang.views.plot_panel import FAINT, INK
 from motionlang.views.servo import SHAPE_NAMES
 
 if TYPE_CHECKING:

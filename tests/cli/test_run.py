@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang import cli_run
+from motionlang import cli_files, cli_run
 from motionlang.cli_options import FAMILIES
 from tests.cli.programs import BALLSCREW, Cell
 
@@ -172,6 +172,16 @@ def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
     assert (cell.folder / "x.svg").read_text().startswith("<?xml")
 
 
+def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cli_files, "find_spec", lambda name: None)
+    assert cell("run", "ballscrew.mcl", "--plot", "x.html", "--report", "none").err == ""
+    assert "MR" in (cell.folder / "x.html").read_text(encoding="utf-8")
+    for option, file, extra in (("--plot", "x.svg", "plot"), ("--trace", "x.parquet", "parquet")):
+        ran = cell("run", "ballscrew.mcl", option, file)
+        assert ran.status == 2
+        assert f"pip install 'motionlang[{extra}]'" in ran.err
+
+
 def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
     run = ("run", "ballscrew.mcl", "--report", "none", "--trace", "x.csv", "--as-controller")
     assert cell(*run).status == 0
@@ -198,8 +208,7 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
             "--trajectory-rate is about --as-controller, which is missing",
         ),
         (("--trace", "x.txt"), "--trace writes .csv, .npz, .parquet and .vcd, not .txt files"),
-        (("--plot", "x.html"), ".html files are not written yet: --plot writes .png and .svg"),
-        (("--plot", "x"), "--plot writes .png and .svg, so the file needs one of these suffixes"),
+        (("--plot", "x"), "--plot writes .png, .svg and .html, so the file needs one of these suffixes"),
         (
             ("--rate", "0"),
             "argument --rate: '0' is not a number of samples a second above 0, 10,000,000 at most",

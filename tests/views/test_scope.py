@@ -1,0 +1,162 @@
+"""The page to look around in: what is in it, and that its own arithmetic is ours. A JavaScript engine reads it."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from motionlang.controller.servo import Loop, simulate
+from motionlang.controller.servo.settings import make_plant
+from motionlang.execution import Run, run
+from motionlang.source import Source
+from motionlang.views.scope import page, write_scope
+from tests.views.runs import ballscrew, ended, new_run, pick, shift
+from tests.views.test_vcd import switched
+
+PROGRAM = "SPEED(0) = 50\nMOVER(0) = 100 ' </script><script>alert(1)\nGO(0)\n"
+
+
+def data_of(text: str) -> Any:
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.DOTALL)
+    assert found is not None
+    return json.loads(found[1])
+
+
+class Engine:
+    """The page's model, and functions of it called with JSON."""
+
+    def __init__(self, made: Run) -> None:
+        racer = pytest.importorskip("py_mini_racer")
+        self._context = racer.MiniRacer()
+        self._context.eval(files("motionlang.views.scope").joinpath("model.js").read_text(encoding="utf-8"))
+        self._context.eval(f"const data = {json.dumps(data_of(page(made)))}; 0")
+
+    def __call__(self, expression: str) -> Any:
+        return json.loads(self._context.eval(f"JSON.stringify({expression})"))
+
+
+@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Run]) -> None:
+    made = make()
+    engine = Engine(made)
+    quantities = ("position", "velocity", "acceleration", "jerk")
+    samples = made.trace.sample(97.123, quantities=quantities)
+    for k, axis in enumerate(made.trace.axes):
+        for order, quantity in enumerate(quantities):
+            values = samples.get(axis, quantity)[:-1]
+            times = json.dumps(samples.time[:-1].tolist())
+            found = engine(f"{times}.map((time) => valueAt(data.axes[{k}].track, time, {order}))")
+            assert found == pytest.approx(values.tolist(), rel=1e-9, abs=1e-9 * (1 + np.abs(values).max()))
+
+
+@pytest.mark.parametrize("make", [ballscrew, pick, shift])
+@pytest.mark.parametrize("columns", [40, 1000])
+def test_what_is_drawn_holds_every_peak(make: Callable[[], Run], columns: int) -> None:
+    made = make()
+    engine = Engine(made)
+    for k, axis in enumerate(made.trace.axes):
+        for order, quantity in enumerate(("position", "velocity", "acceleration")):
+            points = np.array(engine(f"trackPoints(data.axes[{k}].track, {order}, 0, data.end, {columns})"))
+            fine = made.trace.sample(2000.0, (axis,), quantities=(quantity,)).get(axis, quantity)
+            reach = float(np.abs(fine).max())
+            assert points[:, 1].max() >= fine.max() - 2e-3 * reach
+            assert points[:, 1].min() <= fine.min() + 2e-3 * reach
+            assert np.all(np.diff(points[:, 0]) >= 0.0)
+            assert points[[0, -1], 0].tolist() == [0.0, pytest.approx(made.trace.end)]
+            assert len(points) <= 4 * columns + 8
+
+
+def test_zooming_in_shows_more_not_less() -> None:
+    """A thousandth of the picture has as many points as the whole."""
+    engine = Engine(pick())
+    points = engine("trackPoints(data.axes[1].track, 1, 0.2, 0.2001, 1000)")
+    assert (points[0][0], points[-1][0]) == (0.2, 0.2001)
+    assert len(points) > 40
+
+
+def test_channels_hold_their_values() -> None:
+    engine = Engine(switched())
+    assert engine("data.lanes.map((lane) => lane.name)") == ["in3", "in12", "out1", "ain0"]
+    out = "data.lanes[2].times, data.lanes[2].values, true"
+    assert engine(f"[0.1, 0.15, 0.16, 0.7].map((time) => seriesAt({out}, time))") == [0, 0, 1, 0]
+    assert engine(f"seriesPoints({out}, 0, 1.5, 100)") == [
+        [0, 0], [0.150000001, 0], [0.150000001, 1], [0.6, 1], [0.6, 0], [1.5, 0]]  # fmt: skip
+    assert engine(f"seriesPoints({out}, 0.2, 0.3, 100)") == [[0.2, 1], [0.3, 1]]
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "values", "decimals"),
+    [
+        (0, 1, [0, 0.2, 0.4, 0.6, 0.8, 1], 1),
+        (-420, 420, [-400, -200, 0, 200, 400], 0),
+        (0, 7.5, [0, 2, 4, 6], 0),
+        (0.123, 0.124, [0.123, 0.1232, 0.1234, 0.1236, 0.1238, 0.124], 4),
+        (5, 5, [5], 0),
+    ],
+)
+def test_ticks_are_round(low: float, high: float, values: list[float], decimals: int) -> None:
+    found = Engine(ballscrew())(f"ticks({low}, {high}, 5)")
+    assert found == {"values": pytest.approx(values), "decimals": decimals}
+
+
+def test_the_move_and_its_phase_at_a_time() -> None:
+    engine = Engine(pick())
+    found = engine(
+        "[0.1, 0.5, 1.2, 1.7].map((time) => moveAt(data.axes[0], time)).map((m) => m && [m.move.line, m.phase])"
+    )
+    assert found == [[5, "accel"], [5, "slew"], None, [12, "accel"]]
+
+
+def test_the_script_is_javascript() -> None:
+    racer = pytest.importorskip("py_mini_racer")
+    script = files("motionlang.views.scope").joinpath("script.js").read_text(encoding="utf-8")
+    assert racer.MiniRacer().eval(f"new Function({json.dumps(script)}); 1") == 1
+
+
+def test_a_servo_is_in_it() -> None:
+    made = ballscrew()
+    loop = Loop(proportional=0.05, derivative=0.5, dac_bits=12)
+    servo = simulate(made.controller.axes[0], loop, make_plant({}), until=made.time)
+    (axis,) = data_of(page(made, {0: servo}))["axes"]
+    assert [(each["quantity"], each["unit"]) for each in axis["servo"]] == [
+        ("following error", "uu"),
+        ("output", "DAC steps"),
+    ]
+    assert max(axis["motor"]["values"]) == pytest.approx(servo.position.max() / 1200.0)
+
+
+def test_the_program_s_lines_come_with_their_moves_and_end_no_script() -> None:
+    text = page(run(Source("<b>.mnt", PROGRAM), dialect="mint", cache=False))
+    assert data_of(text)["source"] == {"2": "MOVER(0) = 100 ' </script><script>alert(1)"}
+    assert text.count("</script>") == 2
+    assert "<title>&lt;b>.mnt</title>" in text
+
+
+def test_it_asks_no_network() -> None:
+    addresses = set(re.findall(r"\w+://[^\s\"'`)]+", page(pick())))
+    assert addresses <= {"http://www.w3.org/2000/svg"}
+    assert not re.search(r"<(link|img|iframe)|@import|\bfetch\b|XMLHttpRequest|src=", page(pick()))
+
+
+def test_no_motion_and_figures_that_overflow(tmp_path: Path) -> None:
+    still, _ = new_run("hello.mnt")
+    write_scope(ended(still), str(tmp_path / "x.html"))
+    assert data_of((tmp_path / "x.html").read_text(encoding="utf-8"))["axes"][0]["moves"] == []
+    huge, controller = new_run()
+    controller.set_scale(0, 1e-300)
+    controller.move_by(0, 1e12)
+    controller.clock.advance(1.0)
+    assert data_of(page(ended(huge)))["end"] == 1
+
+
+def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        write_scope(pick(), str(tmp_path / name))
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
