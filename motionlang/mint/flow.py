@@ -412,7 +412,9 @@ def _join(a: State | None, b: State | None) -> State | None:
         return b if a is None else a
     if a is b:
         return a
-    return {s: known if (other := b[s]) is known else ranges.join(known, other) or known for s, known in a.items()}
+    return {
+        s: known if (other := b[s]) is known else ranges.join(known, other) or known for s, known in a.items()
+    }
 
 
 def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
