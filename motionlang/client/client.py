@@ -197,7 +197,8 @@ class Client:
 
     def _hear_version(self, seconds: float) -> bool:
         """Read the answer to VE, which is the last thing that the board says; False when there is none."""
-        end, data, lines = self._wire.now() + seconds, b"", []
+        end, data = self._wire.now() + seconds, b""
+        lines: list[str] = []
         while not (lines and is_whole(data)):
             try:
                 said = self._wire.receive(QUIET if lines else end - self._wire.now())

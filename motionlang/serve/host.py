@@ -29,6 +29,7 @@ class Host:
         self._limits, self._spy = limits, spy
         self._inbox = bytearray()
         self._outbox = bytearray()
+        self._after_cr = False
         # When the host has said its last, on the wall clock.
         self.ended: float | None = None
         # What the server's selector looks for.
@@ -51,10 +52,11 @@ class Host:
         """Whether something that the host sent could be given to the board."""
         return bool(self._inbox)
 
-    @property
-    def may_go_on(self) -> bool:
+    def may_go_on(self, pace: Pace) -> bool:
         """Whether the board would take more of what the host has sent."""
-        return bool(self._inbox) and not self.port.busy
+        if not self._inbox:
+            return False
+        return not self.port.busy or ESC in self._inbox or (pace.by_line and bool(self._heard_at_once()))
 
     @property
     def done(self) -> bool:
@@ -62,26 +64,29 @@ class Host:
         return self.ended is not None and not (self._inbox or self._outbox or self.port.busy)
 
     def receive(self, now: float) -> None:
-        """Read what the host has sent; what comes before an ESC that the board has not taken is void."""
+        """Read what the host has sent."""
         data = self.channel.receive(self._limits.chunk)
         if data is None:
             self.ended = now
             return
         if self._spy is not None:
             self._spy.sent(self.number, data)
-        if self._inbox and self.port.busy and ESC in data:
-            self._inbox.clear()
-            data = data[data.rindex(ESC) :]
         self._inbox += data
 
     def feed(self, pace: Pace) -> None:
-        """Give the board what it takes: all of it, or in lock step a line."""
+        """Give the board what it takes: all of it, or in lock step a line.
+
+        What has come before an ESC, and was not taken because the board is busy, is void.
+        """
+        if self.port.busy and ESC in self._inbox:
+            del self._inbox[: self._inbox.rindex(ESC)]
         if pace.by_line and self.port.busy:
             piece = self._heard_at_once()
         elif pace.by_line:
             piece = self._line()
-            if piece[-1] == CR or piece[-1] == LF:
+            if piece[-1] == CR or (piece[-1] == LF and not (self._after_cr and len(piece) == 1)):
                 pace.entered()
+            self._after_cr = piece[-1] == CR
         else:
             piece = bytes(self._inbox)
         del self._inbox[: self.port.feed(piece)]
@@ -113,10 +118,7 @@ class Host:
 
     def _heard_at_once(self) -> bytes:
         """What a port hears while it is busy: a key if it steps, otherwise control characters and the blank."""
-        if self.port.task.stepping:
-            return bytes(self._inbox[:1])
-        if ESC in self._inbox:
-            del self._inbox[: self._inbox.rindex(ESC)]
+        if self.port.task.stepping or self._inbox[0] == ESC:
             return bytes(self._inbox[:1])
         count = 0
         while count < len(self._inbox) and self._inbox[count] in AT_ONCE:

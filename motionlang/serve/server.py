@@ -192,7 +192,7 @@ class Server:
     # ---------------------------------------------------------------------------------------------- a turn
 
     def _timeout(self) -> float | None:
-        if any(host.may_go_on for host in self.hosts):
+        if any(host.may_go_on(self.pace) for host in self.hosts):
             return 0.0
         timeout = self.pace.timeout()
         ends = [host.ended for host in self.hosts if host.ended is not None]

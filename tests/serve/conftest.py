@@ -1,0 +1,116 @@
+"""A served board in this process, and hosts that talk to it over real sockets."""
+
+from __future__ import annotations
+
+import socket
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from motionlang.lang.machine import Machine
+from motionlang.mccl.console import Console
+from motionlang.serve import Limits, LockStep, RealTime, Server
+from motionlang.serve.pace import Pace
+
+# Seconds after which a test that waits has failed; none waits that long when all is well.
+PATIENCE = 20.0
+
+
+class Wire:
+    """A host: a socket that reads what it expects, no more and no less."""
+
+    def __init__(self, address: tuple[str, int]) -> None:
+        self.socket = socket.create_connection(address, PATIENCE)
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self._rest = b""
+
+    def send(self, data: bytes) -> None:
+        self.socket.sendall(data)
+
+    def expect(self, wanted: bytes) -> None:
+        """Read as much as is expected; it must be that."""
+        while len(self._rest) < len(wanted) and self._rest == wanted[: len(self._rest)]:
+            piece = self.socket.recv(len(wanted) - len(self._rest))
+            if not piece:
+                break
+            self._rest += piece
+        found, self._rest = self._rest, b""
+        assert found == wanted
+
+    def until(self, mark: bytes) -> bytes:
+        """Everything up to and with `mark`."""
+        while mark not in self._rest:
+            piece = self.socket.recv(65536)
+            assert piece, self._rest
+            self._rest += piece
+        found, _, self._rest = self._rest.partition(mark)
+        return found + mark
+
+    def ask(self, line: bytes) -> bytes:
+        """Send a line; its answer with the prompt behind it."""
+        self.send(line + b"\r")
+        return self.until(b"\n>")
+
+    def all(self) -> bytes:
+        """Everything until the server closes the connection."""
+        found, self._rest = self._rest, b""
+        while piece := self.socket.recv(65536):
+            found += piece
+        return found
+
+    def break_off(self) -> None:
+        """As a process that is killed with something unread: the connection is reset."""
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
+        self.socket.close()
+
+
+class Board:
+    """A board that is being served, in a thread of its own."""
+
+    def __init__(self, server: Server) -> None:
+        self.server, self.console = server, server.console
+        self.address = server.listen("127.0.0.1", 0)
+        self.complaints: list[str] = []
+        self.wires: list[Wire] = []
+        self._thread = threading.Thread(target=server.run, daemon=True)
+        self._thread.start()
+
+    def connect(self) -> Wire:
+        """A further host, past its first prompt."""
+        wire = Wire(self.address)
+        self.wires.append(wire)
+        wire.expect(b">")
+        return wire
+
+    def end(self) -> None:
+        self.server.stop()
+        self._thread.join(PATIENCE)
+        assert not self._thread.is_alive()
+        self.server.close()
+        for wire in self.wires:
+            wire.socket.close()
+
+
+Serve = Callable[..., Board]
+
+
+@pytest.fixture
+def serve() -> Iterator[Serve]:
+    """Serves a board: `serve(model="multiflex", clock="lockstep", limits=None)`."""
+    boards: list[Board] = []
+
+    def begin(
+        model: str = "multiflex", clock: str = "lockstep", limits: Limits | None = None, factor: float = 1.0
+    ) -> Board:
+        console = Console(Machine({"controller.model": model}, first_axis=1))
+        pace: Pace = LockStep(console) if clock == "lockstep" else RealTime(console, factor)
+        complaints: list[str] = []
+        board = Board(Server(console, pace, limits=limits, complain=complaints.append))
+        board.complaints = complaints
+        boards.append(board)
+        return board
+
+    yield begin
+    for board in boards:
+        board.end()

@@ -1,0 +1,71 @@
+"""Many hosts at one board: all are served, and one too many is told so."""
+
+from __future__ import annotations
+
+import selectors
+import socket
+
+import pytest
+
+from motionlang.serve import Limits
+from tests.serve.conftest import Serve, Wire
+
+
+@pytest.mark.parametrize("clock", ["lockstep", "real"])
+def test_fifty_hosts_at_once_none_starved(serve: Serve, clock: str) -> None:
+    """Each asks as fast as it is answered; when the first has 200 answers the last has more than half as many."""
+    board = serve(clock=clock)
+    wires = [board.connect() for _ in range(50)]
+    counts = dict.fromkeys(wires, 0)
+    with selectors.DefaultSelector() as selector:
+        for wire in wires:
+            wire.socket.setblocking(False)
+            selector.register(wire.socket, selectors.EVENT_READ, wire)
+            wire.send(b"1TP\r")
+        while max(counts.values()) < 200:
+            for key, _ in selector.select(20.0):
+                wire = key.data
+                wire._rest += wire.socket.recv(4096)
+                if wire._rest == b"01 0\n>":
+                    wire._rest = b""
+                    counts[wire] += 1
+                    wire.send(b"1TP\r")
+    assert min(counts.values()) > 100
+
+
+def test_a_host_that_sends_much_ahead_does_not_hold_up_one_that_asks(serve: Serve) -> None:
+    board = serve(clock="real")
+    greedy, modest = board.connect(), board.connect()
+    greedy.send(b"1TP\r" * 20_000)
+    assert modest.ask(b"2TP") == b"02 0\n>"
+    behind = board.server.hosts[0]
+    assert behind.waits or behind.port.busy
+    greedy.expect(b"01 0\n>" * 20_000)
+
+
+def test_one_host_too_many(serve: Serve) -> None:
+    """It gets the code of an I/O error; when another one leaves there is room again."""
+    board = serve(limits=Limits(hosts=2))
+    first, second = board.connect(), board.connect()
+    third = Wire(board.address)
+    assert third.all() == b"?3\n"
+    third.socket.close()
+    assert len(board.complaints) == 1
+    assert "turned away: 2 hosts are connected already" in board.complaints[0]
+    first.socket.shutdown(socket.SHUT_WR)
+    assert first.all() == b""
+    assert board.connect().ask(b"1TP") == second.ask(b"1TP") == b"01 0\n>"
+
+
+def test_hosts_come_and_go(serve: Serve) -> None:
+    """A thousand of them leave nothing behind."""
+    board = serve()
+    for _ in range(1000):
+        wire = board.connect()
+        assert wire.ask(b"1TP") == b"01 0\n>"
+        wire.socket.shutdown(socket.SHUT_WR)
+        assert wire.all() == b""
+        wire.socket.close()
+    last = board.connect()
+    assert last.ask(b"1TP") == b"01 0\n>"
+    assert len(board.server.hosts) == len(board.console.ports) == len(board.console.board.tasks) == 1

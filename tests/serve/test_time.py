@@ -1,0 +1,135 @@
+"""How machine time passes: with the wall, or with the hosts' questions."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.lang.machine import Machine
+from motionlang.mccl.console import Console
+from motionlang.serve import LockStep, RealTime
+from motionlang.serve.pace import LATEST, LEAD
+from tests.serve.conftest import Serve
+
+
+class Wall:
+    """A clock that the test turns."""
+
+    def __init__(self) -> None:
+        self.time = 1000.0
+
+    def __call__(self) -> float:
+        return self.time
+
+
+def test_a_move_takes_the_time_that_it_takes() -> None:
+    wall = Wall()
+    console = Console(Machine(first_axis=1))
+    pace = RealTime(console, wall=wall)
+    port = console.open(echo=False)
+    port.take()
+    port.feed(b"1SV10000,1MN,1MR10000,1WS,1TP\r")
+    pace.work()
+    assert port.take() == b""
+    timeout = pace.timeout()
+    assert timeout is not None
+    assert timeout == pytest.approx(1.1, abs=1e-3)
+    wall.time += timeout
+    pace.before()
+    pace.work()
+    assert port.take() == b"01 10000\n>"
+    assert pace.timeout() is None
+
+
+def test_a_factor() -> None:
+    wall = Wall()
+    console = Console(Machine(first_axis=1))
+    pace = RealTime(console, 10.0, wall)
+    wall.time += 60.0
+    pace.before()
+    assert console.now == 600.0
+
+
+def test_a_long_sleep_is_one_step() -> None:
+    """A board that nobody has asked anything for a year is at once up to date."""
+    wall = Wall()
+    console = Console(Machine(first_axis=1))
+    pace = RealTime(console, wall=wall)
+    console.open()
+    wall.time += 365 * 86400.0
+    pace.before()
+    assert console.now == pytest.approx(365 * 86400.0)
+
+
+def test_an_answer_comes_a_little_early_and_no_more() -> None:
+    """Commands take machine time; a host is not kept waiting for it, nor is a program let run ahead."""
+    wall = Wall()
+    console = Console(Machine(first_axis=1))
+    pace = RealTime(console, wall=wall)
+    port = console.open(echo=False)
+    port.take()
+    port.feed(b"1TP\r")
+    pace.work()
+    assert port.take() == b"01 0\n>"
+    port.feed(b"AA1,RP\r")
+    for _ in range(5):
+        pace.work()
+    assert console.now <= LEAD + 1e-9
+
+
+def test_a_board_with_more_to_do_than_can_be_computed_falls_behind() -> None:
+    console = Console(Machine(first_axis=1))
+    pace = RealTime(console, 1e5)
+    console.open(echo=False).feed(b"AA1,RP\r")
+    while pace.late == 0.0:
+        pace.before()
+    assert pace.late > LATEST
+
+
+def test_time_stands_still_in_lock_step_unless_a_host_waits(serve: Serve) -> None:
+    board = serve()
+    wire = board.connect()
+    assert board.console.now == 0.0
+    wire.ask(b"1MN,1MR100000")
+    began = board.console.now
+    for _ in range(3):
+        wire.send(b"1T\x081")
+    assert board.console.now == began
+    wire.ask(b"\x1bWA2")
+    assert board.console.now == pytest.approx(began + 2.0, abs=0.01)
+
+
+def test_the_same_lines_are_answered_the_same_in_lock_step(serve: Serve) -> None:
+    """A client that polls a move sees the same positions each time; a question takes a millisecond."""
+
+    def poll() -> list[bytes]:
+        wire = serve().connect()
+        wire.ask(b"1MN,1MR1000")
+        return [wire.ask(b"1TP") for _ in range(300)]
+
+    answers = poll()
+    assert answers == poll()
+    assert len(set(answers)) > 150
+    assert answers[-1] == b"01 1000\n>"
+
+
+def test_a_step_of_no_time() -> None:
+    console = Console(Machine(first_axis=1))
+    pace = LockStep(console, 0.0)
+    port = console.open(echo=False)
+    for _ in range(100):
+        pace.entered()
+        port.feed(b"1TP\r")
+        pace.work()
+    assert console.now == pytest.approx(100 * 10e-6)
+    assert pace.timeout() is None
+
+
+def test_a_wait_that_nothing_can_end_does_not_keep_the_server_busy() -> None:
+    console = Console(Machine(first_axis=1))
+    pace = LockStep(console)
+    port = console.open(echo=False)
+    pace.entered()
+    port.feed(b"WN40\r")
+    pace.work()
+    assert port.busy
+    assert pace.timeout() is None
