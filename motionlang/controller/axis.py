@@ -71,6 +71,7 @@ class Axis:
         "max_speed",
         "move",
         "move_id",
+        "offset_status",
         "override",
         "profiles",
         "ramp",
@@ -112,6 +113,7 @@ class Axis:
         # Whether a path begins while the one before it still has a distance to go, user units.
         self.blend_mode = False
         self.blend_distance = 0.0
+        self.offset_status = 0  # bits, see `offset`
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free places above which the listeners are told; -1: never
         self.buffer: list[Move] = []

@@ -7,11 +7,13 @@ once and of what goes on beside motion. Each is a thin door to the module of its
 from __future__ import annotations
 
 from motionlang.controller.core import MAX_MOVES, SETTINGS, Core
+from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from motionlang.controller.axis import Axis
     from motionlang.controller.trace import Trace
 
 
@@ -72,6 +74,124 @@ class Controller(Core):
 
         run = run_of(self.axes[axis])
         return run.remaining if run is not None else 0.0
+
+    # -------------------------------------------------------------------------------------- following a master
+
+    def gear(
+        self,
+        axis: int,
+        master: int,
+        ratio: float,
+        ramp: bool = False,
+        encoder: bool = False,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Follow a master, an axis or an encoder channel, at `ratio` counts a count; with `ramp` not at once."""
+        from motionlang.controller.follow import gear
+
+        gear(self, self._ready(axis), self._master(master, encoder), ratio, ramp, command, line)
+
+    def cam(
+        self,
+        axis: int,
+        master: int,
+        places: Sequence[float],
+        values: Sequence[float],
+        *,
+        kind: str = "linear",
+        cyclic: bool = False,
+        first: int = 0,
+        last: int | None = None,
+        amplitude: float = 1.0,
+        encoder: bool = False,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Follow a table of `values` over a master's `places`, both in counts, from where both are now."""
+        from motionlang.controller.cam import start_cam
+
+        start_cam(
+            self,
+            self._ready(axis),
+            self._master(master, encoder),
+            places,
+            values,
+            kind=kind,
+            cyclic=cyclic,
+            first=first,
+            last=last,
+            amplitude=amplitude,
+            command=command,
+            line=line,
+        )
+
+    def cam_index(self, axis: int) -> int:
+        """The segment of its table that a cam is in; -1 where there is no cam."""
+        from motionlang.controller.cam import Cam
+
+        move = self.axes[axis].move
+        return move.action.index if move is not None and isinstance(move.action, Cam) else -1
+
+    def load_fly(
+        self,
+        axis: int,
+        master: int,
+        distance: float,
+        over: float,
+        encoder: bool = False,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Put a segment into the buffer: `distance` while the master goes `over` counts."""
+        from motionlang.controller.cam import load_fly
+
+        load_fly(self, self._ready(axis), self._master(master, encoder), distance, over, command, line)
+
+    def offset(
+        self,
+        axis: int,
+        distance: float,
+        mode: int = 0,
+        over: float = 0.0,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Add a distance on top of following, in one of the modes of OFFSETMODE; at rest move by it."""
+        from motionlang.controller.offset import offset
+
+        offset(self, self._ready(axis), distance, mode, over, command, line)
+
+    def offset_remaining(self, axis: int) -> float:
+        """What the offset under way still has to do."""
+        from motionlang.controller.follow import tie_of
+
+        tie = tie_of(self.axes[axis])
+        return tie.offset_left()[0] if tie is not None else 0.0
+
+    def offset_status(self, axis: int) -> int:
+        """How the last offset went, as the bits of OFFSETSTATUS."""
+        return self.axes[axis].offset_status
+
+    def master_of(self, axis: int) -> int | None:
+        """The axis or encoder channel that an axis follows; None while it follows none."""
+        from motionlang.controller.follow import tie_of
+
+        tie = tie_of(self.axes[axis])
+        return tie.master.index if tie is not None else None
+
+    def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:
+        """Let the world turn an encoder channel: to `velocity`, counts/s, at `accel`, or at once where that is 0."""
+        from motionlang.controller.encoder import turn
+
+        turn(self, self.encoder(channel), velocity, accel)
+
+    def _master(self, number: int, encoder: bool) -> Axis:
+        if encoder:
+            return self.encoder(number)
+        if number not in self.axes:
+            raise Refusal("axis", f"there is no axis {number} to follow")
+        return self.axes[number]
 
     @property
     def trace(self) -> Trace:

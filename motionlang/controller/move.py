@@ -102,6 +102,11 @@ class Action:
         """The axis is about to leave the motion for another one, or is held where it is."""
 
     @property
+    def resting(self) -> bool:
+        """Whether the axis stands still, and will as long as nobody else moves."""
+        return False
+
+    @property
     def live(self) -> bool:
         """Whether a new speed or rate acts on it at once."""
         return False

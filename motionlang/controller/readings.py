@@ -30,6 +30,8 @@ class Readings:
         self.analogue_outputs = Channels(self.clock)
         # The events at which pulses of outputs end.
         self._pulses: dict[int, Event] = {}
+        # Encoder channels that the world turns, such as that of a conveyor; they have tracks like axes.
+        self.encoders: dict[int, Axis] = {}
         # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis).
         self.listeners: list[Callable[[str, int], None]] = []
 
@@ -42,8 +44,13 @@ class Readings:
         return (velocity > 0) - (velocity < 0)
 
     def moving(self) -> list[int]:
-        """The axes that are not idle."""
-        return [number for number, axis in self.axes.items() if axis.move is not None]
+        """The axes that are not idle; of those that follow a master only the ones that move."""
+        found = []
+        for number, axis in self.axes.items():
+            move = axis.move
+            if move is not None and (move.action is None or not move.action.resting):
+                found.append(number)
+        return found
 
     # ------------------------------------------------------------------------------------------- reading
 
@@ -117,6 +124,21 @@ class Readings:
 
     def output(self, channel: int) -> float:
         return self.outputs[channel]
+
+    def encoder(self, channel: int) -> Axis:
+        """The track of an encoder channel that the world turns."""
+        found = self.encoders.get(channel)
+        if found is None:
+            found = self.encoders[channel] = Axis(channel)
+        return found
+
+    def encoder_position(self, channel: int) -> float:
+        """The position of an encoder channel, counts."""
+        return self.encoder(channel).position(self.clock.now)
+
+    def encoder_velocity(self, channel: int) -> float:
+        """The velocity of an encoder channel, counts/s."""
+        return self.encoder(channel).velocity(self.clock.now)
 
     def set_output(self, channel: int, value: float) -> None:
         self.outputs[channel] = value

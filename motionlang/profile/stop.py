@@ -62,6 +62,11 @@ def plan_velocity(
     return _run(start, ramps, v0, v1)
 
 
+def running(start: float, velocity: float) -> Profile:
+    """At `velocity`, which is not 0, from the first moment on, for ever."""
+    return Profile("jog", start, far_end(start, velocity), inf, (velocity, inf, 0.0, velocity))
+
+
 def ramps_of(
     shape: str, accel: float, decel: float, ramp: float, accel_jerk: float, decel_jerk: float
 ) -> Ramps:

@@ -272,14 +272,9 @@ def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
     c.load_line_by([0, 1], [300.0, 200.0])
     c.go([0])
     until(c, 0.3)
-    for refused in (
-        lambda: c.move_to(1, 5.0),
-        lambda: c.jog(1, 5.0),
-        lambda: c.retarget_to(1, 5.0),
-        lambda: c.define_position(1, 5.0),
-    ):
+    for verb in ("move_to", "jog", "retarget_to", "define_position"):
         with pytest.raises(Refusal) as refusal:
-            refused()
+            getattr(c, verb)(1, 5.0)
         assert refusal.value.code == "moving"
     assert place(until(c, 3.0)) == [3.0, 4.0]
 
