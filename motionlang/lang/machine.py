@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from motionlang.controller.host import HostMemory
     from motionlang.controller.world import World
     from motionlang.errors import Diagnostic
+    from motionlang.lang.operator import Operator
     from motionlang.lang.scheduler import Scheduler
 
 DEFAULT_AXES = 8
@@ -30,6 +31,7 @@ class Machine:
         "_controller",
         "_first_axis",
         "_host",
+        "_operator",
         "_power_up",
         "_world",
         "clock",
@@ -60,6 +62,7 @@ class Machine:
         self._world: World | None = None
         self._power_up: list[Callable[[Controller], None]] = []
         self._host: HostMemory | None = None
+        self._operator: Operator | None = None
         self.terminal = Terminal(show)
         # What `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
@@ -115,6 +118,20 @@ class Machine:
                 for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
                     self._host.schedule(self.clock, area, entry)
         return self._host
+
+    @property
+    def has_operator(self) -> bool:
+        """Whether the program listens to the keyboard."""
+        return self._operator is not None
+
+    @property
+    def operator(self) -> Operator:
+        """Whoever presses keys and types, from the first use on."""
+        if self._operator is None:
+            from motionlang.lang.operator import Operator
+
+            self._operator = Operator(self.clock, self.terminal, self.settings)
+        return self._operator
 
 
 def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:

@@ -70,7 +70,11 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         ),
         **{key: _WHEN[key] for key in ("at", "above", "below")},
     },
-    "key": {"at": _WHEN["at"], "text": ("text", "Keys that the operator presses, for INKEY.")},
+    "key": {
+        "at": _WHEN["at"],
+        "text": ("text", "Keys that the operator presses, for INKEY."),
+        "for": ("positive", "How long the last one is held, in seconds, for READKEY; 0.1 unless given."),
+    },
     "answer": {"text": ("text", "What the operator types at the next INPUT.")},
     "comms": {
         "at": _WHEN["at"],

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
         def start(self, machine: Machine) -> None:
             """The program is about to start on `machine`."""
 
+        def may_act(self) -> bool:
+            """Whether a wait that nothing else can end may yet be ended from outside."""
+
         def advance(self, time: float) -> None:
             """Advance the machine's clock to `time`, or less far where something has come from outside."""
 
@@ -183,7 +186,7 @@ class Scheduler:
         tasks = self.interrupts[-1:] or self.tasks
         due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
         time = min(due, clock.next_time(), until)
-        hopeless = self.outside is None
+        hopeless = self.outside is None or not self.outside.may_act()
         if hopeless and (time == INFINITY or (time == until and min(due, clock.next_time()) == INFINITY)):
             waiting = tasks[0]
             assert waiting.wait is not None

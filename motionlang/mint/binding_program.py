@@ -136,12 +136,6 @@ def _do_error_clear(environment: Environment, row: Row) -> Operation:
 # ------------------------------------------------------------------------------------------------- terminal
 
 
-def _read_inkey(environment: Environment, row: Row) -> Operation:
-    from motionlang.mint.answers import keys
-
-    return keys(environment)
-
-
 def _writing(environment: Environment, text: str) -> Operation:
     write = environment.machine.terminal.write
     return lambda: write(text)

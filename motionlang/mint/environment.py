@@ -61,6 +61,8 @@ class Environment:
         self.task: MintTask
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
+        # When a reading last took something away (a key, an edge), so that the next one answers differently.
+        self.taken = -1.0
         self._parts: dict[type, object] = {}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -206,8 +208,11 @@ class Environment:
         """A loop polls, its last turn from `since` to `t`: the end of the last turn that can be no different.
 
         Turns are counted in whole statements, so that no rounding adds up over millions of them. What its conditions
-        were last compared with may have changed since, within the turn: then nothing is skipped.
+        were last compared with may have changed since, within the turn: then nothing is skipped. Neither is it after
+        a reading that has taken something away.
         """
+        if self.taken >= since:
+            return t
         if watches:
             from motionlang.mint.watching import next_change
 

@@ -160,7 +160,6 @@ class _Look:
 # Words whose reading takes something away.
 _CHANGES_BY_READING = frozenset(
     {
-        "inkey",
         "random",
         "error_read_next",
         "error_read_code",

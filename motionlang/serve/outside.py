@@ -64,6 +64,10 @@ class Outside:
             while self._waiting:
                 self._waiting.popleft()[1].set_exception(Closed())
 
+    def may_act(self) -> bool:
+        """Whether anything can still come, so that a wait which nothing else can end is not without hope."""
+        return True
+
     def advance(self, time: float) -> None:
         """Let machine time pass until `time`, or less far where something has come from outside."""
         raise NotImplementedError

@@ -7,9 +7,12 @@ from motionlang.lang.keyword import Keyword
 _LIBRARY = "Mint type library"
 
 ROWS = (
-    Keyword("INKEY", "ik", "reading", "R", "none", "integer", "inkey",
+    Keyword("INKEY", "ik", "reading", "R", "none", "integer", "terminal.key",
             "Code of the next key that the operator has pressed, 0 when there is none.",
             "PRINT INKEY", default=0.0, source=_LIBRARY, trust="code", group="terminal"),
+    Keyword("READKEY", "rk", "reading", "R", "none", "integer", "terminal.held_key",
+            "Code of the key that the operator holds down, 0 when there is none.",
+            "PRINT READKEY", default=0.0, source=_LIBRARY, trust="code", group="terminal"),
     Keyword("CLS", "", "command", "C", "none", "", "clear_screen",
             "Clear the terminal's screen (as the ANSI codes that do so).",
             "CLS", source=_LIBRARY, trust="memory", group="terminal"),

@@ -76,7 +76,9 @@ class Inputs:
         if not self._bit("INPUTMODE", channel):
             return self.is_on(channel)
         found = channel in self._edges
-        self._edges.discard(channel)
+        if found:
+            self._edges.discard(channel)
+            self._environment.taken = self._controller.clock.now
         return found
 
     def _bit(self, name: str, channel: int) -> int:

@@ -47,7 +47,7 @@ class Latch:
     """One latch. `again` keeps it armed after it has caught something; positions are counts."""
 
     def __init__(self, environment: Environment, axis: int, fired: Callable[[Latch], None]) -> None:
-        self._controller = environment.controller
+        self._environment, self._controller = environment, environment.controller
         self._fired = fired
         self.axis = axis
         self.trigger_mode, self.input, self.edge, self.source, self.again = (
@@ -82,8 +82,9 @@ class Latch:
     def read(self) -> bool:
         """Whether something was caught; of a latch that goes on by itself, since this was asked last."""
         caught = self.caught
-        if self.again:
+        if caught and self.again:
             self.caught = False
+            self._environment.taken = self._controller.clock.now
         return caught
 
     def _watch(self) -> None:
