@@ -203,6 +203,8 @@ def _execute(
         parent = compiled.start(result.machine)
         scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
         result.status = scheduler.run(until)
+        if result.status == "until":
+            _tell_who_waited(result, scheduler)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
@@ -222,6 +224,17 @@ def _execute(
             raise
         result.status = "fault"
         result.diagnostics.append(diagnostic)
+
+
+def _tell_who_waited(result: Run, scheduler: Scheduler) -> None:
+    """A wait that only an event could have ended, and none did, is no figure of this run."""
+    if result.machine.moving():
+        return
+    for task in scheduler.tasks:
+        if task.wait is not None and task.wait.due() == float("inf"):
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            since = f"since {task.wait.since:.3f} s"
+            result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
 
 
 def _stuck(result: Run, stuck: Stuck, until: float) -> None:
