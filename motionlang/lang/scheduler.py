@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Virtual seconds that one task may run while another is runnable.
 QUANTUM = 1e-3
+# How often a wait may be asked at one moment before time goes on without it.
+STALLS = 4
 
 
 class Stuck(Exception):
@@ -66,6 +68,7 @@ class Scheduler:
         self.pace = pace
         self.outside = outside
         self._turn = 0
+        self._stalls = 0
         # The length of the turns of a round, and how many of them are still to come.
         self._length, self._left = QUANTUM, 0
 
@@ -191,4 +194,7 @@ class Scheduler:
             waiting = tasks[0]
             assert waiting.wait is not None
             raise Stuck(waiting, waiting.wait)
-        self._advance(max(time, clock.now))
+        # A wait that could end now and does not (rounding of its time) is asked again a little later, never for ever.
+        self._stalls = self._stalls + 1 if time <= clock.now else 0
+        late = 1e-9 * 2.0 ** min(self._stalls - STALLS, 30) if self._stalls > STALLS else 0.0
+        self._advance(min(max(time, clock.now + late), max(until, clock.now)))

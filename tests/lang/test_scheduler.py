@@ -138,3 +138,14 @@ def test_a_task_knows_where_it_stands() -> None:
     waiting = GeneratorTask("parent", program, program.__code__.co_filename, range(2000))
     waiting.resume(0.0, 1.0)
     assert waiting.at == first + 1
+
+
+def test_a_wait_that_is_always_due_and_never_over_cannot_hold_time() -> None:
+    c = controller()
+
+    def program(t: float, h: float) -> Steps:
+        yield Wait(t, lambda: False, lambda: c.clock.now, "for a rounding error")
+        return t
+
+    assert Scheduler(c, task(program)).run(until=10.0) == "until"
+    assert c.clock.now == 10.0
