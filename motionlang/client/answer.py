@@ -19,8 +19,8 @@ def lines_of(data: bytes, sent: str = "") -> list[str]:
     """The lines of an answer; empty ones say nothing, prompts and the echo of what was sent are no answer."""
     found = [line.removeprefix(">") for line in _END.split(data.decode("latin-1"))]
     found = [line for line in found if line]
-    if sent and found[:1] == [sent]:
-        del found[0]
+    if sent in found:
+        found.remove(sent)
     return found
 
 

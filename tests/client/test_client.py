@@ -1,0 +1,246 @@
+"""One client, three boards: in this process, over TCP, at a serial device."""
+
+from __future__ import annotations
+
+import socket
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
+from motionlang.lang.machine import Machine
+from motionlang.mccl.console import Console
+from motionlang.serve import Limits, LockStep, RealTime, Server
+
+Open = Callable[[], Client]
+WAYS = ("virtual", "tcp", "device")
+
+
+@pytest.fixture
+def console() -> Console:
+    return Console(Machine({"axis.1.travel": [-100_000.0, 100_000.0]}, first_axis=1))
+
+
+@pytest.fixture(params=WAYS)
+def open_client(request: pytest.FixtureRequest, console: Console) -> Iterator[Open]:
+    if request.param == "virtual":
+        yield lambda: Client.virtual(console)
+        return
+    with Server(console, LockStep(console)) as server:
+        address = server.listen("127.0.0.1", 0)
+        where = "{}:{}".format(*address) if request.param == "tcp" else device(server)
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        yield lambda: Client.open(where)
+        server.stop()
+        thread.join(20.0)
+
+
+def device(server: Server) -> str:
+    pytest.importorskip("pty")
+    return server.device()
+
+
+@pytest.fixture
+def board(open_client: Open) -> Iterator[Client]:
+    with open_client() as client:
+        yield client
+
+
+def test_the_board_says_who_it_is(board: Client) -> None:
+    assert board.version.startswith("MultiFlex PCI 1000 series")
+    assert board.prompts
+
+
+def test_a_move(board: Client) -> None:
+    assert board.send("1MN,1SV20000,1MR5000") == []
+    assert not board.status(1) & Status.STOPPED
+    board.wait_for_stop(1)
+    board.wait_for_target(1)
+    assert board.position(1) == 5000
+    assert board.status(1) & Status.STOPPED
+
+
+def test_answers(board: Client) -> None:
+    assert board.send("1TP,2TP") == ["01 0", "02 0"]
+    assert board.ask("TR0") == "0"
+    assert board.number("AL2.5,TR0") == 2.5
+    with pytest.raises(ClientError, match="2 lines of answer, not one"):
+        board.ask("1TP,2TP")
+    with pytest.raises(ClientError, match="the answer is no number: MultiFlex"):
+        board.number("VE")
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("1XX", "1XX: ?1, unrecognised command"),
+        ("1MR10002MR5", "1MR10002MR5: ?2, bad command format"),
+        ("1TP," * 100, "?4, command string too long"),
+        ("1SV-5", "1SV-5: ?-1, command parameter error"),
+        ("1MN,MD1,1MN", "?-4, macro define command not first"),
+        ("MC7", "MC7: ?-6, macro does not exist"),
+        ("99MN", "?-15, axis not assigned"),
+    ],
+)
+def test_codes_have_a_meaning(board: Client, line: str, message: str) -> None:
+    with pytest.raises(CommandError) as error:
+        board.send(line)
+    assert str(error.value).endswith(message)
+    assert board.ask("1TP") == "01 0"
+
+
+def test_what_was_answered_before_the_code_is_not_lost(board: Client) -> None:
+    with pytest.raises(CommandError) as error:
+        board.send("1TP,1XX,2TP")
+    assert (error.value.code, error.value.answer) == (1, ["01 0"])
+
+
+@pytest.mark.parametrize("way", ["virtual", "tcp"])
+def test_a_wait_that_takes_too_long_is_abandoned(console: Console, way: str) -> None:
+    """Time-outs are machine seconds in this process, wall seconds elsewhere. The motion goes on, the client too."""
+    with Server(console, RealTime(console)) as server:
+        address = server.listen("127.0.0.1", 0)
+        thread = threading.Thread(target=server.run, daemon=True)
+        if way == "tcp":
+            thread.start()
+        with Client.virtual(console) if way == "virtual" else Client.tcp(*address) as board:
+            board.send("1MN,1SV10000,1MR90000")
+            with pytest.raises(NoReply, match=r"1WS: no answer within 0.1 s"):
+                board.wait_for_stop(1, timeout=0.1)
+            assert board.ask("TE") == "-7"
+            assert not board.status(1) & Status.STOPPED
+            assert 0 < board.position(1) < 90000
+        server.stop()
+        if way == "tcp":
+            thread.join(20.0)
+
+
+def test_a_wait_that_nothing_can_end(board: Client) -> None:
+    with pytest.raises(NoReply):
+        board.send("WN40", timeout=0.1)
+    assert board.ask("TE") == "-7"
+
+
+def test_an_axis_that_runs_into_its_limit(board: Client) -> None:
+    """Waiting for it says why it has stopped."""
+    board.send("1LM2,1LN3,1MN,1MR200000")
+    with pytest.raises(AxisFault, match="axis 1: hard plus tripped") as error:
+        board.wait_for_stop(1, timeout=60)
+    assert error.value.status & Status.MOTOR_ERROR
+    assert board.ask("2TP") == "02 0"
+
+
+def test_a_download(board: Client) -> None:
+    """Comments stay at home; an error names its line."""
+    assert board.download("; homing\nMD1,1MN,1MR300,1WS,1TP\n\n# by MX\nMC1 ; go\n") == ["01 300"]
+    with pytest.raises(CommandError, match=r"line 2: 1QQ: \?1, unrecognised command") as error:
+        board.download("1TP\n1QQ\n1TP\n")
+    assert error.value.answer == ["01 300"]
+
+
+def test_what_background_tasks_say_between_lines_is_kept_apart(console: Console) -> None:
+    with Client.virtual(console) as board, Client.virtual(console) as other:
+        board.send("MD1,WA0.01,2TP")
+        board.send("GT1")
+        other.send("WA1")
+        assert board.ask("1TP") == "01 0"
+        assert list(board.unasked) == ["02 0"]
+
+
+def test_only_one_line_at_a_time(board: Client) -> None:
+    for line in ("1TP\r1TP", "1TP\n", "\x1b", "1TP€"):
+        with pytest.raises(ValueError, match="is not one line of MCCL"):
+            board.send(line)
+
+
+def test_half_a_line_of_an_earlier_host_is_forgotten(open_client: Open) -> None:
+    with open_client() as first:
+        first._wire.send(b"1MN,1MR")
+    with open_client() as second:
+        assert second.ask("1TP") == "01 0"
+
+
+def test_echo_is_no_answer(open_client: Open, console: Console) -> None:
+    with open_client() as board:
+        board.send("EN")
+        for port in console.ports:
+            port._echoes = True
+        assert board.ask("1TP") == "01 0"
+        assert board.send("1SV500") == []
+
+
+def test_two_clients_at_one_virtual_board(console: Console) -> None:
+    with Client.virtual(console) as first, Client.virtual(console) as second:
+        first.send("1MN,1MR700,AL3,AR20")
+        second.wait_for_stop(1)
+        assert (second.position(1), second.number("TR20")) == (700, 3)
+
+
+@pytest.mark.parametrize("model", ["dcx-pc100", "dcx-at200", "dcx-pci100", "dcx-pci300", "multiflex"])
+def test_every_model(model: str) -> None:
+    """With and without a prompt, whatever the line end."""
+    with Client.virtual({"controller.model": model}) as board:
+        assert board.prompts is (model != "dcx-pc100")
+        assert board.send("1MN,1MR400") == []
+        board.wait_for_stop(1)
+        assert board.send("1TP,2TP") == ["01 400", "02 0"]
+        with pytest.raises(CommandError):
+            board.send("1XX")
+        assert board.position(1) == 400
+
+
+def test_a_virtual_board_takes_no_wall_time() -> None:
+    with Client.virtual() as board:
+        board.send("1SV1,1MN,1MR3600")
+        board.wait_for_stop(1, timeout=4000)
+        assert board.position(1) == 3600
+
+
+# ---------------------------------------------------------------------------------------- nobody there
+
+
+def test_nobody_there() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    with pytest.raises(ConnectionLost, match=f"no board at 127.0.0.1:{port}: connection refused"):
+        Client.open(f"127.0.0.1:{port}")
+    with pytest.raises(ConnectionLost, match="no board at /dev/no-such-device: no such file"):
+        Client.open("/dev/no-such-device")
+    with pytest.raises(ConnectionLost, match="is not a serial device"):
+        Client.serial(__file__)
+
+
+def test_somebody_who_does_not_answer() -> None:
+    with (
+        socket.create_server(("127.0.0.1", 0)) as silent,
+        pytest.raises(NoReply, match=r"VE: no answer within 0.1 s"),
+    ):
+        Client.tcp("127.0.0.1", silent.getsockname()[1], timeout=0.1)
+
+
+def test_a_server_without_room() -> None:
+    console = Console(Machine(first_axis=1))
+    with Server(console, LockStep(console), limits=Limits(hosts=1)) as server:
+        address = server.listen("127.0.0.1", 0)
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        with Client.tcp(*address), pytest.raises(ConnectionLost):
+            Client.tcp(*address)
+        server.stop()
+        thread.join(20.0)
+
+
+def test_a_board_that_goes_away() -> None:
+    console = Console(Machine(first_axis=1))
+    with Server(console, LockStep(console)) as server:
+        address = server.listen("127.0.0.1", 0)
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        client = Client.tcp(*address)
+        server.stop()
+        thread.join(20.0)
+    with pytest.raises(ConnectionLost, match=r"the (board has closed the connection|connection is gone)"):
+        client.ask("1TP")
+    client.close()
