@@ -104,6 +104,7 @@ def run(
     show: Callable[[str], None] | None = None,
     pace: Callable[[float], None] | None = None,
     outside: Outside | None = None,
+    begun: Callable[[Machine], None] | None = None,
     cache: bool = True,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
@@ -112,7 +113,8 @@ def run(
     beside the program, if it has one (ProgramError where that is wrong). `until` is the machine time at which the run
     ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
     names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
-    `outside` is a world that acts by itself, such as a host: it then says how machine time passes.
+    `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
+    with the machine when the program begins, for whoever wants to look on.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name.
     """
@@ -126,6 +128,8 @@ def run(
     )
     compiled = _compile(source, language, settings, result, cache)
     if compiled is not None:
+        if begun is not None:
+            begun(result.machine)
         _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
     result.machine.terminal.close()

@@ -103,6 +103,11 @@ class Machine:
         """The axes that are not idle."""
         return [] if self._controller is None else self._controller.moving()
 
+    @property
+    def moves_made(self) -> int:
+        """How many moves were started so far."""
+        return 0 if self._controller is None else len(self._controller.moves)
+
     def idle_time(self, axis: int) -> float:
         """The time at which an axis will be idle if nothing else happens."""
         return self.controller.idle_time(axis)
