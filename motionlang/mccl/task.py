@@ -299,6 +299,8 @@ class CommandTask(Task):
         self.line = line
         if line is None:
             return False
+        if self.board.machine.world is not None:
+            self.board.machine.world.reach(line.number)
         self.enter(line)
         return True
 

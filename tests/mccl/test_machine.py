@@ -163,3 +163,10 @@ def test_registers_can_be_given_from_outside(mccl: Runner) -> None:
     assert mccl("TR10,TR0", overrides={"R10": 5.0, "r0": 2.5}).output == ["5", "2.500000"]
     wrong = mccl("TR10", overrides={"SPEED": 5.0})
     assert [each.code for each in wrong.diagnostics] == ["unknown-word"]
+
+
+def test_a_fault_when_the_program_comes_to_a_line(mccl: Runner) -> None:
+    fault = {"axis": 1, "kind": "following-error", "line": 3}
+    result = mccl("1MN,1SV10,1SA1000,1SD1000\n1MR1000\nWA0.5\n1TP", machine={"fault": [fault]})
+    assert result.controller.faults(1) != 0
+    assert result.controller.moves[0].ended == "fault"
