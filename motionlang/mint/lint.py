@@ -12,7 +12,7 @@ from motionlang.mint.lint_acts import Facts
 from motionlang.mint.lint_axis import Follower
 from motionlang.mint.lint_buffer import Buffers
 from motionlang.mint.lint_flow import Ways
-from motionlang.mint.lint_motion import Motion
+from motionlang.mint.lint_motion import Motion, Reach
 from motionlang.mint.lint_names import check_names, check_tasks
 from motionlang.mint.lint_settings import Settings
 from motionlang.mint.names import Names
@@ -82,8 +82,9 @@ def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
             Diagnostic(code, message, *place, length=length, hint=hint, severity="warning"),
         )
 
-    follower = Follower(facts)
-    Motion(facts, follower, settings, add).check()
+    reach = Reach(facts, settings)
+    follower = Follower(facts, lambda key, axis: bool(reach.beyond(key, axis)))
+    Motion(follower, reach, add).check()
     Buffers(facts, follower, add).check()
     Settings(facts, follower, add).check()
     Ways(facts, follower, settings, add).check()

@@ -101,19 +101,23 @@ ANYTHING = State(ANY, {})
 
 
 class Follower:
-    """Follows the axes through every function; `report(code, step, act, key, axis)` hears what is wrong."""
+    """Follows the axes through every function; `report(code, step, act, key, axis)` hears what is wrong.
 
-    def __init__(self, facts: Facts) -> None:
-        self.facts = facts
+    `is_out_of_reach(key, axis)` says whether the axis cannot come to its target.
+    """
+
+    def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
+        self.facts, self.is_out_of_reach = facts, is_out_of_reach
         self.before: dict[Function, dict[Step, State]] = {}
         self.apart = self._shared()
+        self.stopped = self._stopped_by_handlers()
         self._at_work: set[Function] = set()
         self._report: Report | None = None
         for function in facts.functions:
             self._analyse(function)
 
     def _shared(self) -> set[Key]:
-        """Axes that more than one of the parent, the tasks and the handlers command: nothing is certain of them."""
+        """Axes to which more than one of the parent, the tasks and the handlers gives commands: nothing is certain."""
         seen: dict[Key, Function] = {}
         shared: set[Key] = set()
         for root in self.facts.functions:
@@ -123,9 +127,16 @@ class Follower:
                 if seen.setdefault(key, root) is not root:
                     shared.add(key)
         if None in seen and len(set(seen.values())) > 1:
-            shared |= set(seen)
-            shared.add(None)
+            shared |= {*seen, None}
         return shared
+
+    def _stopped_by_handlers(self) -> set[Key]:
+        """Axes that a handler or a task stops: a move of theirs may end before its target."""
+        found: set[Key] = set()
+        for root in self.facts.functions:
+            if root.kind in ("task", "event"):
+                found |= self.facts.touched(root, frozenset(("stop",)))
+        return found
 
     def known(self, state: State, key: Key) -> Axis:
         """What is certain of an axis."""
@@ -229,32 +240,41 @@ class Follower:
 
     def _move(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
+        target = self._target(function, act, number, axis, act.row.name == "MOVER")
+        return self._checked(
+            step, act, number, replace(self._entry(function, step, act, number, axis), target=target)
+        )
+
+    def _target(self, function: Function, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
+        """Where the move ends."""
         value = self.facts.number(function, act.value(number))
-        target = value
-        if act.row.name == "MOVER":
-            target = None if value is None or axis.target is None else axis.target + value
-        self._checked(step, act, number, axis, target)
-        return replace(self._entry(function, step, act, number, axis), target=target)
+        if not relative or value is None:
+            return value
+        key = act.axes[number]
+        certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, Symbol)
+        return axis.target + value if certain and axis.target is not None else None
+
+    def _checked(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        """The axis with its target, or without it where it will not come there."""
+        key = act.axes[number]
+        if axis.target is None or not self.is_out_of_reach(key, axis):
+            return axis
+        self._tell("beyond-travel", step, act, key, axis)
+        return replace(axis, target=None)
 
     def _entry(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
             self._tell("scale-after-speed", step, act, act.axes[number], axis)
         return replace(axis, waiting=min(axis.waiting + 1, MOST_ENTRIES), stale=frozenset())
 
-    def _checked(self, step: Step, act: Act, number: int, axis: Axis, target: float | None) -> None:
-        if target is not None:
-            self._tell("target", step, act, act.axes[number], replace(axis, target=target))
-
     def _path(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         """A move of several axes: where it ends is known for a line, what it leaves in the buffers is not."""
         assert act.row is not None
         target = None
         if act.row.name in ("VECTORA", "VECTORR") and number < len(act.values):
-            target = self.facts.number(function, act.values[number])
-            if act.row.name == "VECTORR":
-                target = None if target is None or axis.target is None else axis.target + target
-            self._checked(step, act, number, axis, target)
-        return replace(axis, motion=UNKNOWN, fresh=False, waiting=0, target=target, stale=frozenset())
+            target = self._target(function, act, number, axis, act.row.name == "VECTORR")
+        after = replace(axis, motion=UNKNOWN, fresh=False, waiting=0, target=target, stale=frozenset())
+        return self._checked(step, act, number, after)
 
     def _go(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0

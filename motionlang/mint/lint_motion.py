@@ -15,14 +15,47 @@ if TYPE_CHECKING:
     Add = Callable[..., None]
 
 
-class Motion:
-    """The checks; `add(code, message, at, hint)` notes a warning, `settings` are those of the machine file."""
+class Reach:
+    """How far the axes may go: their travel by the machine file, and the software limits of the program."""
 
-    def __init__(self, facts: Facts, follower: Follower, settings: Mapping[str, object], add: Add) -> None:
-        self.follower, self.settings, self.add = follower, settings, add
+    def __init__(self, facts: Facts, settings: Mapping[str, object]) -> None:
+        self.settings = settings
         self.forward = facts.constants("SOFTLIMITFORWARD")
         self.reverse = facts.constants("SOFTLIMITREVERSE")
         self.unlimited = facts.named("SOFTLIMITMODE")
+
+    def beyond(self, key: Key, axis: Axis) -> str:
+        """What the target of an axis lies beyond, in words; "" where it does not."""
+        target = axis.target
+        assert target is not None
+        forward, reverse = self._software(key)
+        if forward is not None and target > forward:
+            return f"the software limit at {forward:g}"
+        if reverse is not None and target < reverse:
+            return f"the software limit at {reverse:g}"
+        travel = self.settings.get(f"axis.{key}.travel")
+        if not isinstance(travel, list) or axis.frame is None:
+            return ""
+        start = self.settings.get(f"axis.{key}.start", 0.0)
+        assert isinstance(start, (int, float))
+        zero = start + axis.frame
+        if travel[0] <= zero + target <= travel[1]:
+            return ""
+        switch = travel[1] if zero + target > travel[1] else travel[0]
+        return f"the limit switch at {switch - zero:g}"
+
+    def _software(self, key: Key) -> tuple[float | None, float | None]:
+        if key in self.unlimited or None in self.unlimited:
+            return None, None
+        forward, reverse = self.forward.get(key), self.reverse.get(key)
+        return (max(forward) if forward else None, min(reverse) if reverse else None)
+
+
+class Motion:
+    """The checks; `add(code, message, at, hint)` notes a warning."""
+
+    def __init__(self, follower: Follower, reach: Reach, add: Add) -> None:
+        self.follower, self.reach, self.add = follower, reach, add
 
     def check(self) -> None:
         """All of them."""
@@ -63,36 +96,14 @@ class Motion:
             "set SPEED first",
         )
 
-    def _target(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
-        target = axis.target
-        assert target is not None
-        forward, reverse = self._soft_limits(key)
-        if forward is not None and target > forward:
-            self._beyond(act, key, target, f"the software limit at {forward:g}")
-        elif reverse is not None and target < reverse:
-            self._beyond(act, key, target, f"the software limit at {reverse:g}")
-        travel = self.settings.get(f"axis.{key}.travel")
-        if isinstance(travel, list) and axis.frame is not None:
-            start = self.settings.get(f"axis.{key}.start", 0.0)
-            assert isinstance(start, (int, float))
-            place = start + axis.frame + target
-            if not travel[0] <= place <= travel[1]:
-                switch = travel[1] if place > travel[1] else travel[0]
-                self._beyond(act, key, target, f"the limit switch at {switch - start - axis.frame:g}")
-
-    def _soft_limits(self, key: Key) -> tuple[float | None, float | None]:
-        if key in self.unlimited or None in self.unlimited:
-            return None, None
-        forward, reverse = self.forward.get(key), self.reverse.get(key)
-        return (max(forward) if forward else None, min(reverse) if reverse else None)
-
-    def _beyond(self, act: Act, key: Key, target: float, what: str) -> None:
-        self.add("beyond-travel", f"the move ends at {target:g}, beyond {what} of axis {spelt(key)}", act.at,
+    def _beyond(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        what = self.reach.beyond(key, axis)
+        self.add("beyond-travel", f"the move ends at {axis.target:g}, beyond {what} of axis {spelt(key)}", act.at,
                  "the axis stops there with an error")  # fmt: skip
 
 
 _HEARD: dict[str, Callable[..., None]] = {
-    "target": Motion._target,
+    "beyond-travel": Motion._beyond,
     "in-motion": Motion._in_motion,
     "scale-in-motion": Motion._scale_in_motion,
     "scale-after-speed": Motion._scale_late,

@@ -34,6 +34,7 @@ def _rows() -> list[Keyword]:
         latches,
         limits,
         motion,
+        remote,
         sensing,
         state,
         tasks,
@@ -41,7 +42,7 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        axis, motion, state, control, tasks, terminal, io, comms, limits, homing, latches, sensing, functions,
+        axis, motion, state, control, tasks, terminal, io, comms, remote, limits, homing, latches, sensing, functions,
         constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
