@@ -61,6 +61,15 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
         **_WHEN,
     },
+    "remote": {
+        "bus": ("channel", "The bus of the remote node, 1 unless given."),
+        "node": ("channel", "The remote node."),
+        "channel": ("channel", "Its digital input."),
+        "analogue": ("channel", "Its analogue input, instead."),
+        "value": ("number", "The value: 1 unless given, or percent."),
+        "at": _WHEN["at"],
+        "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
+    },
     "fault": {
         "axis": ("channel", "The axis that suffers it."),
         "kind": ("fault", "following-error, error-input, forward-limit or reverse-limit."),
@@ -90,6 +99,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
 REQUIRED = {
     "input": ("channel",),
     "analogue": ("channel", "value"),
+    "remote": ("node",),
     "fault": ("axis", "kind"),
     "key": ("text",),
     "answer": ("text",),
@@ -164,6 +174,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         if name not in entry:
             yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
     yield from _when_problems(table, entry)
+    if table == "remote" and ("channel" in entry) is ("analogue" in entry):
+        yield "[[remote]] needs a channel or an analogue", "channel = 0 is a digital input", "[[remote]]"
     if table in ("comms", "netdata"):
         yield from _written_problems(table, entry)
 
