@@ -125,7 +125,7 @@ def _check(args: argparse.Namespace) -> None:
     if args.modbus is not None:
         _check_modbus(args)
     elif _speaks_mint(args):
-        error("a board that is served understands MCCL; Mint has no ASCII host interface")
+        error("a board that is served understands MCCL; a Mint program is served with --modbus HOST:PORT")
 
 
 def _check_modbus(args: argparse.Namespace) -> None:

@@ -6,6 +6,8 @@ import os
 import socket
 from typing import Protocol
 
+UNREAD = 65536
+
 
 class Gone(Exception):
     """The host has broken the connection off."""
@@ -53,6 +55,12 @@ class TcpChannel:
             raise Gone from error
 
     def close(self) -> None:
+        """Close in good order: unread characters would break the connection off, and lose what was sent last."""
+        try:
+            self._socket.shutdown(socket.SHUT_WR)
+            self._socket.recv(UNREAD)
+        except OSError:
+            pass
         self._socket.close()
 
 

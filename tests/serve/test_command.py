@@ -1,0 +1,143 @@
+"""`motionlang serve` as a process: what it prints, what ends it, what it refuses."""
+
+from __future__ import annotations
+
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from motionlang.cli import main
+from motionlang.client import Client
+
+COMMAND = [sys.executable, "-m", "motionlang", "serve"]
+
+
+@contextmanager
+def running(*options: str) -> Iterator[subprocess.Popen[str]]:
+    with subprocess.Popen(
+        [*COMMAND, *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def line_with(process: subprocess.Popen[str], start: str) -> str:
+    """The rest of the first line that begins so."""
+    assert process.stdout is not None
+    for line in process.stdout:
+        if line.startswith(start):
+            return line.removeprefix(start).strip()
+    raise AssertionError(process.communicate())
+
+
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGTERM])
+def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
+    """A file first, whose refused commands are shown; then a host; then the end, in good order."""
+    macros = tmp_path / "press.mcl"
+    macros.write_text("; press\nMD1,1MN,1MR800,1WS,1TP\nMC1\n1QQ\n")
+    with running(str(macros), "--tcp", "0", "--log", "--factor", "50", "--set", "R20=7") as process:
+        address = line_with(process, "listening on ")
+        assert line_with(process, "01 ") == "800"
+        with Client.open(address) as board:
+            assert board.send("1TP,TR20") == ["01 800", "7"]
+        process.send_signal(end)
+        out, err = process.communicate(timeout=20)
+    assert process.returncode == 0
+    assert "served 1 hosts; machine time " in out
+    assert "error[unknown-word]: there is no command QQ (?1: unrecognised command)\n" in err
+    assert "press.mcl:4:1\n" in err
+    assert "1 < 1TP,TR20\n1 > 01 800\n1 > 7\n" in err
+    assert "Traceback" not in err
+
+
+def test_a_serial_device() -> None:
+    pytest.importorskip("pty")
+    with running("--pty", "--clock", "lockstep") as process:
+        with Client.open(line_with(process, "serial device ")) as board:
+            board.send("1MN,1MR100000")
+            board.wait_for_stop(1)
+            assert board.position(1) == 100000
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(20) == 0
+
+
+def test_hosts_that_are_connected_at_the_end_get_what_was_said() -> None:
+    with running("--tcp", "0") as process:
+        port = int(line_with(process, "listening on ").rpartition(":")[2])
+        with socket.create_connection(("127.0.0.1", port), 20) as host:
+            host.sendall(b"HE\r")
+            said = host.recv(1) + host.recv(1)
+            process.send_signal(signal.SIGTERM)
+            while piece := host.recv(65536):
+                said += piece
+            assert said.count(b"\n") > 100
+            assert said.endswith(b"\n>")
+        assert process.wait(20) == 0
+
+
+def test_other_computers_are_let_in_only_when_it_is_said() -> None:
+    with running("--tcp", "0.0.0.0:0") as process:
+        address = line_with(process, "listening on ")
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=20)
+    assert err == (
+        f"motionlang serve: warning: whoever reaches this computer can connect to {address}; "
+        "there is no password\n"
+    )
+
+
+def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        assert main(["serve", "--tcp", str(port)]) == 1
+    assert capsys.readouterr().err == (
+        f"error[address]: nobody can connect at 127.0.0.1:{port}: address already in use\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ([], "no host could connect: give --tcp HOST:PORT, --pty or --modbus HOST:PORT"),
+        (["--tcp", "nowhere"], "argument --tcp: ':nowhere' is not HOST:PORT with a port from 0"),
+        (["--tcp", "127.0.0.1:70000"], "is not HOST:PORT with a port from 0 (any that is free) to 65535"),
+        (["--tcp", "0", "--step", "1"], "--step is about lock step: it goes with --clock lockstep"),
+        (["--tcp", "0", "--clock", "lockstep", "--factor", "2"], "it goes with --clock real"),
+        (["--tcp", "0", "--factor", "-1"], "'-1' is not a factor from"),
+        (["--tcp", "0", "--hosts", "0"], "'0' is not a number of connections from 1 to 1000"),
+        (["pick.mnt", "--tcp", "0"], "a Mint program is served with --modbus HOST:PORT"),
+    ],
+)
+def test_mistakes_on_the_command_line(
+    options: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["serve", *options])
+    assert end.value.code == 2
+    assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["gone.mcl"], "error[file]: gone.mcl cannot be read: no such file or directory\n"),
+        (["--machine", "gone.toml"], "error[file]: gone.toml cannot be read: no such file or directory\n"),
+        (["--set", "controller.model=pmc9"], "error[machine-file]: MCCL knows no model pmc9\n"),
+        (["--set", "R999=1"], "error[range]: there is no register 999\n"),
+        (
+            ["--tcp", "no.such.host.invalid:1"],
+            "error[address]: nobody can connect at no.such.host.invalid:1: ",
+        ),
+    ],
+)
+def test_what_cannot_be_served(options: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["serve", "--tcp", "0", *options]) == 1
+    assert message in capsys.readouterr().err
