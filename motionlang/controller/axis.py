@@ -79,6 +79,7 @@ class Axis:
         "shape",
         "speed",
         "starts",
+        "suspend_time",
         "suspended",
         "target",
         "watches",
@@ -105,6 +106,7 @@ class Axis:
         self.feedrate_mode = 1
         self.override = 1.0
         self.suspended = False
+        self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
         # Whether paths are run through without slowing down at corners up to an angle, degrees.

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.latch import Compare, Latch
     from motionlang.controller.trace import Trace
 
 
@@ -192,6 +193,33 @@ class Controller(Core):
         if number not in self.axes:
             raise Refusal("axis", f"there is no axis {number} to follow")
         return self.axes[number]
+
+    # ---------------------------------------------------------------------------------- capturing and comparing
+
+    def latch(self, number: int) -> Latch:
+        """A latch channel."""
+        from motionlang.controller.latch import Latch
+
+        found = self.latches.get(number)
+        if found is None:
+            found = self.latches[number] = Latch(self, number)
+        return found
+
+    def latch_on_input(
+        self, number: int, axis: int, channel: int, edge: int = 1, encoder: bool = False
+    ) -> None:
+        """Let a latch capture a position at an edge (1 rising, -1 falling, 0 both) of a digital input."""
+        self.latch(number).on_input(self._master(axis, encoder), channel, edge)
+
+    def latch_on_index(self, number: int, axis: int) -> None:
+        """Let a latch capture the position of an axis at the index marks of its encoder."""
+        self.latch(number).on_index(self._master(axis, False))
+
+    def compare(self, axis: int, output: int, low: float, high: float) -> Compare:
+        """Keep a digital output on while an axis is between two positions."""
+        from motionlang.controller.latch import Compare
+
+        return Compare(self, axis, output, low, high)
 
     @property
     def trace(self) -> Trace:

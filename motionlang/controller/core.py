@@ -43,6 +43,7 @@ SETTINGS = frozenset(
         "live_speed",
         "feedrate_mode",
         "override",
+        "suspend_time",
         "max_speed",
         "max_accel",
         "max_decel",
@@ -186,11 +187,15 @@ class Core(Readings):
         self._end_move(a, "retarget")
         self._run(a, move, profile)
 
-    def play(self, axis: int, profile: Profile, command: str = "", line: int = 0) -> None:
-        """Follow a ready-made profile that begins where the axis is: a path, or the motion of a master."""
+    def play(
+        self, axis: int, profile: Profile, command: str = "", line: int = 0, on_path: bool = False
+    ) -> None:
+        """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it."""
+        from motionlang.controller.played import Played
+
         a = self._ready(axis)
         move = Move(axis, command, line, profile.end)
-        move.action = halt.Played()
+        move.action = Played(on_path)
         self._end_move(a, "retarget")
         self._run(a, move, profile)
 

@@ -25,22 +25,16 @@ class Jog(Action):
         return controller._plan_jog(a, self.velocity)
 
 
-class Played(Action):
-    """Following a ready-made profile."""
-
-    __slots__ = ()
-
-    def suspend(self, controller: Core, a: Axis) -> bool:
-        raise Refusal("moving", f"axis {a.index} follows a ready-made profile, which cannot be suspended")
-
-
 class Stopping(Action):
     """Coming to rest after a stop: nothing changes that any more."""
 
     __slots__ = ()
 
     def stop(self, controller: Core, a: Axis, ended: str) -> bool:
-        return ended != "fault"
+        if ended == "fault":
+            return False
+        controller.empty(a)
+        return True
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         return True

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
+    from motionlang.controller.latch import Latch
     from motionlang.controller.move import Move
 
 
@@ -32,7 +33,9 @@ class Readings:
         self._pulses: dict[int, Event] = {}
         # Encoder channels that the world turns, such as that of a conveyor; they have tracks like axes.
         self.encoders: dict[int, Axis] = {}
-        # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis).
+        self.latches: dict[int, Latch] = {}
+        # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis), and of
+        # ("latch", number).
         self.listeners: list[Callable[[str, int], None]] = []
 
     def heading(self, axis: int) -> int:

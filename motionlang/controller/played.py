@@ -1,0 +1,93 @@
+"""Following a ready-made profile: what suspends it is its own time, which runs slower and slower until it stands.
+
+So an axis stays on its profile, and axes that play together stay together, however often they are suspended.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action
+from motionlang.profile import halted, hold, plan_stop, plan_velocity
+from motionlang.profile.composed import Composed
+from motionlang.profile.stop import running
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+    from motionlang.profile import Profile
+
+
+class Played(Action):
+    """A profile that is played; with `on_path` stop too comes to rest on it, in the axis's `suspend_time`."""
+
+    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path")
+
+    def __init__(self, on_path: bool = False) -> None:
+        self.on_path = on_path
+        # The profile from where it was first slowed down, its time over the machine's, and what was made of both.
+        self._path: Profile | None = None
+        self._pace: Profile | None = None
+        self._shown: Profile | None = None
+        self._began = 0.0
+
+    def suspend(self, controller: Core, a: Axis) -> bool:
+        path, place, rate = self._state(controller, a)
+        pace = self._slowing(a, place, rate)
+        self._follow(controller, a, path, halted(pace, "suspend"), "suspend", "")
+        return True
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        """The way on at full pace."""
+        path, place, rate = self._state(controller, a)
+        if a.suspend_time > 0.0 and rate < 1.0:
+            change = 1.0 / a.suspend_time
+            pace = plan_velocity("trapezoid", place, rate, 1.0, change, change)
+        else:
+            pace = running(place, 1.0)
+        end = pace.crossing(path.duration)
+        assert end is not None, "a pace above zero comes to every end"
+        return self._made(controller, path, pace.cut(end), path.shape)
+
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+        if not self.on_path or ended == "fault":
+            return False
+        controller.empty(a)
+        path, place, rate = self._state(controller, a)
+        self._follow(controller, a, path, self._slowing(a, place, rate), path.shape, ended)
+        move = a.move
+        assert move is not None
+        a.target = move.target = a.profiles[-1].end
+        from motionlang.controller.halt import Stopping
+
+        move.action = Stopping()
+        return True
+
+    # -- inside
+
+    def _state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
+        """The profile, how far its time has come, and how fast that runs."""
+        now, last = controller.clock.now, a.profiles[-1]
+        if self._path is not None and self._pace is not None and self._shown is last:
+            return self._path, self._pace.position(now - self._began), self._pace.velocity(now - self._began)
+        if not last.pieced:
+            raise Refusal("moving", f"axis {a.index} follows a profile that cannot be suspended")
+        return last.after(now - a.starts[-1]), 0.0, 1.0
+
+    def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
+        """The time of the profile coming to rest."""
+        if a.suspend_time <= 0.0 or rate <= 0.0:
+            return hold(place).cut(0.0)
+        return plan_stop("trapezoid", place, rate, 1.0 / a.suspend_time)
+
+    def _follow(
+        self, controller: Core, a: Axis, path: Profile, pace: Profile, shape: str, ended: str
+    ) -> None:
+        controller._continue(a, self._made(controller, path, pace, shape), ended)
+
+    def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
+        self._path, self._pace, self._began = path, pace, controller.clock.now
+        self._shown = Composed(pace, path, shape)
+        if pace.end == path.duration:
+            self._shown.end = path.end
+        return self._shown

@@ -1,0 +1,113 @@
+"""Positions captured at edges, outputs switched at positions: both to the moment."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from tests.controller.machines import machine, until
+
+
+def pulses(c: Controller, channel: int, *times: float) -> None:
+    """The input is on for 10 ms at each of these times."""
+    for time in times:
+        c.clock.at(time, lambda: c.inputs.__setitem__(channel, 1))
+        c.clock.at(time + 0.01, lambda: c.inputs.__setitem__(channel, 0))
+
+
+def captured(c: Controller) -> list[float]:
+    """What latch 0 captures from now on."""
+    seen: list[float] = []
+    c.listeners.append(lambda what, _: seen.append(c.latch(0).value) if what == "latch" else None)
+    return seen
+
+
+def test_the_position_is_that_of_the_moment_of_the_edge() -> None:
+    c = machine()
+    heard: list[tuple[str, int]] = []
+    c.listeners.append(lambda what, number: heard.append((what, number)))
+    c.latch_on_input(5, 0, 2)
+    c.latch(5).enabled = True
+    pulses(c, 2, 1.23456)
+    c.move_to(0, 20.0)
+    until(c, 2.0)
+    latch = c.latch(5)
+    assert latch.value == pytest.approx(10.0 * 1.23456 - 0.5, abs=1e-12)
+    assert latch.time == 1.23456
+    assert heard == [("latch", 5)]
+    assert [latch.take(), latch.take()] == [True, False]
+
+
+def test_once_or_again_and_again() -> None:
+    for automatic, expected in ((False, 5.0), (True, 9.0)):
+        c = machine()
+        c.latch_on_input(0, 0, 2)
+        c.latch(0).enabled, c.latch(0).automatic = True, automatic
+        pulses(c, 2, 0.55, 0.95)
+        c.move_to(0, 20.0)
+        until(c, 5.0)
+        assert c.latch(0).value == pytest.approx(expected)
+        assert c.latch(0).enabled is automatic
+
+
+@pytest.mark.parametrize(("edge", "expected"), [(1, 5.0), (-1, 5.1), (0, 5.1)])
+def test_rising_falling_and_both(edge: int, expected: float) -> None:
+    c = machine()
+    c.latch_on_input(0, 0, 2, edge)
+    c.latch(0).enabled = c.latch(0).automatic = True
+    pulses(c, 2, 0.55)
+    c.move_to(0, 20.0)
+    assert until(c, 5.0).latch(0).value == pytest.approx(expected)
+
+
+def test_edges_too_near_to_the_last_one_do_not_count() -> None:
+    for name, value in (("inhibit_time", 0.3), ("inhibit_distance", 3.0)):
+        c = machine()
+        c.latch_on_input(0, 0, 2)
+        c.latch(0).enabled = c.latch(0).automatic = True
+        setattr(c.latch(0), name, value)
+        pulses(c, 2, 0.55, 0.75, 0.95)
+        c.move_to(0, 20.0)
+        seen = captured(c)
+        until(c, 5.0)
+        assert seen == pytest.approx([5.0, 9.0])
+
+
+def test_an_encoder_that_the_world_turns_is_captured_too() -> None:
+    c = machine()
+    c.drive_encoder(3, 1000.0)
+    c.latch_on_input(0, 3, 2, encoder=True)
+    c.latch(0).enabled = True
+    pulses(c, 2, 0.5)
+    assert until(c, 1.0).latch(0).value == pytest.approx(500.0)
+
+
+def test_index_marks_there_and_back() -> None:
+    c = machine()
+    c.axes[0].index_every, c.axes[0].index_origin = 4.0, 1.0
+    c.latch_on_index(0, 0)
+    c.latch(0).enabled = c.latch(0).automatic = True
+    seen = captured(c)
+    c.move_to(0, 11.0)
+    until(c, 2.0)
+    c.move_to(0, -6.0)
+    until(c, 9.0)
+    assert seen == pytest.approx([1.0, 5.0, 9.0, 9.0, 5.0, 1.0, -3.0])
+    assert c.latch(0).time == pytest.approx(2.0 + 14.5 / 10.0)
+
+
+def test_an_output_is_on_between_two_positions() -> None:
+    c = machine()
+    compare = c.compare(0, 7, 8.0, 5.0)
+    c.move_to(0, 20.0)
+    until(c, 5.0)
+    assert [value for _, _, value in c.outputs.changes] == [1, 0]
+    assert [time for time, _, _ in c.outputs.changes] == pytest.approx([0.55, 0.85])
+    compare.enable(False)
+    compare.place(19.0, 21.0)
+    assert c.output(7) == 0
+    compare.enable(True)
+    assert c.output(7) == 1
+    compare.remove()
+    c.move_to(0, 0.0)
+    assert until(c, 9.0).output(7) == 1

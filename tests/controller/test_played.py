@@ -1,0 +1,102 @@
+"""Ready-made profiles, such as splines: suspended and stopped without leaving their course."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.controller.controller import Controller
+from motionlang.profile.table_motion import table_curve
+from tests.controller.machines import machine, until
+
+quick = settings(max_examples=60, derandomize=True, deadline=None, database=None)
+TIMES = [0.0, 0.5, 1.0, 1.5, 2.0]
+
+
+def playing(on_path: bool = True) -> Controller:
+    """Two axes on a spline of half a second a point."""
+    c = machine(suspend_time=0.2)
+    c.play(0, table_curve(TIMES, [0.0, 3.0, 5.0, 2.0, 8.0], "cubic"), "SPLINE", 3, on_path)
+    c.play(1, table_curve(TIMES, [0.0, -1.0, 4.0, 4.0, 1.0], "cubic"), "SPLINE", 3, on_path)
+    return c
+
+
+def plain(axis: int, time: float) -> float:
+    return playing().axes[axis].position(time)
+
+
+def test_suspended_its_time_slows_down_and_stands() -> None:
+    c = playing()
+    until(c, 0.7)
+    for axis in (0, 1):
+        c.suspend(axis)
+    until(c, 3.0)
+    assert (c.position(0), c.position(1)) == pytest.approx((plain(0, 0.8), plain(1, 0.8)))
+    assert (c.velocity(0), c.velocity(1)) == (0.0, 0.0)
+    assert not c.is_idle(0)
+    for axis in (0, 1):
+        c.resume(axis)
+    assert c.idle_time(0) == pytest.approx(3.0 + 1.3)
+    until(c, 9.0)
+    assert (c.position(0), c.position(1)) == (8.0, 1.0)
+    assert len(c.moves) == 2
+    assert c.moves[0].profile is not None
+    assert c.moves[0].profile.duration == pytest.approx(4.3)
+
+
+@quick
+@given(st.lists(st.floats(0.01, 0.8), min_size=1, max_size=6))
+def test_axes_that_play_together_stay_together(pauses: list[float]) -> None:
+    c = playing()
+    held = False
+    for pause in pauses:
+        until(c, c.clock.now + pause)
+        for axis in (0, 1):
+            (c.resume if held else c.suspend)(axis)
+        held = not held
+    for axis in (0, 1):
+        c.resume(axis)
+    until(c, 99.0)
+    assert (c.position(0), c.position(1)) == (8.0, 1.0)
+    for k in range(100):
+        t = 0.05 * k
+        x, y = c.axes[0].position(t), c.axes[1].position(t)
+        # where the first axis is on its spline tells the time of the spline, up to its first turning point
+        if t < pauses[0] and t < 0.9:
+            assert (x, y) == pytest.approx((plain(0, t), plain(1, t)), abs=1e-9)
+    first = playing().axes[0].profiles[-1]
+    for time in (first.crossing(4.0), first.crossing(1.0)):
+        assert time is not None
+        mine = c.axes[0]
+        passed = [p.crossing(first.position(time)) for p in mine.profiles[1:]]
+        where = next(i for i, found in enumerate(passed) if found is not None) + 1
+        found = mine.profiles[where].crossing(first.position(time))
+        assert found is not None
+        at = mine.starts[where] + found
+        if where + 1 == len(mine.starts) or at <= mine.starts[where + 1]:
+            assert c.axes[1].position(at) == pytest.approx(plain(1, time), abs=1e-6)
+
+
+def test_stop_comes_to_rest_on_the_course_where_that_is_wanted() -> None:
+    c = playing()
+    until(c, 0.7).stop(0)
+    c.stop(1)
+    until(c, 3.0)
+    assert (c.position(0), c.position(1)) == pytest.approx((plain(0, 0.8), plain(1, 0.8)))
+    assert c.is_idle(0)
+    assert [move.ended for move in c.moves] == ["stop", "stop"]
+    c = playing(on_path=False)
+    until(c, 0.7)
+    speed = c.velocity(0)
+    c.stop(0)
+    assert until(c, 3.0).position(0) == pytest.approx(plain(0, 0.7) + speed * speed / 200.0)
+
+
+def test_without_a_time_to_slow_down_in_it_stands_at_once() -> None:
+    c = playing()
+    c.configure(0, "suspend_time", 0.0)
+    until(c, 0.7).suspend(0)
+    assert until(c, 2.0).position(0) == pytest.approx(plain(0, 0.7))
+    c.resume(0)
+    assert until(c, 9.0).position(0) == 8.0
