@@ -21,6 +21,7 @@ INTERRUPTED, PIPE_CLOSED = 130, 141
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; the exit status is 0, 1 (the program is wrong or faulted) or 2 (the command line is wrong)."""
     given = sys.argv[1:] if arguments is None else list(arguments)
+    _open_closed()
     try:
         _forgive_letters()
         status = _command(given)
@@ -75,6 +76,15 @@ def _command(given: Sequence[str]) -> int:
     from motionlang.cli_options import parse
 
     return parse(given)
+
+
+def _open_closed() -> None:
+    """A stream that was closed before we began swallows what is written to it."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            import os
+
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - for as long as we run
 
 
 def _forgive_letters() -> None:

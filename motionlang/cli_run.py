@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.execution import Run
+    from motionlang.lang.machine import Machine
     from motionlang.lang.scheduler import Outside
 
 REPORTS = ("table", "json", "none")
@@ -103,15 +104,31 @@ def run_command(options: Options) -> int:
 def _run(
     options: Options, source: Source, settings: dict[str, object], outside: Outside | None = None
 ) -> Run:
+    if sys.stderr.isatty():
+        from motionlang.cli_watch import watched
+
+        return watched(lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun))
+    return _run_unwatched(options, source, settings, outside, _show, None)
+
+
+def _run_unwatched(
+    options: Options,
+    source: Source,
+    settings: dict[str, object],
+    outside: Outside | None,
+    show: Callable[[str], None],
+    begun: Callable[[Machine], None] | None,
+) -> Run:
     return run(
         source,
         dialect=options.dialect or dialect_of(options.file),
         machine=settings,
         until=options.until,
         overrides=options.overrides,
-        show=None if options.report == "json" else _show,
+        show=None if options.report == "json" else show,
         pace=None if options.realtime is None else pacer(options.realtime),
         outside=outside,
+        begun=begun,
         cache=options.cache,
     )
 

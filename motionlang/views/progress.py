@@ -1,42 +1,174 @@
-"""One line on a terminal that says how far a long piece of work has come."""
+"""One line on a terminal that says how far a long piece of work has come; rich keeps it in its place.
+
+Nothing is imported or written before the work has taken a while, nor where no person reads the stream.
+"""
 
 from __future__ import annotations
 
+import _thread
+import os
 from time import monotonic
-from typing import TYPE_CHECKING
 
-from motionlang.views.terminal import is_terminal, width_of
+from motionlang.views.terminal import is_terminal, wants_colour, width_of
+from motionlang.views.words import clock_time
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import TextIO
+
+    from rich.console import Console
+    from rich.live import Live
+    from rich.progress import Progress as Bar
 
 # Seconds before it shows at all, and between two changes.
 PATIENCE = 0.5
 PERIOD = 0.1
+# The same of a run, whose line a thread writes.
+RUN_PATIENCE, RUN_PERIOD = 1.0, 0.2
 
 
 class Progress:
-    """Called with the part done, 0 to 1; writes to `stream` only where a person reads it."""
+    """Called with the part done, 0 to 1."""
 
-    __slots__ = ("_label", "_next", "_shown", "_stream")
+    __slots__ = ("_bar", "_label", "_next", "_stream")
 
     def __init__(self, stream: TextIO, label: str) -> None:
         self._stream, self._label = stream, label
-        self._next = monotonic() + PATIENCE if is_terminal(stream) else float("inf")
-        self._shown = False
+        self._next = monotonic() + PATIENCE if is_shown(stream) else float("inf")
+        self._bar: Bar | None = None
 
     def __call__(self, part: float) -> None:
         if monotonic() < self._next:
             return
         self._next = monotonic() + PERIOD
-        self._shown = True
-        room = max(10, min(40, width_of(self._stream) - len(self._label) - 10))
-        bar = ("█" * round(part * room)).ljust(room, "░")
-        self._stream.write(f"\r{self._label} {bar} {part:4.0%}\x1b[K")
-        self._stream.flush()
+        if self._bar is None:
+            self._bar = _bar(self._stream, self._label)
+        self._bar.update(self._bar.task_ids[0], completed=part, refresh=True)
 
     def done(self) -> None:
         """Take the line away."""
-        if self._shown:
-            self._stream.write("\r\x1b[K")
-            self._stream.flush()
+        if self._bar is not None:
+            self._bar.stop()
+
+
+def _bar(stream: TextIO, label: str) -> Bar:
+    from rich.progress import BarColumn, TaskProgressColumn, TextColumn
+    from rich.progress import Progress as Bar
+
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), TaskProgressColumn())
+    bar = Bar(
+        *columns,
+        console=_screen(stream),
+        auto_refresh=False,
+        transient=True,
+        redirect_stdout=False,
+        redirect_stderr=False,
+    )
+    bar.add_task(label, total=1.0)
+    bar.start()
+    return bar
+
+
+class Watcher:
+    """Shows the line that `describe` makes while something else works, from a thread of its own.
+
+    The thread only ever looks: it changes nothing of what it describes. `hide` before anything else writes to the
+    terminal; the line comes back by itself.
+    """
+
+    __slots__ = ("_describe", "_ended", "_hidden", "_line", "_live", "_stop", "_stream")
+
+    def __init__(self, stream: TextIO, describe: Callable[[], str]) -> None:
+        self._stream, self._describe = stream, describe
+        self._live: Live | None = None
+        # Held by whoever writes; `_stop` and `_ended` are let go of when the thread is to end, and when it has.
+        self._line, self._stop, self._ended = (_thread.allocate_lock() for _ in range(3))
+
+    def start(self) -> None:
+        """Begin to watch; there must be a `stop`."""
+        self._stop.acquire()
+        self._ended.acquire()
+        _thread.start_new_thread(self._watch, ())
+
+    def stop(self) -> None:
+        """Take the line away and end the thread."""
+        self._stop.release()
+        self._ended.acquire()
+
+    def hide(self) -> None:
+        """Take the line away for the moment."""
+        if self._live is not None:
+            with self._line:
+                self._erase()
+
+    def show(self) -> None:
+        """Write the line, or write it anew."""
+        with self._line:
+            if self._live is None:
+                self._live = _live(self._stream)
+                self._live.start()
+            self._live.update(self._describe(), refresh=True)
+
+    def _watch(self) -> None:
+        try:
+            if self._stop.acquire(timeout=RUN_PATIENCE):
+                return
+            self.show()
+            while not self._stop.acquire(timeout=RUN_PERIOD):
+                self.show()
+        except OSError:
+            pass  # the terminal has gone, and with it whoever wanted to know
+        finally:
+            with self._line:
+                self._erase()
+            self._ended.release()
+
+    def _erase(self) -> None:
+        if self._live is not None:
+            self._live.stop()
+            self._live = None
+
+
+def _live(stream: TextIO) -> Live:
+    from rich.live import Live
+
+    return Live(
+        console=_screen(stream),
+        auto_refresh=False,
+        transient=True,
+        redirect_stdout=False,
+        redirect_stderr=False,
+        vertical_overflow="crop",
+    )
+
+
+def _screen(stream: TextIO) -> Console:
+    from rich.console import Console
+
+    return Console(
+        file=stream,
+        width=width_of(stream),
+        force_terminal=True,
+        no_color=not wants_colour(stream),
+        markup=False,
+        emoji=False,
+        highlight=False,
+    )
+
+
+def is_shown(stream: TextIO) -> bool:
+    """Whether a line can come and go on `stream`: a person reads it, on a terminal that can erase."""
+    return is_terminal(stream) and os.environ.get("TERM") != "dumb"
+
+
+def run_line(time: float, elapsed: float, moves: int, *, stands: bool = False) -> str:
+    """How far a run has come: machine time, how much faster than the machine it is, moves.
+
+    `stands` says that the machine time is that of the line before: the time of a loop is added up when it waits.
+    """
+    factor = time / elapsed if elapsed > 0.0 else 0.0
+    pace = f"{factor:,.0f}".replace(",", " ") if factor >= 10.0 else f"{factor:.1f}"
+    count = f"{moves:,} moves".replace(",", " ") if moves != 1 else "1 move"
+    what = "computing" if stands else f"{pace} × real time"
+    return f"{clock_time(round(time, 1))} of machine time · {what} · {count} · Ctrl-C ends the run"

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from tests.cli.programs import BALLSCREW
 
 COMMAND = [sys.executable, "-m", "motionlang"]
@@ -43,3 +45,32 @@ def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
     assert process.returncode == 130
     assert " · interrupted at " in out
     assert err.startswith("error[interrupted]: the run was ended from the keyboard\n")
+
+
+def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
+    """From the first second on; Ctrl-C then takes the line away and reports."""
+    pty = pytest.importorskip("pty")
+    program = tmp_path / "shuttle.mcl"
+    program.write_text("1MN,1PM,1SV1000,1SA10000,1DS10000\n1MR10,1WS,1MR-10,1WS,RP\n")
+    main, terminal = pty.openpty()
+    command = [*COMMAND, "run", str(program), "--report", "none"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal) as process:
+        os.close(terminal)
+        shown = b""
+        while b"Ctrl-C ends the run" not in shown:
+            shown += os.read(main, 4096)
+        process.send_signal(signal.SIGINT)
+        while b"run was ended from the keyboard" not in shown:
+            shown += os.read(main, 4096)
+        process.communicate(timeout=20)
+    os.close(main)
+    assert process.returncode == 130
+    assert b" of machine time \xc2\xb7 " in shown
+
+
+def test_standard_output_may_be_closed(tmp_path: Path) -> None:
+    program = tmp_path / "ballscrew.mcl"
+    program.write_text(BALLSCREW)
+    line = f"{' '.join(COMMAND)} run {program} >&-"
+    ran = subprocess.run(line, shell=True, stderr=subprocess.PIPE, text=True, check=False)
+    assert (ran.returncode, ran.stderr) == (0, "")

@@ -1,0 +1,123 @@
+"""Lines that come and go on a terminal, and never come anywhere else."""
+
+from __future__ import annotations
+
+import io
+import re
+import threading
+
+import pytest
+
+from motionlang.views import progress
+from motionlang.views.progress import Progress, Watcher, is_shown, run_line
+
+HOME = "\r\x1b[1A\x1b[2K"
+"""What rich takes a line away with."""
+
+
+class Terminal(io.StringIO):
+    """A terminal that remembers what it was told."""
+
+    encoding = "utf-8"
+
+    def isatty(self) -> bool:
+        return True
+
+    def words(self) -> list[str]:
+        """What was written, without the ways to place it."""
+        return [text for text in re.split(r"(?:\x1b\[[?\d;]*\w|[\r\n])+", self.getvalue()) if text]
+
+
+@pytest.fixture(autouse=True)
+def plain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setenv("NO_COLOR", "1")
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(progress, "PERIOD", 0.0)
+
+
+def test_a_bar_says_how_far_it_is_and_goes_away() -> None:
+    terminal = Terminal()
+    bar = Progress(terminal, "x[1].csv")
+    for part in (0.0, 0.25, 1.0):
+        bar(part)
+    bar.done()
+    text = terminal.getvalue()
+    assert [re.sub(r"[━╸╺ ]+", " ", line) for line in terminal.words()] == [
+        "x[1].csv 0%", "x[1].csv 0%", "x[1].csv 25%", "x[1].csv 100%", "x[1].csv 100%"]  # fmt: skip
+    assert text.endswith("\x1b[?25h" + HOME)
+
+
+@pytest.mark.parametrize("stream", [io.StringIO(), None])
+def test_nothing_is_written_where_nobody_reads_or_before_it_takes_a_while(
+    stream: io.StringIO | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written = stream or Terminal()
+    if stream is None:
+        monkeypatch.setattr(progress, "PATIENCE", 1e9)
+    bar = Progress(written, "x.csv")
+    bar(0.5)
+    bar.done()
+    assert written.getvalue() == ""
+
+
+def test_a_terminal_that_cannot_erase_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert is_shown(Terminal())
+    monkeypatch.setenv("TERM", "dumb")
+    assert not is_shown(Terminal())
+
+
+def test_a_watcher_hides_for_what_else_is_written() -> None:
+    terminal = Terminal()
+    watcher = Watcher(terminal, lambda: "working [1]")
+    watcher.hide()
+    watcher.show()
+    watcher.hide()
+    terminal.write("printed\n")
+    assert terminal.words()[-2:] == ["working [1]", "printed"]
+    assert HOME + "printed\n" in terminal.getvalue()
+    watcher.show()
+    watcher.hide()
+    assert terminal.getvalue().endswith(HOME)
+
+
+def test_its_thread_writes_by_itself_and_ends_when_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(progress, "RUN_PATIENCE", 0.0)
+    monkeypatch.setattr(progress, "RUN_PERIOD", 0.0)
+    terminal, seen, times = Terminal(), threading.Event(), 0
+
+    def describe() -> str:
+        nonlocal times
+        times += 1
+        if times == 3:
+            seen.set()
+        return f"line {times}"
+
+    watcher = Watcher(terminal, describe)
+    watcher.start()
+    assert seen.wait(20)
+    watcher.stop()
+    assert terminal.words()[:2] == ["line 1", "line 2"]
+    assert terminal.getvalue().endswith(HOME)
+
+
+def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
+    terminal = Terminal()
+    watcher = Watcher(terminal, lambda: "never")
+    watcher.start()
+    watcher.stop()
+    assert terminal.getvalue() == ""
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        ((11_501.0, 2.0, 12_345), "3 h 11 min 41 s of machine time · 5 750 × real time · 12 345 moves"),
+        ((0.5123, 0.25, 1), "0.5 s of machine time · 2.0 × real time · 1 move"),
+        ((0.0, 0.0, 0), "0 s of machine time · 0.0 × real time · 0 moves"),
+    ],
+)
+def test_how_far_a_run_has_come(arguments: tuple[float, float, int], line: str) -> None:
+    assert run_line(*arguments) == f"{line} · Ctrl-C ends the run"
+    assert "machine time · computing · " in run_line(*arguments, stands=True)
