@@ -89,7 +89,7 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     if not row.simulated:
         lines += ["", f"  {styled('not simulated', 'warning', colour)}: the word is recognised, and a program that "
                   "uses it is told so."]  # fmt: skip
-    facts = [(name, text) for name, text in _facts(row) if text]
+    facts = [(name, text) for name, text in facts(row) if text]
     label = max(len(name) for name, _ in facts)
     lines.append("")
     lines += [f"  {styled(name, 'dim', colour)}{' ' * (label - len(name))}  {text}" for name, text in facts]
@@ -98,7 +98,7 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _facts(row: Keyword) -> list[tuple[str, str]]:
+def facts(row: Keyword) -> list[tuple[str, str]]:
     default = "" if row.default is None else _figure(row.default)
     source = f"{row.source} ({TRUST[row.trust]})" if row.source else TRUST[row.trust]
     return [

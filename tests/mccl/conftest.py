@@ -20,3 +20,9 @@ def mccl() -> Runner:
         return run(Source("test.mcl", text), dialect="mccl", **options)  # type: ignore[arg-type]
 
     return start
+
+
+@pytest.fixture
+def update(request: pytest.FixtureRequest) -> bool:
+    """Whether golden files are to be written anew."""
+    return bool(request.config.getoption("--update"))

@@ -68,8 +68,8 @@ def test_a_limit_channel_with_inverted_polarity(mccl: Runner) -> None:
 def test_faults_show_in_the_status(kind: str, bits: int, mccl: Runner) -> None:
     result = mccl("1MN,1FN0,1MR50000,1WS,1TS", machine={"fault": [{"axis": 1, "kind": kind, "at": 0.1}]})
     assert status(result.output[0]) & (MOTOR_ERROR | bits) == MOTOR_ERROR | bits
-    (move,) = result.report["moves"]  # type: ignore[misc]
-    assert move["ended"] == "fault"  # type: ignore[index]
+    (move,) = result.controller.moves
+    assert move.ended == "fault"
 
 
 def test_the_amplifier_fault_input_is_watched_only_if_told(mccl: Runner) -> None:
