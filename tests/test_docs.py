@@ -2,7 +2,8 @@
 
 ` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line stands for
 lines left out. `$ cat FILE` shows a file, and makes one that is not there. ` ```mint ` and ` ```mccl ` blocks are
-programs that run without a complaint, ` ```python ` blocks are executed. Blocks of other kinds (`sh` for set-up) are for reading.
+programs that run without a complaint, ` ```python ` blocks are executed. Blocks of other
+kinds (`sh` for set-up) are for reading.
 """
 
 from __future__ import annotations
