@@ -10,7 +10,14 @@ from bisect import bisect_right
 from math import ceil, sqrt
 
 from motionlang.profile.curve import Profile, from_curve
-from motionlang.profile.pieces import position_in, recentred, transformed, velocity_in
+from motionlang.profile.pieces import (
+    acceleration_in,
+    jerk_in,
+    position_in,
+    recentred,
+    transformed,
+    velocity_in,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,7 +29,9 @@ if TYPE_CHECKING:
 
 # Counts by which a cubic may stray from the circle: for steps of angle d it is r d^4 / 384.
 _STRAY = 1e-4
-_FINEST = 1e-4
+# Radians that one cubic may stand for, and cubics that one piece may become.
+_WIDEST = 0.2
+_MOST_STEPS = 20_000
 
 
 class Course:
@@ -105,13 +114,23 @@ def _divided(
 
 
 def _steps(segment: Segment, axis: int, piece: Piece, span: tuple[float, float], counts: float) -> int:
-    """How many cubics one piece of the path needs on this axis."""
+    """How many cubics one piece of the path needs on this axis.
+
+    A cubic strays from x(t) by at most h^4/384 times the largest fourth derivative; for x = r cos(q(t)) that is at
+    most r (q1^4 + 6 q1^2 q2 + 3 q2^2 + 4 q1 q3 + q4), qn being the nth derivative of the angle q.
+    """
     if not segment.turns(axis):
         return 1
     radius = segment.radius
-    step = max(sqrt(sqrt(384.0 * _STRAY / max(radius * counts, 1e-9))), _FINEST)
-    fastest = max(abs(velocity_in(piece, x)) for x in (span[0], 0.5 * (span[0] + span[1]), span[1]))
-    return max(1, ceil(fastest * (span[1] - span[0]) / radius / min(step, 0.1)))
+    places = (span[0], 0.5 * (span[0] + span[1]), span[1])
+    q1, q2, q3 = (
+        max(abs(value(piece, x)) for x in places) / radius
+        for value in (velocity_in, acceleration_in, jerk_in)
+    )
+    q4 = abs(piece[4]) * piece[5] ** 4 / radius
+    bend = radius * counts * (q1**4 + 6.0 * q1 * q1 * q2 + 3.0 * q2 * q2 + 4.0 * q1 * q3 + q4)
+    steps = (span[1] - span[0]) * max(sqrt(sqrt(bend / (384.0 * _STRAY))), q1 / _WIDEST)
+    return min(max(1, ceil(steps)), _MOST_STEPS)
 
 
 def _hermite(segment: Segment, axis: int, piece: Piece, h: float, offset: float, scale: Scale) -> Piece:

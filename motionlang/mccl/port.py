@@ -57,12 +57,12 @@ class Port:
     @property
     def busy(self) -> bool:
         """Whether a line is being carried out."""
-        return self.task.busy
+        return self.task.occupied
 
     @property
     def working(self) -> bool:
         """Whether it is carrying out a line that goes on without the host: no key, no reading of what was said."""
-        return self.task.busy and not self.task.held
+        return self.task.occupied and not self.task.held
 
     @property
     def full(self) -> bool:
@@ -197,13 +197,23 @@ class Port:
 class PortTask(CommandTask):
     """Carries out the lines of one port; between them it waits for the next."""
 
-    __slots__ = ("_answered", "_fault", "_granted", "_holds", "_line", "_port", "busy", "paused", "stepping")
+    __slots__ = (
+        "_answered",
+        "_fault",
+        "_granted",
+        "_holds",
+        "_line",
+        "_port",
+        "occupied",
+        "paused",
+        "stepping",
+    )
 
     def __init__(self, board: Board, port: Port) -> None:
         super().__init__("port", board)
         self._port = port
         self.write = self._send
-        self.busy = False
+        self.occupied = False
         self.stepping = False
         self.paused = self._granted = self._holds = False
         self._answered = False
@@ -214,7 +224,7 @@ class PortTask(CommandTask):
 
     def enter_text(self, text: str, dropped: int) -> None:
         """Begin to carry out a line."""
-        self.busy, self._answered = True, False
+        self.occupied, self._answered = True, False
         try:
             if dropped:
                 raise too_long(len(text) + dropped)
@@ -253,7 +263,7 @@ class PortTask(CommandTask):
         """The host is gone: its line is abandoned, motion and background tasks go on."""
         self.abandon()
         self.board.ended(self)
-        self.busy, self.done, self.wait = False, True, None
+        self.occupied, self.done, self.wait = False, True, None
 
     # -------------------------------------------------------------------------------------------- as a task
 
@@ -267,13 +277,13 @@ class PortTask(CommandTask):
     def _rest(self, now: float) -> Wait | None:
         if self.done:
             return None
-        if self.busy:
-            self.busy = False
+        if self.occupied:
+            self.occupied = False
             self._port.line_done(self._answered)
             self._port.go_on()
-        if self.busy:
+        if self.occupied:
             return Wait(now, lambda: True, lambda: now, "")
-        return Wait(now, lambda: self.busy, lambda: INFINITY, "for the host to send a line")
+        return Wait(now, lambda: self.occupied, lambda: INFINITY, "for the host to send a line")
 
     def _carry_out(self, line: Line) -> Wait | None:
         if not self._may_go_on():

@@ -60,6 +60,8 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
 
     def ready() -> bool:
         reached = (position - controller.position(number)) * side <= margin
+        # Where time is too coarse for the position, the moment itself decides.
+        reached = reached or controller.crossing_time(number, position) <= controller.clock.now
         axis.breakpoint_reached = axis.breakpoint_reached or reached
         return reached
 

@@ -1,0 +1,84 @@
+"""Contour paths against geometry: on the circle, at the vector velocity, to the point."""
+
+from __future__ import annotations
+
+from math import hypot, pi
+
+import pytest
+
+from motionlang import Run
+from tests.mccl.conftest import Runner
+
+HEAD = "1MN,2MN,1CM1,2CM1,1VV20000,1VA200000,1VD200000\n"
+
+
+def state(run: Run, time: float) -> tuple[float, float, float, float]:
+    """x, y and their velocities."""
+    a, b = (run.controller.axes[axis].at(time) for axis in (1, 2))
+    return a.position, b.position, a.velocity, b.velocity
+
+
+@pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
+def test_a_full_circle_stays_on_the_circle(shape: str, mccl: Runner) -> None:
+    result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\n1WS,1TP,2TP")
+    assert result.output == ["01 0", "02 0"]
+    begin = result.controller.moves[0].start_time
+    for k in range(401):
+        x, y, vx, vy = state(result, begin + (result.time - begin) * k / 400)
+        assert hypot(x - 10000, y) == pytest.approx(10000, abs=2e-4)
+        assert hypot(vx, vy) <= 20000.5
+    middle = state(result, begin + (result.time - begin) / 2)
+    assert hypot(*middle[2:]) == pytest.approx(20000, rel=1e-6)
+
+
+def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
+    """100 + a half circle of radius 50 + 100, in thousands: one ramp up, one down."""
+    text = f"{HEAD}1CP1,1MA100000,2MA0\n1CP3,1CA100000,2CA50000,1MA100000,2MA100000\n1CP1,1MA0,2MA100000\n1WS,1TX"
+    result = mccl(text)
+    assert result.output == ["01 3"]
+    assert [move.ended for move in result.controller.moves] == ["", ""]
+    length = 200000 + 50000 * pi
+    duration = result.controller.moves[0].profile.duration  # type: ignore[union-attr]
+    assert duration == pytest.approx(length / 20000 + 0.1, rel=1e-9)
+    for time in (2.0, 6.0, 9.0, 12.0):
+        assert hypot(*state(result, time)[2:]) == pytest.approx(20000, rel=1e-6)
+
+
+def test_at_a_corner_the_axes_come_to_rest(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\n1CP1,1MA10000,2MA10000\n1WS")
+    first, second = (move for move in result.controller.moves if move.axis == 1)
+    assert first.profile.duration == pytest.approx(0.6)  # type: ignore[union-attr]
+    assert second.start_time == pytest.approx(first.start_time + 0.6, abs=1e-9)
+    assert state(result, second.start_time)[2:] == (0.0, 0.0)
+
+
+def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP1,1MA30000,2MA40000\n1CP1,1MA0,2MA0\nWA1,1ST,1WS,1TP,2TP")
+    # 20000 counts/s: 0.95 s of travel less the ramp, and 1000 counts to stop.
+    x, y = (int(line.split()[1]) for line in result.output)
+    assert hypot(x, y) == pytest.approx(20000 * 1.00001 - 1000 + 1000, abs=2)
+    assert y * 3 == pytest.approx(x * 4, abs=4)
+    assert {move.ended for move in result.controller.moves} == {"stop"}
+
+
+def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP1,1MA60000,2MA80000\nWA1,1VO0.5\n1WS,1TP,2TP")
+    assert result.output == ["01 60000", "02 80000"]
+    assert hypot(*state(result, 2.0)[2:]) == pytest.approx(10000, rel=1e-9)
+
+
+def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
+    """Axis 2 has twice the counts a millimetre; the circle is round in millimetres."""
+    text = "1US100,2US200,1MN,2MN,1CM1,2CM1,1VV50,1VA500,1VD500\n1CP2,1CR40,2CR0,1MR0,2MR0\n1WS"
+    result = mccl(text)
+    begin, end = result.controller.moves[0].start_time, result.time
+    for k in range(101):
+        x, y, _, _ = state(result, begin + (end - begin) * k / 100)
+        assert hypot(x / 100 - 40, y / 200) == pytest.approx(40, abs=2e-6)
+
+
+def test_a_fault_of_one_axis_stops_the_others(mccl: Runner) -> None:
+    machine = {"fault": [{"axis": 2, "kind": "following-error", "at": 0.3}]}
+    result = mccl(f"{HEAD}1CP1,1MA30000,2MA40000\n1WS,1TV,2TV", machine=machine)
+    assert result.output == ["01 0", "02 0"]
+    assert result.time < 0.31
