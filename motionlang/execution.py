@@ -132,6 +132,9 @@ def run(
             begun(result.machine)
         _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
+        if result.machine.without_effect:
+            words = ", ".join(result.machine.without_effect)
+            result.not_counted.append(f"settings that have no effect here: {words}")
     result.machine.terminal.close()
     result.time = result.machine.clock.now
     return result
@@ -213,11 +216,9 @@ def _execute(
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
             result.not_counted.append(f"axis {names} was still jogging when the program had ended")
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as error:
         result.status = "interrupted"
-        result.diagnostics.append(
-            _place(result, scheduler, "interrupted", "the run was ended from the keyboard", "")
-        )
+        result.diagnostics.append(_interrupted(result, scheduler, error))
     except Stuck as stuck:
         _stuck(result, stuck, until)
     except Exception as error:
@@ -257,14 +258,15 @@ def _stuck(result: Run, stuck: Stuck, until: float) -> None:
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 
 
-def _place(result: Run, scheduler: Scheduler | None, code: str, message: str, hint: str) -> Diagnostic:
-    """A diagnostic at the place where the current task stands."""
+def _interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
+    """Ctrl-C as a diagnostic, at the place that the current task had come to."""
     from motionlang.errors import Diagnostic
 
+    message = "the run was ended from the keyboard"
     if scheduler is None:
-        return Diagnostic(code, message, hint=hint)
-    line, column, length = result.dialect.locate(result.source, scheduler.current.at)
-    return Diagnostic(code, message, line, column, length=length, hint=hint)
+        return Diagnostic("interrupted", message)
+    line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
+    return Diagnostic("interrupted", message, line, column, length=length)
 
 
 __all__ = ["ONE_SHIFT", "Refusal", "Run", "dialect", "dialect_of", "dialects", "end_of", "machine_beside", "run"]
