@@ -89,10 +89,10 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     if not row.simulated:
         lines += ["", f"  {styled('not simulated', 'warning', colour)}: the word is recognised, and a program that "
                   "uses it is told so."]  # fmt: skip
-    facts = [(name, text) for name, text in facts(row) if text]
-    label = max(len(name) for name, _ in facts)
+    known = [(name, text) for name, text in facts(row) if text]
+    label = max(len(name) for name, _ in known)
     lines.append("")
-    lines += [f"  {styled(name, 'dim', colour)}{' ' * (label - len(name))}  {text}" for name, text in facts]
+    lines += [f"  {styled(name, 'dim', colour)}{' ' * (label - len(name))}  {text}" for name, text in known]
     if row.example:
         lines += ["", *(f"    {styled(line, 'word', colour)}" for line in row.example.splitlines())]
     return "\n".join(lines) + "\n"
