@@ -23,6 +23,8 @@ LEAD = 2e-3
 BUDGET, LATEST = 5e-3, 0.25
 # Wall seconds between two looks at a board that is busy all the time.
 TICK = 1e-3
+# Wall seconds that the board may take in lock step before hosts are heard again.
+TURN = 0.2e-3
 # Machine seconds that a line takes at least in lock step: what it takes a real host to ask and to be answered.
 STEP = 1e-3
 
@@ -114,7 +116,7 @@ class LockStep:
 
     def work(self) -> None:
         """Let time pass while a host waits."""
-        console, enough = self._console, time.monotonic() + BUDGET
+        console, enough = self._console, time.monotonic() + TURN
         self._stuck = False
         while console.working and not self._stuck and time.monotonic() < enough:
             now = console.now
