@@ -42,6 +42,7 @@ class Machine:
         "scheduler",
         "settings",
         "terminal",
+        "without_effect",
     )
 
     def __init__(
@@ -66,6 +67,8 @@ class Machine:
         self.terminal = Terminal(show)
         # What `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
+        # The settings that the program wrote and that change nothing here, in the order of their writing.
+        self.without_effect: dict[str, None] = {}
         # What the program did wrong without ending: MCCL answers with a code and goes on.
         self.diagnostics: list[Diagnostic] = []
         # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.

@@ -30,8 +30,13 @@ def type_of(unit: str) -> str:
 
 
 def known(b: Body, node: nodes.Node, row: Keyword) -> bool:
-    """Whether the keyword is simulated; if not, say so."""
+    """Whether the keyword is simulated, or at least kept; if not, say so."""
     if row.simulated:
+        return True
+    if row.verb:
+        message = f"{row.name} is kept but has no effect"
+        if all(message != each.message for each in b.whole.problems.found.values()):
+            b.warn("not-simulated", message, node, f"{row.name}: {row.help}")
         return True
     b.problem(
         "not-simulated",

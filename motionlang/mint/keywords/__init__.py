@@ -30,6 +30,7 @@ def _rows() -> list[Keyword]:
         functions,
         homing,
         io,
+        kept,
         language,
         latches,
         limits,
@@ -43,7 +44,7 @@ def _rows() -> list[Keyword]:
 
     groups = (
         axis, motion, state, control, tasks, terminal, io, comms, remote, limits, homing, latches, sensing, functions,
-        constants, language,
+        kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
@@ -70,14 +71,15 @@ _UNITS = {
 
 def _not_simulated() -> Iterator[Keyword]:
     """The rest of the type library: recognised and explained, not simulated."""
-    from motionlang.mint.keywords import commands, library_a_i, library_j_z
+    from motionlang.mint.keywords import commands, kept, library_a_i, library_j_z
 
     source = "Mint ActiveX type library, build 5626"
     for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines():
         name, short, index, kind, access, meaning = line.split("|")
         sense = "reading" if access == "R" else "setting"
-        yield Keyword(name, short, sense, access, index, _UNITS[kind], "", meaning, source=source,
-                      trust="code", group="known", simulated=False)  # fmt: skip
+        verb, group = (kept.VERB, "kept") if name in kept.WORDS else ("", "known")
+        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source,
+                      trust="code", group=group, simulated=False)  # fmt: skip
     for line in commands.WORDS.splitlines():
         name, short, index, meaning = line.split("|")
         yield Keyword(name, short, "command", "C", index, "", "", meaning, source=source, trust="code",
