@@ -185,8 +185,12 @@ class Fly(Action):
         self.master, self.distance, self.over = master, distance, over
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
-        check_chain(a, self.master)
-        self.follow(controller, a, move, 0.0).engage()
+        try:
+            check_chain(a, self.master)
+            self.follow(controller, a, move, 0.0).engage()
+        except Refusal as refusal:
+            refusal.line = move.line
+            raise
 
     def follow(self, controller: Core, a: Axis, move: Move, ratio: float) -> Shear:
         """The tie for this segment, which begins at a ratio of slave to master."""
@@ -292,6 +296,7 @@ def load_fly(
             f"a segment cannot go {distance:g} counts while its master goes {over:g}",
             "set its distance first",
         )
+    check_chain(a, master)
     move = Move(a.index, command, line, buffer.end(a) + distance)
     move.action = Fly(master, distance, over)
     buffer.put(a, move)

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 FIT = 1e-9
 """How far a piece may be off in its middle, as a share of the size of the motion."""
 _DEPTH = 10
+MOMENT = 1e-100
+"""Seconds too few to divide by the square of."""
 
 
 def cubics(profile: Profile) -> Curve:
@@ -27,7 +29,7 @@ def cubics(profile: Profile) -> Curve:
             last = profile.at(begin)
             pieces.append((last.position, last.velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
             knots.append(inf)
-        elif finish > begin:
+        elif finish - begin > MOMENT:
             ends = profile.at(begin), _before(profile, finish)
             _fit(profile, (begin, finish), ends, FIT * size, knots, pieces, _DEPTH)
     return tuple(knots), tuple(pieces), ((profile.shape, 0),) if pieces else ()
