@@ -104,7 +104,7 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""
-        self.exit(2, f"{self.prog}: error: {message}\n  hint: {self._hint(message)}\n")
+        self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
 
     def _hint(self, message: str) -> str:
         wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
@@ -122,6 +122,17 @@ class _Parser(argparse.ArgumentParser):
             if isinstance(action, argparse._SubParsersAction):
                 words += [word for parser in action.choices.values() for word in parser._words()]
         return words
+
+
+def _in_our_words(message: str) -> str:
+    """A wrong choice as it is said here, whichever way this Python's argparse quotes it."""
+    wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
+    if wrong is None:
+        return message
+    if wrong[1] == "COMMAND" or " | " in wrong[1]:
+        return f"there is no command {wrong[2]}"
+    choices = wrong[3].replace("'", "")
+    return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
 
 
 if TYPE_CHECKING:

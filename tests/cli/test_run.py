@@ -233,7 +233,12 @@ def test_a_wrong_command_line_is_2(cell: Cell, arguments: tuple[str, ...], messa
 
 
 def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
-    assert cell("rnu", "x").err.splitlines()[-1] == "  hint: did you mean run?"
+    assert cell("rnu", "x").err == "motionlang: error: there is no command rnu\n  hint: did you mean run?\n"
+    report = cell("run", "x", "--report", "jsn").err
+    assert report == (
+        "motionlang run: error: argument --report: 'jsn' is not one of table, json, none\n"
+        "  hint: did you mean json?\n"
+    )
     assert cell("run", "x", "--tarce", "y").err.splitlines()[-1] == "  hint: did you mean --trace?"
     set_key = cell("run", "ballscrew.mcl", "--set", "controller.axs=4").err
     assert "there is no key controller.axs; did you mean controller.axes?" in set_key

@@ -1,0 +1,37 @@
+"""docs/cli.md names every command, and in the section of a command every option that it has and no other."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from pathlib import Path
+
+import pytest
+
+from motionlang.cli_options import FAMILIES, build_parser
+
+PAGE = (Path(__file__).parents[2] / "docs" / "cli.md").read_text(encoding="utf-8")
+COMMANDS = {
+    name: parser
+    for action in build_parser()._actions
+    if isinstance(action, argparse._SubParsersAction)
+    for name, parser in action.choices.items()
+}
+
+
+def test_every_command_is_in_the_table() -> None:
+    table = PAGE.split("\n\n")[2]
+    named = re.findall(r"^\| \[?`(\w+)`", table, re.MULTILINE)
+    assert named == list(COMMANDS)
+
+
+@pytest.mark.parametrize("name", [name for name in COMMANDS if name not in FAMILIES])
+def test_every_option_is_explained(name: str) -> None:
+    section = re.split(r"^## ", PAGE, flags=re.MULTILINE)
+    (own,) = [text for text in section if text.startswith(f"{name}\n")]
+    prose = re.sub(r"^```.*?^```$", "", own, flags=re.MULTILINE | re.DOTALL)
+    explained = set(re.findall(r"--[a-z][a-z-]+", prose))
+    options = {
+        word for action in COMMANDS[name]._actions for word in action.option_strings if word[:2] == "--"
+    }
+    assert explained == options - {"--help"}
