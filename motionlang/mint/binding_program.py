@@ -92,20 +92,25 @@ def _write_event_disable(environment: Environment, row: Row) -> Operation:
 
 
 def _read_error_code(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.errors.register().number
+    errors = environment.errors
+    return lambda: errors.register().number
 
 
 def _read_error_line(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.errors.register().line
+    errors = environment.errors
+    return lambda: errors.register().line
 
 
 def _read_error_string(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.errors.register().text
+    errors = environment.errors
+    return lambda: errors.register().text
 
 
 def _read_error_data(environment: Environment, row: Row) -> Operation:
+    errors = environment.errors
+
     def read(number: int) -> int:
-        data = environment.errors.register().data
+        data = errors.register().data
         return data[number - 1] if 1 <= number <= len(data) else 0
 
     return read

@@ -56,12 +56,13 @@ class Error:
 
 
 class Errors:
-    """The list of errors, oldest first, and the one that the registers show."""
+    """The list of errors from the first use on, oldest first, and the one that the registers show."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
         self.found: list[Error] = []
         self.shown: Error | None = None
+        environment.controller.listeners.append(self._heard)
 
     # ----------------------------------------------------------------------------------------- noting
 
@@ -70,6 +71,10 @@ class Errors:
         code, message = _said(trouble)
         number, _ = NUMBERS.get(code, GENERIC)
         self._note(Error(number, message, line, SYNCHRONOUS, ()))
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "fault":
+            self.axis_fault(axis)
 
     def axis_fault(self, axis: int) -> None:
         """An axis has faulted."""

@@ -172,18 +172,18 @@ def listen(environment: Environment) -> None:
     events.listening |= kinds
     for kind in kinds & SOURCES.keys():
         environment.part(_source(*SOURCES[kind]))
-    if kinds & {"axisidle", "onerror", "mblow"} and "machine" not in events.listening:
+    if "onerror" in kinds:
+        _ = environment.errors  # from now on they are noted
+    if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:
         events.listening.add("machine")
         controller.listeners.append(lambda what, axis: _heard(environment, what, axis))
 
 
 def _heard(environment: Environment, what: str, axis: int) -> None:
-    if what == "idle":
+    if what == "idle" and environment.controller.is_idle(axis):
         environment.events.raise_("axisidle")
     elif what == "buffer-low":
         environment.events.raise_("mblow")
-    elif what == "fault":
-        environment.errors.axis_fault(axis)
 
 
 def _source(module: str, name: str) -> type:
