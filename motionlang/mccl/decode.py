@@ -21,7 +21,8 @@ _DIGITS = frozenset("0123456789")
 _LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz")
 _NUMERIC = frozenset("0123456789+-.eE")
 _ROWS = {row.name: row for row in TABLE}
-_MEMO_SIZE = 100_000
+# Enough for any program; a served board is sent other texts every day, and must not keep them all.
+_MEMO_SIZE = 20_000
 
 _memo: dict[str, Command] = {}
 
@@ -68,7 +69,7 @@ def _decoded(text: str) -> Command:
         kind, value = _parameter(text[count + 2 :], row)
         action = ACTIONS[row.verb] if row.simulated else not_simulated
     except Fault as fault:
-        action = _Wrong(fault)
+        action = _Wrong(fault.with_traceback(None))
     return Command(text, name, row, axis, kind, value, action, row is not None and row.verb in PURE)
 
 
