@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.live import Live
     from rich.progress import Progress as Bar
+    from rich.text import Text
 
 # Seconds before it shows at all, and between two changes.
 PATIENCE = 0.5
@@ -108,7 +109,7 @@ class Watcher:
             if self._live is None:
                 self._live = _live(self._stream)
                 self._live.start()
-            self._live.update(self._describe(), refresh=True)
+            self._live.update(_one_line(self._describe()), refresh=True)
 
     def _watch(self) -> None:
         try:
@@ -128,6 +129,12 @@ class Watcher:
         if self._live is not None:
             self._live.stop()
             self._live = None
+
+
+def _one_line(text: str) -> Text:
+    from rich.text import Text
+
+    return Text(text, no_wrap=True, overflow="ellipsis")
 
 
 def _live(stream: TextIO) -> Live:
@@ -171,4 +178,4 @@ def run_line(time: float, elapsed: float, moves: int, *, stands: bool = False) -
     pace = f"{factor:,.0f}".replace(",", " ") if factor >= 10.0 else f"{factor:.1f}"
     count = f"{moves:,} moves".replace(",", " ") if moves != 1 else "1 move"
     what = "computing" if stands else f"{pace} × real time"
-    return f"{clock_time(round(time, 1))} of machine time · {what} · {count} · Ctrl-C ends the run"
+    return f"{clock_time(round(time, 1))} of machine time · {what} · {count} · Ctrl-C ends it"

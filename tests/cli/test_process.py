@@ -57,7 +57,7 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal) as process:
         os.close(terminal)
         shown = b""
-        while b"Ctrl-C ends the run" not in shown:
+        while b" of machine time " not in shown:
             shown += os.read(main, 4096)
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
@@ -65,7 +65,6 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
         process.communicate(timeout=20)
     os.close(main)
     assert process.returncode == 130
-    assert b" of machine time \xc2\xb7 " in shown
 
 
 def test_standard_output_may_be_closed(tmp_path: Path) -> None:

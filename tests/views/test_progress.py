@@ -102,6 +102,14 @@ def test_its_thread_writes_by_itself_and_ends_when_told(monkeypatch: pytest.Monk
     assert terminal.getvalue().endswith(HOME)
 
 
+def test_a_line_that_is_too_long_is_cut_and_not_broken() -> None:
+    terminal = Terminal()
+    watcher = Watcher(terminal, lambda: "a word " * 30)
+    watcher.show()
+    assert terminal.words()[0] == ("a word " * 30)[:79] + "…"
+    watcher.hide()
+
+
 def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
     terminal = Terminal()
     watcher = Watcher(terminal, lambda: "never")
@@ -119,5 +127,5 @@ def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
     ],
 )
 def test_how_far_a_run_has_come(arguments: tuple[float, float, int], line: str) -> None:
-    assert run_line(*arguments) == f"{line} · Ctrl-C ends the run"
+    assert run_line(*arguments) == f"{line} · Ctrl-C ends it"
     assert "machine time · computing · " in run_line(*arguments, stands=True)
