@@ -92,16 +92,19 @@ class Core(Readings):
         a.faults = 0
         if a.move is None:
             a.target = a.position(self.clock.now)
+        self.tell("switched", axis)
 
     def disable(self, axis: int) -> None:
         """Switch an axis off. With no simulated motor there is no coasting: it stands where it is."""
         a = self.axes[axis]
         self._freeze(a, "fault" if a.faults else "cancel")
         a.enabled = False
+        self.tell("switched", axis)
 
     def clear_faults(self, axis: int) -> None:
         """Forget an axis's faults."""
         self.axes[axis].faults = 0
+        self.tell("cleared", axis)
 
     def define_position(self, axis: int, position: float) -> None:
         """Give the present position a new value, also in motion: the rest of the move shifts with it."""

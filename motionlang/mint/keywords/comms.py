@@ -6,7 +6,28 @@ from motionlang.lang.keyword import Keyword
 
 _MODBUS = "ABB AN00198"
 
+_PARAMETERS = (
+    ("_mpENABLE", 0, "MODBUSPARAMETER: 1 while the server answers."),
+    ("_mpDEBUG", 1, "MODBUSPARAMETER: the terminal that is told of what goes on."),
+    ("_mpDROPPED_FRAMES", 2, "MODBUSPARAMETER: packets that were rejected."),
+    ("_mpREGISTER_MAPPING", 3, "MODBUSPARAMETER: the area that clients see."),
+    ("_rmCOMMS_ARRAY", 0, "MODBUSPARAMETER: clients see the comms array."),
+    ("_rmNET_DATA", 1, "MODBUSPARAMETER: clients see NetData."),
+    ("_busSERIAL1", 1, "The first serial port as a bus."),
+    ("_busETHERNET", 2, "The Ethernet port as a bus."),
+)
+
 ROWS = (
+    Keyword("MODBUSPARAMETER", "", "setting", "RW", "bus, parameter", "integer", "comms.modbus_parameter",
+            "Set-up of a bus's Modbus server, one of the _mp parameters; _mpREGISTER_MAPPING says what clients see.",
+            "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY\n"
+            "PRINT MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING)",
+            low=0, high=32767, source=_MODBUS, trust="manual", group="comms"),
+    *(
+        Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}", source=_MODBUS,
+                trust="memory", group="constants")
+        for name, value, help in _PARAMETERS
+    ),
     Keyword("COMMS", "", "setting", "RW", "element", "number", "comms.real",
             "An element of the comms array, 1 to 99, as a float; it shares its 32 bits with COMMSINTEGER.",
             "COMMS(1) = 2.5\nPRINT COMMS(1)",

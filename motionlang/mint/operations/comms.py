@@ -58,6 +58,43 @@ def write_whole(environment: Environment, row: Row) -> Operation:
     return lambda element, value: memory.set_integer(area, element, value)
 
 
+# MODBUSPARAMETER: the area that clients see, and its values.
+ENABLE, MAPPING = 0, 3
+MAPPINGS = ("comms", "netdata")
+
+
+class ModbusParameters:
+    """The set-up of Modbus servers, by bus and parameter. A served program's clients see what the mapping says."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._host = environment.machine.host
+        self._values: dict[tuple[int, int], int] = {}
+
+    def read(self, bus: int, parameter: int) -> int:
+        if parameter == MAPPING:
+            return MAPPINGS.index(self._host.mapping)
+        return self._values.get((bus, parameter), int(parameter == ENABLE))
+
+    def write(self, bus: int, parameter: int, value: int) -> None:
+        self._values[bus, parameter] = value
+        if parameter == MAPPING:
+            self._host.mapping = MAPPINGS[min(value, 1)]
+
+
+def read_modbus_parameter(environment: Environment, row: Row) -> Operation:
+    return environment.part(ModbusParameters).read
+
+
+def write_modbus_parameter(environment: Environment, row: Row) -> Operation:
+    parameters = environment.part(ModbusParameters)
+
+    def write(bus: int, parameter: int, value: int) -> None:
+        row.check(value)
+        parameters.write(bus, parameter, value)
+
+    return write
+
+
 def _area(row: Row) -> str:
     area = "netdata" if row.name.startswith("NET") else "comms"
     assert area in AREAS

@@ -1,0 +1,188 @@
+"""The move buffer beyond moves: dwells and outputs in it, and what starts its entries (TRIGGERMODE)."""
+
+from __future__ import annotations
+
+from motionlang.controller.watch import Watch, arm
+from motionlang.mint.binding import scale_of
+from motionlang.mint.operations.inputs import BANK, LAST_CHANNEL, checked
+from motionlang.mint.operations.limits import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.mint.binding import Row
+    from motionlang.mint.environment import Environment
+
+    Operation = Callable[..., object]
+    from collections.abc import Callable
+
+AUTO, AT_GO, AT_INPUT, AT_POSITION = range(4)
+_DEFAULTS = {"TRIGGERINPUT": -1.0, "TRIGGERSOURCE": 0.0, "TRIGGERCHANNEL": 0.0, "TRIGGERVALUE": 0.0}
+
+
+class Triggers:
+    """TRIGGERMODE of every axis, and what it goes by."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._controller = environment.controller
+        self._modes: dict[int, int] = {}
+        self._settings: dict[tuple[str, int], float] = {}
+        self._watches: dict[int, tuple[Axis, Watch]] = {}
+        self._controller.inputs.listeners.append(self._changed)
+        environment.loaded = self.loaded
+
+    def mode(self, axis: int) -> int:
+        return self._modes.get(axis, AT_GO)
+
+    def set_mode(self, axis: int, mode: int) -> None:
+        """Start moves in another way from now on; what waits already waits for it, too."""
+        self._modes[axis] = mode
+        self._watch(axis)
+
+    def setting(self, name: str, axis: int) -> float:
+        return self._settings.get((name, axis), _DEFAULTS[name])
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        self._settings[name, axis] = value
+        self._watch(axis)
+
+    def loaded(self, axis: int) -> None:
+        """Something was put into the buffer of an axis."""
+        if self._modes.get(axis) == AUTO:
+            self._controller.go((axis,))
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        self._modes.pop(axis, None)
+        for name in _DEFAULTS:
+            self._settings.pop((name, axis), None)
+        self._watch(axis)
+
+    def _start(self, axis: int) -> None:
+        if self._controller.axes[axis].buffer:
+            self._controller.go((axis,))
+
+    def _changed(self, channel: int, value: float) -> None:
+        if not self._controller.inputs.inverted(channel):
+            return
+        for axis, mode in self._modes.items():
+            if mode == AT_INPUT and self.setting("TRIGGERINPUT", axis) == channel:
+                self._start(axis)
+
+    def _watch(self, axis: int) -> None:
+        """Watch for the position that starts the moves of an axis, as far as one does."""
+        track, watch = self._watches.pop(axis, (None, None))
+        if track is not None and watch is not None:
+            track.watches.remove(watch)
+            if watch.event is not None:
+                watch.event.cancel()
+        if self.mode(axis) != AT_POSITION:
+            return
+        from motionlang.mint.operations.masters import master
+
+        found = master(self._environment, int(self.setting("TRIGGERSOURCE", axis)),
+                       int(self.setting("TRIGGERCHANNEL", axis)))  # fmt: skip
+        place = found.to_counts(self.setting("TRIGGERVALUE", axis))
+        made = Watch(place, lambda _: self._start(axis), False)
+        found.track.watches.append(made)
+        arm(found.track, made, self._controller.clock, self._controller.clock.now)
+        self._watches[axis] = found.track, made
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_trigger_mode(environment: Environment, row: Row) -> Operation:
+    triggers = environment.part(Triggers)
+    return lambda axis: triggers.mode(axis_of(environment, axis))
+
+
+def write_trigger_mode(environment: Environment, row: Row) -> Operation:
+    triggers = environment.part(Triggers)
+
+    def write(axis: int, mode: int) -> None:
+        row.check(mode)
+        triggers.set_mode(axis_of(environment, axis), mode)
+
+    return write
+
+
+def read_trigger(environment: Environment, row: Row) -> Operation:
+    triggers, name, whole = environment.part(Triggers), row.name, row.unit == "integer"
+
+    def read(axis: int) -> float:
+        value = triggers.setting(name, axis_of(environment, axis))
+        return int(value) if whole else value
+
+    return read
+
+
+def write_trigger(environment: Environment, row: Row) -> Operation:
+    triggers, name = environment.part(Triggers), row.name
+
+    def write(axis: int, value: float) -> None:
+        row.check(value)
+        triggers.set(name, axis_of(environment, axis), value)
+
+    return write
+
+
+def read_last_id(environment: Environment, row: Row) -> Operation:
+    controller = environment.controller
+    return lambda axis: controller.move_id(axis_of(environment, axis))
+
+
+def loader(environment: Environment, put: Callable[..., None]) -> Operation:
+    """The operation of a move: true while the buffer of its axis is full; `put` takes axis, …, value and line."""
+    room = environment.controller.room
+
+    def load(axis: int, *arguments: float) -> bool:
+        scale_of(environment, axis)
+        if room(axis) <= 0:
+            return True
+        put(axis, *arguments)
+        if environment.loaded is not None:
+            environment.loaded(axis)
+        return False
+
+    return load
+
+
+def load_dwell(environment: Environment, row: Row) -> Operation:
+    load = environment.controller.load_dwell
+
+    def put(axis: int, milliseconds: float, line: int) -> None:
+        row.check(milliseconds)
+        load(axis, milliseconds / 1000.0, row.name, line)
+
+    return loader(environment, put)
+
+
+def load_out(environment: Environment, row: Row) -> Operation:
+    load = environment.controller.load_output
+
+    def put(axis: int, bank: int, bits: int, line: int) -> None:
+        first = checked(bank, LAST_CHANNEL // BANK, "bank") * BANK
+        load(axis, {first + k: bits >> k & 1 for k in range(BANK)}, row.name, line)
+
+    return loader(environment, put)
+
+
+def load_out_bit(environment: Environment, row: Row) -> Operation:
+    load = environment.controller.load_output
+
+    def put(axis: int, channel: int, value: int, line: int) -> None:
+        load(axis, {checked(channel, LAST_CHANNEL, "output"): int(value != 0)}, row.name, line)
+
+    return loader(environment, put)
+
+
+def load_pulse(environment: Environment, row: Row) -> Operation:
+    load = environment.controller.load_pulse
+
+    def put(axis: int, channel: int, milliseconds: float, line: int) -> None:
+        row.check(milliseconds)
+        load(axis, checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0, row.name, line)
+
+    return loader(environment, put)
