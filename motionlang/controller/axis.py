@@ -35,12 +35,18 @@ DEFAULTS: dict[str, float] = {
 }
 
 
+# The jerk of a rate that is there at once.
+_AT_ONCE = 1e300
+
+
 class Axis:
     """Everything one axis is and was; only `Controller` changes it."""
 
     __slots__ = (
+        "_accel_jerk",
+        "_decel_jerk",
         "accel",
-        "accel_jerk",
+        "accel_jerk_time",
         "accel_time",
         "arrival",
         "blend_distance",
@@ -52,7 +58,7 @@ class Axis:
         "contour_mode",
         "datum",
         "decel",
-        "decel_jerk",
+        "decel_jerk_time",
         "decel_time",
         "enabled",
         "error_decel",
@@ -73,8 +79,10 @@ class Axis:
         "move_id",
         "offset_status",
         "override",
+        "own_rates",
         "profiles",
         "ramp",
+        "s_ramp",
         "scale",
         "shape",
         "speed",
@@ -98,13 +106,20 @@ class Axis:
         # Seconds from rest to `speed`; None while a rate is in force (the last one written counts).
         self.accel_time: float | None = None
         self.decel_time: float | None = None
-        self.accel_jerk = DEFAULTS["accel_jerk"]
-        self.decel_jerk = DEFAULTS["decel_jerk"]
+        self._accel_jerk = DEFAULTS["accel_jerk"]
+        self._decel_jerk = DEFAULTS["decel_jerk"]
+        # Seconds in which a rate builds up, and the part of a ramp to `speed` in which it does; None while a jerk,
+        # or the other one of the two, is in force.
+        self.accel_jerk_time: float | None = None
+        self.decel_jerk_time: float | None = None
+        self.s_ramp: float | None = None
         self.error_decel = DEFAULTS["decel"]
         self.ramp = DEFAULTS["ramp"]
         # Mint's FEEDRATEMODE: bit 0, a move keeps the speed it was loaded with; bit 1, `override` multiplies speeds.
         self.feedrate_mode = 1
         self.override = 1.0
+        # Speed, acceleration and deceleration that moves loaded from now on keep, None for those of the axis.
+        self.own_rates: tuple[float | None, float | None, float | None] | None = None
         self.suspended = False
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.
@@ -161,6 +176,32 @@ class Axis:
         accel = self.accel if self.accel_time is None else speed / self.accel_time
         decel = self.decel if self.decel_time is None else speed / self.decel_time
         return accel, decel
+
+    @property
+    def accel_jerk(self) -> float:
+        """The jerk in force while speeding up, counts/s³; a jerk time stands for the acceleration over it."""
+        return self._jerk(self._accel_jerk, self.accel_jerk_time, 0)
+
+    @accel_jerk.setter
+    def accel_jerk(self, jerk: float) -> None:
+        self._accel_jerk, self.accel_jerk_time, self.s_ramp = jerk, None, None
+
+    @property
+    def decel_jerk(self) -> float:
+        """The jerk in force while slowing down, counts/s³."""
+        return self._jerk(self._decel_jerk, self.decel_jerk_time, 1)
+
+    @decel_jerk.setter
+    def decel_jerk(self, jerk: float) -> None:
+        self._decel_jerk, self.decel_jerk_time, self.s_ramp = jerk, None, None
+
+    def _jerk(self, jerk: float, time: float | None, which: int) -> float:
+        if time is None and self.s_ramp is None:
+            return jerk
+        rate = self.rates(self.speed)[which]
+        if time is None:
+            time = self.s_ramp * self.speed / rate if rate else 0.0  # type: ignore[operator]
+        return rate / time if time else _AT_ONCE
 
     @property
     def live_speed(self) -> bool:

@@ -33,6 +33,9 @@ def stamped(a: Axis, move: Move) -> Move:
     if mode & 1:
         move.speed = a.speed
     move.overridden = mode > 1
+    if a.own_rates is not None:
+        speed, *rates = a.own_rates
+        move.speed, move.rates = move.speed if speed is None else speed, (rates[0], rates[1])
     return move
 
 

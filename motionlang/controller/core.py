@@ -34,6 +34,10 @@ SETTINGS = frozenset(
         "decel_time",
         "accel_jerk",
         "decel_jerk",
+        "accel_jerk_time",
+        "decel_jerk_time",
+        "s_ramp",
+        "own_rates",
         "error_decel",
         "ramp",
         "shape",
@@ -60,7 +64,7 @@ class Core(Readings):
 
     # ------------------------------------------------------------------------------------------- settings
 
-    def configure(self, axis: int, name: str, value: float | str | None) -> None:
+    def configure(self, axis: int, name: str, value: object) -> None:
         """Set one of `SETTINGS`; a rate and the time for it replace each other."""
         assert name in SETTINGS, name
         a = self.axes[axis]
@@ -284,8 +288,11 @@ class Core(Readings):
                 "a move needs a speed above zero, else it would start and never end",
             )
         accel, decel = self.rates(a, speed)
+        if move.rates is not None:
+            accel, decel = move.rates[0] or accel, move.rates[1] or decel
         if move.overridden:
             speed *= a.override
+        speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         if a.suspended or not speed:
             return halt.standing(self, a)
         last, now = a.profiles[-1], self.clock.now
@@ -323,8 +330,8 @@ class Core(Readings):
     def _plan_jog(self, a: Axis, velocity: float) -> Profile:
         """From the state of the axis to a velocity."""
         accel, decel = self.rates(a, a.speed)
-        if a.suspended:
-            velocity = 0.0
+        accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
+        velocity = 0.0 if a.suspended else max(-a.max_speed, min(velocity, a.max_speed))
         s = a.at(self.clock.now)
         try:
             return plan_velocity(

@@ -69,7 +69,10 @@ def standing(controller: Core, a: Axis) -> Profile:
 
 def _decel(controller: Core, a: Axis) -> float:
     speed = a.speed if a.move is None or a.move.speed is None else a.move.speed
-    return controller.rates(a, speed)[1]
+    decel = controller.rates(a, speed)[1]
+    if a.move is not None and a.move.rates is not None:
+        decel = a.move.rates[1] or decel
+    return min(decel, a.max_decel)
 
 
 def suspend(controller: Core, a: Axis) -> None:

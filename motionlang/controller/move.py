@@ -16,7 +16,8 @@ class Move:
     starts. `ended` is "" for a move that ran out by itself, else what cut it short: "stop", "cancel", "fault",
     "retarget". `offset` is how far the axis's zero was moved while the move ran: the profile stays as planned.
     `action` makes it something else than a move to a position. `speed` is the one it was loaded with, None for that
-    of the axis at the time; `overridden` says whether the axis's override multiplies it.
+    of the axis at the time; `rates` are an acceleration and a deceleration of its own; `overridden` says whether the
+    axis's override multiplies its speed.
     """
 
     __slots__ = (
@@ -29,6 +30,7 @@ class Move:
         "offset",
         "overridden",
         "profile",
+        "rates",
         "released",
         "scale",
         "speed",
@@ -42,6 +44,7 @@ class Move:
         self.action: Action | None = None
         self.id = 0
         self.speed: float | None = None
+        self.rates: tuple[float | None, float | None] | None = None
         self.overridden = False
         self.released = False
         self.start_time = 0.0

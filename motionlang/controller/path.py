@@ -56,6 +56,8 @@ class PathMove(Action):
             )
         k = abs(master.scale.counts)
         accel, decel = controller.rates(master, speed)
+        if move.rates is not None:
+            accel, decel = move.rates[0] or accel, move.rates[1] or decel
         most = limits(
             segment,
             [a.max_speed for a in self.axes],
