@@ -80,3 +80,36 @@ def test_a_fault_at_a_time_switches_the_axis_off() -> None:
     c.clock.advance(5.0)
     assert (c.position(0), c.faults(0), c.is_enabled(0)) == (6.0, FOLLOWING_ERROR, False)
     assert c.moves[0].ended == "fault"
+
+
+def test_an_input_follows_the_level_of_an_output_after_a_delay() -> None:
+    c = machine(input=[{"channel": 5, "output": 1, "delay": 0.25}, {"channel": 6, "output": 1, "value": 0}])
+    assert changes(c) == [(0.0, 6, 1)]
+    c.clock.advance(1.0)
+    c.set_output(1, 1)
+    c.clock.advance(2.0)
+    assert changes(c)[1:] == [(1.0, 6, 0), (1.25, 5, 1)]
+    c.outputs.set_active_low({1})  # on means low now
+    c.clock.advance(3.0)
+    assert changes(c)[3:] == [(2.0, 6, 1), (2.25, 5, 0)]
+
+
+def test_a_fault_at_a_line_happens_the_first_time_only() -> None:
+    c = Controller(1)
+    world = World(c, {"fault": [{"axis": 0, "kind": "forward-limit", "line": 12}]})
+    world.reach(11)
+    assert c.faults(0) == 0
+    world.reach(12)
+    assert c.faults(0) == LIMIT_FORWARD
+    c.clear_faults(0)
+    world.reach(12)
+    assert c.faults(0) == 0
+
+
+def test_what_an_axis_does_about_a_fault_is_the_programs_choice() -> None:
+    c = Controller(1)
+    world = World(c, {"fault": [{"axis": 0, "kind": "following-error", "at": 1.0}]})
+    world.actions[0, FOLLOWING_ERROR] = "event"
+    c.jog(0, 100.0)
+    c.clock.advance(2.0)
+    assert (c.faults(0), c.is_enabled(0), c.velocity(0)) == (FOLLOWING_ERROR, True, 100.0)
