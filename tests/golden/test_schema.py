@@ -1,0 +1,87 @@
+"""`motionlang.report/1`: every report keeps to its JSON Schema, and the page about it names each field and value."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from motionlang.cli_golden import programs
+from motionlang.execution import Run, run
+from motionlang.report import failure, text
+from motionlang.source import Source
+from tests.views.runs import ballscrew, ended, new_run, pick, shift
+
+jsonschema = pytest.importorskip("jsonschema")
+
+ROOT = Path(__file__).parents[2]
+SCHEMA: dict[str, Any] = json.loads((ROOT / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+PAGE = (ROOT / "docs" / "report.md").read_text(encoding="utf-8")
+GALLERY = programs([str(ROOT / "scripts")])
+
+
+def check(document: str) -> None:
+    jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(document))
+
+
+@pytest.mark.parametrize("program", GALLERY, ids=lambda path: str(Path(path).relative_to(ROOT / "scripts")))
+def test_every_golden_report_keeps_to_the_schema(program: str) -> None:
+    """The golden files, which another test holds to what the programs do."""
+    check(Path(program).with_suffix(".golden.json").read_text(encoding="utf-8"))
+
+
+def runs() -> Iterator[Run]:
+    yield from (ballscrew(), pick(), shift(60))
+    still, _ = new_run("hello.mnt")
+    yield ended(still, "open")
+    huge, controller = new_run()
+    controller.set_scale(0, 5e-324)
+    controller.move_by(0, 1e12, "MOVER", 1)
+    controller.clock.advance(1.0)
+    yield ended(huge)
+    for program, dialect in (
+        ("MOVR(0) = 1\n", "mint"),
+        ("PRINT 1 / 0\n", "mint"),
+        ("1XX\n9MR5\n", "mccl"),
+        ("", "mccl"),
+    ):
+        yield run(Source("x", program), dialect=dialect, cache=False)
+
+
+def test_whatever_happens_a_report_keeps_to_the_schema() -> None:
+    for each in runs():
+        check(text(each))
+    check(failure("x.txt", "", []))
+
+
+def test_an_overflow_is_null() -> None:
+    documents = [json.loads(text(each)) for each in runs()]
+    assert None in [move["distance"] for document in documents for move in document["moves"]]
+
+
+def tables() -> Iterator[tuple[str, list[str]]]:
+    """Of every table of the page: what stands at its head, and the names in its first column."""
+    for found in re.finditer(r"^\| (.*?) \|.*\n\|[-|]+\n((?:\|.*\n)+)", PAGE, re.MULTILINE):
+        yield (
+            found[1],
+            [name for row in found[2].splitlines() for name in re.findall(r"`([\w-]+)`", row.split("|")[1])],
+        )
+
+
+def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
+    explained = [names for head, names in tables() if head == "field"]
+    definitions = SCHEMA["$defs"]
+    objects = [SCHEMA, *(definitions[name] for name in ("move", "phase", "axis", "diagnostic"))]
+    assert explained == [list(each["properties"]) for each in objects]
+
+
+def test_the_page_names_every_value() -> None:
+    found = {head: names for head, names in tables() if head != "field"}
+    assert found == {
+        "`status`": SCHEMA["properties"]["status"]["enum"],
+        "`ended`": SCHEMA["$defs"]["move"]["properties"]["ended"]["enum"],
+    }
