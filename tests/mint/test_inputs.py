@@ -18,7 +18,7 @@ edges = st.lists(st.integers(1, 200), min_size=1, max_size=12, unique=True).map(
 def sampled(times: list[int], samples: int) -> list[tuple[int, bool]]:
     """When the state changes, in half milliseconds: once the level has been another one for so many milliseconds."""
     found, state, level, since = [], False, False, 0
-    for now in range(0, 300):
+    for now in range(300):
         if now in times:
             level, since = not level, now
         if level is not state and now - since >= 2 * samples:
