@@ -4,15 +4,27 @@ from __future__ import annotations
 
 import re
 
-PROMPT = b">"
-CANCELLED = "?-7"
+# What a client asks first, which is no answer when it is echoed, and what ESC is answered.
+ASKED, CANCELLED = "VE", "?-7"
+_PROMPT = re.compile(rb"[\r\n]>")
+_LAST = re.compile(rb"([^\r\n>][^\r\n]*)(?:\r\n|\r|\n)>")
 _CODE = re.compile(r"\?\s*([+-]?\d+)\s*")
 _END = re.compile(r"\r\n|\r|\n")
 
 
-def is_whole(data: bytes) -> bool:
-    """Whether a board with a prompt has said all: a line end, and the prompt behind it."""
-    return data[-1:] == PROMPT and data[-2:-1] in (b"\n", b"\r")
+def end_of(data: bytes) -> int:
+    """Where a board with a prompt has said all: behind the first prompt that follows a line end; 0 if it has not."""
+    match = _PROMPT.search(data)
+    return match.end() if match else 0
+
+
+def version_in(data: bytes) -> tuple[str, int]:
+    """The line before a prompt, if it is no answer to ESC, and where that prompt ends; 0 where there is none."""
+    for match in _LAST.finditer(data):
+        line = match[1].decode("latin-1")
+        if line not in (ASKED, CANCELLED):
+            return line, match.end()
+    return "", 0
 
 
 def lines_of(data: bytes, sent: str = "") -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Self
 
-from motionlang.client.answer import CANCELLED, PROMPT, code_of, is_whole, lines_of, number_of
+from motionlang.client.answer import ASKED, CANCELLED, code_of, end_of, lines_of, number_of, version_in
 from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.client.status import Status
 from motionlang.client.wire import SerialWire, TcpWire
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 TIMEOUT = 5.0
 # Seconds of silence after which a board without a prompt has said all, and a line has been drained.
 QUIET = 0.05
+# Seconds after which a line that is never silent, as background tasks report all the time, counts as drained.
+DRAIN = 0.5
 ESC = b"\x1b"
 ATTEMPTS = 3
 # Lines that nobody asked for, from background tasks, that are kept.
@@ -41,6 +43,7 @@ class Client:
         self.prompts = True
         self.unasked: deque[str] = deque(maxlen=MOST_UNASKED)
         self._wire = wire
+        self._rest = b""
         try:
             self._find_board()
         except BaseException:
@@ -189,31 +192,34 @@ class Client:
         if not self._wire.fresh:
             self._drain()
         for _ in range(ATTEMPTS):
-            self._wire.send(ESC + b"VE\r")
+            self._wire.send(ESC + ASKED.encode() + b"\r")
             if self._hear_version(self.timeout / ATTEMPTS):
                 return
             self._drain()
-        raise NoReply("VE", self.timeout)
+        raise NoReply(ASKED, self.timeout)
 
     def _hear_version(self, seconds: float) -> bool:
-        """Read the answer to VE, which is the last thing that the board says; False when there is none."""
-        end, data = self._wire.now() + seconds, b""
-        lines: list[str] = []
-        while not (lines and is_whole(data)):
+        """Read the answer to VE; False when there is none."""
+        end, data, lines = self._wire.now() + seconds, b"", [""]
+        while True:
             try:
-                said = self._wire.receive(QUIET if lines else end - self._wire.now())
+                said = self._wire.receive(min(QUIET, seconds) if lines[-1] else end - self._wire.now())
             except ConnectionLost:
                 if code_of(data.decode("latin-1").strip()) is not None:
                     raise ConnectionLost("the server has no room for a further host") from None
                 raise
-            if not said:
-                break
             data += said
-            whole = data[: max(data.rfind(b"\n"), data.rfind(b"\r")) + 1]
-            lines = [line for line in lines_of(whole) if line not in ("VE", CANCELLED)]
-        self.version = lines[-1] if lines else ""
-        self.prompts = data.endswith(PROMPT)
-        return bool(lines)
+            self.version, whole = version_in(data)
+            self.prompts = whole > 0
+            if self.prompts:
+                self._rest = data[whole:]
+                return True
+            if not said or self._wire.now() >= end:
+                self.version = lines[-1]
+                return bool(lines[-1])
+            # A board without a prompt ends its answer with silence.
+            ended = data[: max(data.rfind(b"\n"), data.rfind(b"\r")) + 1]
+            lines = ["", *(line for line in lines_of(ended, ASKED) if line != CANCELLED)]
 
     def _answer(self, line: str, seconds: float) -> list[str]:
         wire, data = self._wire, b""
@@ -223,23 +229,26 @@ class Client:
             ended = data[-1:] in (b"\n", b"\r") and not self.prompts
             said = wire.receive(min(left, QUIET) if ended else left)
             data += said
-            if is_whole(data) if self.prompts else (ended and not said):
-                return lines_of(data, line)
+            whole = end_of(data) if self.prompts else len(data) * (ended and not said)
+            if whole:
+                self._rest = data[whole:]
+                return lines_of(data[:whole], line)
             if not said:
                 self.escape()
                 raise NoReply(line, seconds)
 
     def _collect_unasked(self) -> None:
-        said = self._wire.receive(0.0)
+        said = self._rest + self._wire.receive(0.0)
         if said:
             self.unasked.extend(lines_of(said))
+            self._rest = b""
 
     def _drain(self) -> None:
-        """Forget what comes until the line is silent."""
-        end = self._wire.now() + self.timeout
-        while self._wire.receive(QUIET):
-            if self._wire.now() >= end:
-                return
+        """Forget what comes until the line is silent, or has not become so."""
+        self._rest = b""
+        end = self._wire.now() + DRAIN
+        while self._wire.receive(QUIET) and self._wire.now() < end:
+            pass
 
 
 def _encoded(line: str) -> bytes:

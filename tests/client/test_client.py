@@ -149,6 +149,27 @@ def test_what_background_tasks_say_between_lines_is_kept_apart(console: Console)
         assert list(board.unasked) == ["02 0"]
 
 
+@pytest.mark.parametrize("model", ["multiflex", "dcx-at200"])
+def test_a_board_that_never_keeps_silent(model: str) -> None:
+    """A background task that reports all the time: answers are found between its lines, in real time too."""
+    console = Console(Machine({"controller.model": model}, first_axis=1))
+    with Server(console, RealTime(console, 20.0)) as server:
+        address = server.listen("127.0.0.1", 0)
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        with Client.tcp(*address) as board:
+            board.send("MD1,2TP,WA0.005,RP")
+            board.send("GT1")
+            for _ in range(100):
+                assert "01 0" in board.send("1TP")
+            with pytest.raises(NoReply):
+                board.send("WN40", timeout=0.05)
+            assert "01 0" in board.send("1TP")
+            assert set(board.unasked) == {"02 0"}
+        server.stop()
+        thread.join(20.0)
+
+
 def test_only_one_line_at_a_time(board: Client) -> None:
     for line in ("1TP\r1TP", "1TP\n", "\x1b", "1TP€"):
         with pytest.raises(ValueError, match="is not one line of MCCL"):
