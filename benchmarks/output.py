@@ -10,6 +10,7 @@ import io
 import os
 import sys
 import tempfile
+from functools import partial
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ from motionlang.views.chart import velocity_chart
 from motionlang.views.csv import Formatter
 from motionlang.views.export import write_trace
 from motionlang.views.outline import outline
+from motionlang.views.scope import page
 from motionlang.views.table import render
 
 if TYPE_CHECKING:
@@ -108,14 +110,12 @@ def measure_trace(run: Run) -> None:
     rate = 10.0
     rows = trace.rows(rate)
     with tempfile.TemporaryDirectory() as folder:
-        csv, npz = os.path.join(folder, "shift.csv"), os.path.join(folder, "shift.npz")
-        times = best(
-            3,
-            {
-                "csv": lambda: write_trace(trace, csv, rate),
-                "npz": lambda: write_trace(trace, npz, rate),
-            },
-        )
+        paths = {name: os.path.join(folder, f"shift.{name}") for name in ("csv", "npz", "vcd")}
+        jobs: dict[str, Callable[[], object]] = {
+            name: partial(write_trace, trace, path, rate) for name, path in paths.items()
+        }
+        jobs["csv_as_controller"] = lambda: write_trace(trace.as_controller(rate), paths["csv"], rate)
+        times = best(3, jobs)
     for name, seconds in times.items():
         print(f"output.trace_{name} {seconds / rows * 1e9:.0f} ns/row")
 
@@ -127,6 +127,7 @@ def measure_pictures(run: Run) -> None:
     jobs: dict[str, Callable[[], object]] = {
         "chart": lambda: velocity_chart(axis, run.time, width=100, height=6),
         "outline": lambda: outline(trace, 0, "velocity"),
+        "scope_page": lambda: page(run),
     }
     with tempfile.TemporaryDirectory() as folder:
         try:

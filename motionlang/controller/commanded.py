@@ -51,24 +51,22 @@ class Commanded(Trace):
         times = start + np.arange(count, dtype=np.float64) * step
         cycles = times * self.trajectory_rate
         whole = np.floor(cycles + _AT_ONCE).astype(np.int64)
-        part = np.maximum(cycles - whole, 0.0)
+        first, last = int(whole[0]) - 2, int(whole[-1]) + 1
+        known: dict[int, Array] = {}
         for column, out in zip(columns, data, strict=True):
-            if column.axis is not None:
-                points = self._of(column.axis)
-                self._interpolate(points, ORDERS[column.quantity], whole, part, out)
-                if column.quantity == "position":
-                    out -= points.renamed(times)
-                self.to_user(column.axis, column.quantity, out)
-
-    def _interpolate(self, points: Points, order: int, whole: Cycles, part: Array, out: Array) -> None:
-        """Derivative `order` at a part of each of the `whole` cycles, counts."""
-        first = int(whole[0])
-        known = points.between(first - 2, int(whole[-1]) + 1)
-        at = whole - first
-        if order:
-            np.multiply(np.diff(known, order)[3 - order :][at], self.trajectory_rate**order, out=out)
-        else:
-            out[:] = known[at + 2] + np.diff(known)[at + 2] * part
+            if column.axis is None:
+                continue
+            points = self._of(column.axis)
+            if column.axis not in known:
+                known[column.axis] = points.between(first, last)
+            order = ORDERS[column.quantity]
+            if order:
+                differences = np.diff(known[column.axis], order)[3 - order :]
+                np.multiply(differences[whole - whole[0]], self.trajectory_rate**order, out=out)
+            else:
+                out[:] = np.interp(cycles, np.arange(first, last + 1), known[column.axis])
+                out -= points.renamed(times)
+            self.to_user(column.axis, column.quantity, out)
 
     def _of(self, axis: int) -> Points:
         if axis not in self._points:
