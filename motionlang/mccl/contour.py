@@ -151,13 +151,14 @@ class Contour:
         controller = self._board.controller
         self._path, self._start = path, controller.clock.now
         for number in self.members:
-            controller.redirect(number, self._of(number), ended)
+            here = controller.position(number), controller.velocity(number)
+            controller.redirect(number, self._of(number, here), ended)
         self._announce()
 
-    def _of(self, number: int) -> Profile:
+    def _of(self, number: int, here: tuple[float, float] | None = None) -> Profile:
         assert self._course is not None
         assert self._path is not None
-        return self._course.profile(self._path, number, self._board.axes[number].scale)
+        return self._course.profile(self._path, number, self._board.axes[number].scale, here)
 
     def _announce(self) -> None:
         """Count every path at the moment it has been carried out."""

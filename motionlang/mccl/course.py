@@ -59,23 +59,38 @@ class Course:
         """The path that length s lies on."""
         return min(max(bisect_right(self.marks, s) - 1, 0), len(self.segments) - 1)
 
-    def profile(self, path: Profile, axis: int, scale: Scale) -> Profile:
-        """What the axis does while the path is run as `path` says, in counts."""
+    def profile(
+        self, path: Profile, axis: int, scale: Scale, here: tuple[float, float] | None = None
+    ) -> Profile:
+        """What the axis does while the path is run as `path` says, in counts.
+
+        `here` is position and velocity of an axis that is on its way: within a stray of where the path has it.
+        """
         knots, pieces, marks = _divided(path, self, axis, abs(scale.counts))
         made: list[Piece] = []
         for begin, finish, piece, index in pieces:
             segment, offset = self.segments[index], self.marks[index]
             if segment.turns(axis):
-                made.append(_hermite(segment, axis, piece, finish - begin, offset, scale))
+                ends = [_state(segment, axis, piece, x, offset, scale) for x in (0.0, finish - begin)]
+                if here is not None and not made:
+                    ends[0] = here
+                made.append(_hermite(*ends[0], *ends[1], finish - begin))
             else:
                 factor = segment.factor(axis)
                 zero = scale.position_to_counts(segment.start[axis] - factor * offset)
                 made.append(transformed(piece, factor * scale.counts, zero))
         curve: Curve = (tuple(knots), tuple(made), marks)
-        return _ends(path, self, axis, scale, curve)
+        return _ends(path, self, axis, scale, curve, here)
 
 
-def _ends(path: Profile, course: Course, axis: int, scale: Scale, curve: Curve) -> Profile:
+def _ends(
+    path: Profile,
+    course: Course,
+    axis: int,
+    scale: Scale,
+    curve: Curve,
+    here: tuple[float, float] | None,
+) -> Profile:
     def at(s: float, velocity: float) -> tuple[float, float]:
         index = course.index(s)
         position, factor = course.segments[index].at(axis, s - course.marks[index])
@@ -83,7 +98,9 @@ def _ends(path: Profile, course: Course, axis: int, scale: Scale, curve: Curve) 
 
     start, first = at(path.start, path.start_velocity)
     end, last = at(path.end, path.end_velocity)
-    if path.start == 0.0:
+    if here is not None:
+        start, first = here
+    elif path.start == 0.0:
         start = scale.position_to_counts(course.segments[0].start[axis])
     if path.end == course.length:
         end = scale.position_to_counts(course.segments[-1].end[axis])
@@ -133,10 +150,8 @@ def _steps(segment: Segment, axis: int, piece: Piece, span: tuple[float, float],
     return min(max(1, ceil(steps)), _MOST_STEPS)
 
 
-def _hermite(segment: Segment, axis: int, piece: Piece, h: float, offset: float, scale: Scale) -> Piece:
-    """The cubic that has the arc's position and velocity at both ends of a stretch of time h."""
-    p0, v0 = _state(segment, axis, piece, 0.0, offset, scale)
-    p1, v1 = _state(segment, axis, piece, h, offset, scale)
+def _hermite(p0: float, v0: float, p1: float, v1: float, h: float) -> Piece:
+    """The cubic that has given positions and velocities at both ends of a stretch of time h."""
     rise = (p1 - p0) / h
     return (p0, v0, (3.0 * rise - 2.0 * v0 - v1) / h, (v0 + v1 - 2.0 * rise) / (h * h), 0.0, 0.0, 0.0)
 

@@ -61,6 +61,20 @@ def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
     assert {move.ended for move in result.controller.moves} == {"stop"}
 
 
+@pytest.mark.parametrize("command", ["1ST", "1VO0.3"])
+@pytest.mark.parametrize("wait", [0.0, 0.02, 0.137, 0.4])
+def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
+    mccl: Runner, command: str, wait: float
+) -> None:
+    """Wherever it happens, also between two of the cubics that the arc is made of."""
+    result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA{wait},{command}\n1WS")
+    assert result.diagnostics == []
+    for k in range(200):
+        x, y, vx, vy = state(result, result.time * k / 200)
+        assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
+        assert (x + 5000) * vx + y * vy == pytest.approx(0.0, abs=5000 * 20000 * 1e-5)
+
+
 def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP1,1MA60000,2MA80000\nWA1,1VO0.5\n1WS,1TP,2TP")
     assert result.output == ["01 60000", "02 80000"]
