@@ -35,6 +35,7 @@ CODES: dict[str, str] = {
     "zero-speed": "A move with no speed would never end.",
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
     "moving": "The command needs the axis at rest.",
+    "contour-and-blend": "Paths are either run through or blended into each other, not both.",
     "buffer-full": "The move buffer has no room, and nothing will ever make room.",
     "never": "The program waits for something that can no longer happen.",
     "not-primed": "The error registers were read before an error was read into them.",

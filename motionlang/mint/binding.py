@@ -264,6 +264,8 @@ def _load_load_by(environment: Environment, row: Row) -> Operation:
         if room(axis) <= 0:
             return True
         load(axis, value * scale.counts, row.name, line)
+        if environment.loaded is not None:
+            environment.loaded(axis)
         return False
 
     return by
@@ -279,6 +281,8 @@ def _load_load_to(environment: Environment, row: Row) -> Operation:
         if room(axis) <= 0:
             return True
         load(axis, scale.position_to_counts(value + environment.turn(axis)), row.name, line)
+        if environment.loaded is not None:
+            environment.loaded(axis)
         return False
 
     return to

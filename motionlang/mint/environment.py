@@ -58,6 +58,8 @@ class Environment:
         self.wraps: dict[int, float] = {}
         # What IDLE asks for beyond the end of the move, where a program asks for more.
         self.settled: Callable[[int], bool] | None = None
+        # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
+        self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
@@ -194,6 +196,17 @@ class Environment:
         room = self.controller.room
         return Wait(
             t, lambda: room(axis) > 0, lambda: INFINITY, f"for room in the move buffer of axis {axis}"
+        )
+
+    def rooms(self, t: float, axes: Sequence[int]) -> Wait:
+        """A path waits for room in the buffers of all its axes."""
+        room = self.controller.room
+        names = ", ".join(map(str, axes))
+        return Wait(
+            t,
+            lambda: all(room(axis) > 0 for axis in axes),
+            lambda: INFINITY,
+            f"for room in the move buffers of axes {names}",
         )
 
     def pause(

@@ -20,6 +20,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "axis-error": (12, "axis has an error"),
     "moving": (10, "axis is moving"),
     "disabled-axis": (40, "drive disabled"),
+    "contour-and-blend": (158, "contour and blend both on"),
     "buffer-full": (59, "move buffer full"),
     "not-simulated": (17, "not supported here"),
     "division-by-zero": (1001, "divide by zero"),

@@ -148,6 +148,10 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
             b.problem("values", f"{row.name} takes nothing in brackets", node)
         return []
     names = row.index.split(", ")
+    if names[-1] == "array":
+        from motionlang.mint.path_use import with_arrays
+
+        return with_arrays(b, node, row, names)
     if args is None or not args:
         if len(names) > 1:
             b.problem("values", f"{row.name} needs {row.index} in brackets", node)
@@ -208,6 +212,11 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
         return
     if row.verb == "wait":
         wait(b, node, node.values)
+        return
+    if row.kind == "move" and row.index == "axes":
+        from motionlang.mint.path_use import write_path
+
+        write_path(b, node, target, row)
         return
     if _default_axes(b, target, row):
         _write_to_defaults(b, node, row)

@@ -24,9 +24,12 @@ def table() -> Table:
 def _rows() -> list[Keyword]:
     from motionlang.mint.keywords import (
         axis,
+        buffer,
+        changing,
         comms,
         constants,
         control,
+        feedrate,
         functions,
         homing,
         io,
@@ -35,6 +38,7 @@ def _rows() -> list[Keyword]:
         latches,
         limits,
         motion,
+        paths,
         remote,
         sensing,
         state,
@@ -43,8 +47,8 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        axis, motion, state, control, tasks, terminal, io, comms, remote, limits, homing, latches, sensing, functions,
-        kept, constants, language,
+        axis, feedrate, motion, buffer, changing, paths, state, control, tasks, terminal, io, comms, remote, limits,
+        homing, latches, sensing, functions, kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from motionlang.controller.watch import Watch, arm
 from motionlang.mint.binding import scale_of
-from motionlang.mint.operations.inputs import BANK, LAST_CHANNEL, checked
+from motionlang.mint.operations.inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.operations.limits import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.controller.axis import Axis
     from motionlang.mint.binding import Row
     from motionlang.mint.environment import Environment
 
     Operation = Callable[..., object]
-    from collections.abc import Callable
 
 AUTO, AT_GO, AT_INPUT, AT_POSITION = range(4)
 _DEFAULTS = {"TRIGGERINPUT": -1.0, "TRIGGERSOURCE": 0.0, "TRIGGERCHANNEL": 0.0, "TRIGGERVALUE": 0.0}
@@ -29,7 +30,7 @@ class Triggers:
         self._modes: dict[int, int] = {}
         self._settings: dict[tuple[str, int], float] = {}
         self._watches: dict[int, tuple[Axis, Watch]] = {}
-        self._controller.inputs.listeners.append(self._changed)
+        environment.part(Inputs).listeners.append(self._changed)
         environment.loaded = self.loaded
 
     def mode(self, axis: int) -> int:
@@ -63,11 +64,9 @@ class Triggers:
         if self._controller.axes[axis].buffer:
             self._controller.go((axis,))
 
-    def _changed(self, channel: int, value: float) -> None:
-        if not self._controller.inputs.inverted(channel):
-            return
+    def _changed(self, channel: int, on: bool) -> None:
         for axis, mode in self._modes.items():
-            if mode == AT_INPUT and self.setting("TRIGGERINPUT", axis) == channel:
+            if on and mode == AT_INPUT and self.setting("TRIGGERINPUT", axis) == channel:
                 self._start(axis)
 
     def _watch(self, axis: int) -> None:

@@ -1,0 +1,73 @@
+"""The move buffer: marks, levels, what starts its moves, and entries that are no moves."""
+
+from __future__ import annotations
+
+from motionlang.lang.keyword import Keyword
+
+_LIBRARY = "Mint type library"
+_MN1270 = "Baldor MN1270"
+_AN117 = "ABB AN00117"
+_LARGEST = 8388607.0
+
+_TRIGGERS = (
+    ("AUTO", "a move starts as soon as it is loaded"),
+    ("GO", "moves start at GO"),
+    ("INPUT", "moves start when the input TRIGGERINPUT becomes active"),
+    ("POSITION", "moves start when the axis or encoder TRIGGERCHANNEL passes TRIGGERVALUE"),
+)
+_CONSTANTS = tuple(
+    Keyword(f"_tr{name}", "", "constant", "R", "none", "integer", str(value), f"TRIGGERMODE: {help}.",
+            f"PRINT _tr{name}", source=_AN117, trust="memory", group="constants")
+    for value, (name, help) in enumerate(_TRIGGERS)
+)  # fmt: skip
+
+
+def _trigger(name: str, verb: str, unit: str, help: str, low: float, high: float, default: float) -> Keyword:
+    return Keyword(name, "", "setting", "RW", "axis", unit, verb, help, f"{name}(0) = 1\nPRINT {name}(0)",
+                   default=default, low=low, high=high, source=_LIBRARY, trust="memory", group="buffer")  # fmt: skip
+
+
+ROWS = (
+    *_CONSTANTS,
+    Keyword("MOVEBUFFERID", "", "setting", "RW", "axis", "integer", "move_id",
+            "The mark that moves loaded from now on carry.",
+            "MOVEBUFFERID(0) = 7\nMOVER(0) = 10\nGO(0)\nPRINT MOVEBUFFERIDLAST(0)",
+            default=0.0, low=-2147483648.0, high=2147483647.0, source=_LIBRARY, trust="memory", group="buffer"),
+    Keyword("MOVEBUFFERIDLAST", "", "reading", "R", "axis", "integer", "buffering.last_id",
+            "The mark of the move that is executing, or of the last one.",
+            "MOVEBUFFERID(0) = 7\nMOVER(0) = 10\nGO(0)\nPRINT MOVEBUFFERIDLAST(0)",
+            default=0.0, source=_LIBRARY, trust="memory", group="buffer"),
+    Keyword("MOVEBUFFERLOW", "", "setting", "RW", "axis", "integer", "buffer_low",
+            "The event MBLOW comes when an entry leaves the buffer and more places than this are free; -1 for never.",
+            "MOVEBUFFERLOW(0) = 1\nPRINT MOVEBUFFERLOW(0)",
+            default=-1.0, low=-1, high=100, source=_MN1270, trust="manual", group="buffer"),
+    Keyword("TRIGGERMODE", "", "setting", "RW", "axis", "integer", "buffering.trigger_mode",
+            "What starts moves: _trAUTO at once when they are loaded, _trGO at GO, _trINPUT at the input TRIGGERINPUT, "
+            "_trPOSITION when TRIGGERCHANNEL passes TRIGGERVALUE. GO starts them in every mode.",
+            "TRIGGERMODE(0) = _trAUTO\nMOVER(0) = 10\nPAUSE IDLE(0)\nPRINT POS(0)",
+            default=1.0, low=0, high=3, source=_AN117, trust="memory", group="buffer"),
+    _trigger("TRIGGERINPUT", "buffering.trigger", "integer", "The input that starts moves; -1 for none.", -1, 999,
+             -1.0),
+    _trigger("TRIGGERSOURCE", "buffering.trigger", "integer",
+             "What TRIGGERCHANNEL is: 0 an axis, 1 an encoder, 2 an auxiliary encoder.", 0, 2, 0.0),
+    _trigger("TRIGGERCHANNEL", "buffering.trigger", "integer", "The axis or encoder whose position starts moves.",
+             0, 999, 0.0),
+    _trigger("TRIGGERVALUE", "buffering.trigger", "number",
+             "The position, in units of TRIGGERCHANNEL, whose passing starts moves.", -_LARGEST, _LARGEST, 0.0),
+    Keyword("MOVEDWELL", "", "move", "W", "axis", "ms", "buffering.dwell",
+            "Put a rest of some milliseconds between moves into the buffer.",
+            "MOVER(0) = 10\nMOVEDWELL(0) = 250\nGO(0)\nPAUSE IDLE(0)\nPRINT TIME >= 250",
+            low=0, high=2147483647.0, source=_LIBRARY, trust="memory", group="motion"),
+    Keyword("MOVEOUT", "", "move", "W", "axis, bank", "bits", "buffering.out",
+            "Set a bank of outputs between two moves of the buffer.",
+            "MOVER(0) = 10\nMOVEOUT(0, 0) = 5\nGO(0)\nPAUSE IDLE(0)\nPRINT OUT(0)",
+            source=_LIBRARY, trust="memory", group="motion"),
+    Keyword("MOVEOUTX", "", "move", "W", "axis, channel", "bool", "buffering.out_bit",
+            "Set one output between two moves of the buffer.",
+            "MOVER(0) = 10\nMOVEOUTX(0, 3) = _ON\nGO(0)\nPAUSE IDLE(0)\nPRINT OUTX(3)",
+            source=_LIBRARY, trust="memory", group="motion"),
+    Keyword("MOVEPULSEOUTX", "", "move", "W", "axis, channel", "ms", "buffering.pulse",
+            "Turn an output on for some milliseconds, between two moves of the buffer; they do not wait for its end.",
+            "MOVER(0) = 10\nMOVEPULSEOUTX(0, 3) = 50\nGO(0)\nPAUSE IDLE(0)\nPRINT OUTX(3)\nWAIT = 50\nPRINT OUTX(3)",
+            low=0, high=2147483647.0, source=_LIBRARY, trust="memory", group="motion"),
+)  # fmt: skip

@@ -1,0 +1,54 @@
+"""INCA, INCR and SUSPEND: what changes the motion in progress."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.binding import scale_of
+from motionlang.mint.operations.limits import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.binding import Row
+    from motionlang.mint.environment import Environment
+
+    Operation = Callable[..., object]
+
+
+def _finite(row: Row, value: float) -> None:
+    if not -1e300 < value < 1e300:
+        raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
+
+
+def write_by(environment: Environment, row: Row) -> Operation:
+    def write(axis: int, value: float, line: int) -> None:
+        _finite(row, value)
+        counts = scale_of(environment, axis).to_counts(value)
+        environment.controller.retarget_by(axis, counts, row.name, line)
+
+    return write
+
+
+def write_to(environment: Environment, row: Row) -> Operation:
+    def write(axis: int, value: float, line: int) -> None:
+        _finite(row, value)
+        counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
+        environment.controller.retarget_to(axis, counts, row.name, line)
+
+    return write
+
+
+def read_suspend(environment: Environment, row: Row) -> Operation:
+    controller = environment.controller
+    return lambda axis: int(controller.is_suspended(axis_of(environment, axis)))
+
+
+def write_suspend(environment: Environment, row: Row) -> Operation:
+    controller = environment.controller
+
+    def write(axis: int, value: int, line: int) -> None:
+        row.check(value)
+        (controller.suspend if value else controller.resume)(axis_of(environment, axis))
+
+    return write
