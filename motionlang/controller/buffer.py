@@ -44,6 +44,16 @@ def end(a: Axis) -> float:
     return a.buffer[-1].target if a.buffer else a.target
 
 
+def known_end(a: Axis) -> float:
+    """The same, for what counts from there: the refusal where the axis runs without an end."""
+    there = end(a)
+    if not abs(there) < 1e300:
+        raise Refusal(
+            "moving", f"axis {a.index} runs without an end: nothing can count from there", "stop it first"
+        )
+    return there
+
+
 def taken(controller: Core, a: Axis) -> None:
     """An entry has left the buffer: tell, when with it the free places came to exceed the level set."""
     if a.buffer_size - len(a.buffer) == a.buffer_low + 1:

@@ -7,7 +7,7 @@ from bisect import bisect_right
 from motionlang.controller import buffer
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
-from motionlang.controller.follow import Follow, FollowMove, check_chain
+from motionlang.controller.follow import Follow, FollowMove, check_chain, follows
 from motionlang.controller.move import Action, Move
 from motionlang.profile import hold, rest
 from motionlang.profile.composed import travelled
@@ -212,6 +212,8 @@ class Shear(CurveFollow):
         if head is None or not head.released or not isinstance(head.action, Fly):
             return False
         following = head.action
+        if follows(following.master, a):
+            return False  # it is refused when it begins by itself
         controller._take(a)
         ratio = self.curve.end_velocity
         if (following.over > 0.0) is not (self.direction > 0) or following.master is not self.master:
@@ -226,10 +228,6 @@ class Shear(CurveFollow):
         tie.move.target = tie.curve.end
         tie.engage()
         return True
-
-    def renew(self) -> None:
-        if self.a.move is self.move:
-            super().renew()
 
     def _close(self) -> None:
         """End this segment's entry of the log."""

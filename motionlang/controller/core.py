@@ -139,7 +139,7 @@ class Core(Readings):
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Put a move by `distance` into the buffer, counted from the end of the move before it."""
         a = self._ready(axis)
-        buffer.put(a, Move(axis, command, line, buffer.end(a) + distance))
+        buffer.put(a, Move(axis, command, line, buffer.known_end(a) + distance))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
         """Put a rest of `duration` seconds into the buffer."""
@@ -170,12 +170,16 @@ class Core(Readings):
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from whatever the axis is doing."""
         a = self._ready(axis)
+        move = buffer.stamped(a, Move(axis, command, line, position))
+        profile = self._plan(a, move)
         self._end_move(a, "retarget")
-        self._start(a, buffer.stamped(a, Move(axis, command, line, position)))
+        self._run(a, move, profile)
 
     def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Move by `distance` from the present target now."""
-        self.move_to(axis, self.axes[axis].target + distance, command, line)
+        """Move by `distance` from the present target now, from where the axis is where it has none."""
+        a = self.axes[axis]
+        base = a.target if abs(a.target) < INFINITY else a.position(self.clock.now)
+        self.move_to(axis, base + distance, command, line)
 
     def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Let the move in progress end at `position`; an axis at rest starts at once."""

@@ -99,15 +99,20 @@ class Follow(Action):
 
     def renew(self) -> None:
         """Work the slave's motion out anew from now on."""
-        if self.a.move is not self.move:
+        if not self.tied:
             return
         self.disarm()
         coming = self.coming()
         profile = self._with_offset(coming)
         self.move.add(self.controller.clock.now, profile)
         self.controller._follow(self.a, profile)
-        if self.a.move is self.move:
+        if self.tied:
             self.arm(coming)
+
+    @property
+    def tied(self) -> bool:
+        """Whether the tie still holds: a slave that is stopping has the same move, but not this tie."""
+        return self.a.move is self.move and self.move.action is self
 
     def coming(self) -> Profile:
         """What the master does from now on."""
@@ -136,6 +141,13 @@ class Follow(Action):
             f"axis {a.index} follows axis {self.master.index} and cannot be suspended",
             "suspend the master, or stop the slave",
         )
+
+    def more(self, controller: Core, a: Axis) -> None:
+        """Offsets of the buffer begin while the axis goes on following."""
+        if a.buffer:
+            from motionlang.controller.entries import begin_offsets
+
+            begin_offsets(controller, a)
 
     def start_offset(self, profile: Profile) -> None:
         """Lay an offset, which begins at 0, on top from now on; it takes the place of one under way."""
@@ -173,10 +185,11 @@ class Follow(Action):
         return added(self.base(coming, here - left.start), left, self.move.shape)
 
     def _offset_done(self, profile: Profile) -> None:
-        if self.offset is profile and self.a.move is self.move:
+        if self.offset is profile and self.tied:
             self.offset = None
             self.fold(profile.end)
             self.renew()
+            self.more(self.controller, self.a)
 
 
 class Gear(Follow):
@@ -255,6 +268,8 @@ def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, comm
         tie.set_ratio(ratio, ramp)
         return
     check_chain(a, master)
+    if ramp:
+        controller.rates(a, a.speed)
     move = FollowMove(a.index, command, line, "gear")
     controller._end_move(a, "retarget")
     Gear(controller, a, master, move, ratio, ramp).engage()
@@ -266,11 +281,15 @@ def tie_of(a: Axis) -> Follow | None:
     return action if isinstance(action, Follow) else None
 
 
-def check_chain(a: Axis, master: Axis) -> None:
-    """Refuse a master that follows the slave itself."""
-    link: Axis | None = master
-    while link is not None:
-        if link is a:
-            raise Refusal("axis", f"axis {a.index} cannot follow axis {master.index}: it would follow itself")
+def follows(link: Axis | None, a: Axis) -> bool:
+    """Whether `link` is the axis `a`, or follows it, directly or through others."""
+    while link is not None and link is not a:
         tie = tie_of(link)
         link = tie.master if tie is not None else None
+    return link is a
+
+
+def check_chain(a: Axis, master: Axis) -> None:
+    """Refuse a master that follows the slave itself."""
+    if follows(master, a):
+        raise Refusal("axis", f"axis {a.index} cannot follow axis {master.index}: it would follow itself")
