@@ -66,17 +66,17 @@ class CurveFollow(Follow):
     def arm(self, coming: Profile) -> None:
         along, clock = self._along(coming), self.controller.clock
         length = self.curve.duration
-        times = []
+        times: list[tuple[float, bool]] = []
         if along.start >= length * (1.0 - _AT_END):
             times.append((0.0, True))
         elif (time := along.crossing(length)) is not None:
             times.append((time, True))
-        if along.extrema()[0] < -_NEAR * length and (time := along.crossing(-_NEAR * length)) is not None:
+        back = -_NEAR * length
+        if self.goes_back and along.extrema()[0] < back and (time := along.crossing(back)) is not None:
             times.append((time, False))
         if times:
             time, forward = min(times)
-            if forward or self.goes_back:
-                self._event = clock.at(clock.now + time, lambda: self._passed(forward))
+            self._event = clock.at(clock.now + time, lambda: self._passed(forward))
 
     goes_back = False
 

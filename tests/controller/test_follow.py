@@ -230,6 +230,16 @@ def test_a_shear_stands_when_its_master_does_and_goes_on_with_it() -> None:
     assert c.position(1) == pytest.approx(5.0)
 
 
+def test_a_shear_whose_master_goes_back_first_ends_where_it_should() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.move_to(0, -4.0)
+    c.clock.at(0.1, lambda: c.retarget_to(0, 10.0))  # it turns round before 0 is reached again
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(5.0)
+    assert c.is_idle(1)
+
+
 def test_a_shear_that_is_over_at_speed_brakes() -> None:
     c = machine()
     shear(c, (5.0, 10.0))
