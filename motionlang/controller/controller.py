@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.entries import Make, Table
     from motionlang.controller.latch import Compare, Latch
     from motionlang.controller.trace import Trace
 
@@ -163,6 +164,44 @@ class Controller(Core):
 
         offset(self, self._ready(axis), distance, mode, over, command, line)
 
+    def load_cam(
+        self,
+        axis: int,
+        master: int,
+        table: Table,
+        cyclic: bool = False,
+        first: int = 0,
+        encoder: bool = False,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Put a cam into the buffer; `table` gives its points for where the slave then is, anew for every cycle."""
+        from motionlang.controller.entries import load_cam
+
+        load_cam(self, self._ready(axis), self._master(master, encoder), table, cyclic, first, command, line)
+
+    def load_offset(
+        self,
+        axis: int,
+        distance: float,
+        mode: int = 0,
+        over: float = 0.0,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Put an offset on top of following into the buffer; GO begins it while the axis goes on following."""
+        from motionlang.controller.entries import load_offset
+
+        load_offset(self, self._ready(axis), distance, mode, over, command, line)
+
+    def load_profile(
+        self, axis: int, make: Make, again: Make | None = None, command: str = "", line: int = 0
+    ) -> None:
+        """Put a ready-made profile into the buffer, made from where the axis then is; `again` follows it for ever."""
+        from motionlang.controller.entries import load_profile
+
+        load_profile(self, self._ready(axis), make, again, command, line)
+
     def offset_remaining(self, axis: int) -> float:
         """What the offset under way still has to do."""
         from motionlang.controller.follow import tie_of
@@ -220,6 +259,58 @@ class Controller(Core):
         from motionlang.controller.latch import Compare
 
         return Compare(self, axis, output, low, high)
+
+    # --------------------------------------------------------------------------------------- simulated motors
+
+    def set_gain(self, axis: int, word: str, value: float) -> None:
+        """Set a gain of the servo loop by the word of its language; a simulated motor's loop has it at once."""
+        a = self.axes[axis]
+        if a.feedback is not None:
+            a.feedback.tune({**a.gains, word: value})
+        a.gains[word] = value
+
+    def gain(self, axis: int, word: str, default: float) -> float:
+        """A gain as the program has set it."""
+        return self.axes[axis].gains.get(word, default)
+
+    def default_gains(self, axis: int) -> None:
+        """Forget the gains that the program has set."""
+        a = self.axes[axis]
+        a.gains.clear()
+        if a.feedback is not None:
+            a.feedback.tune(a.gains)
+
+    def set_error_limit(self, axis: int, counts: float) -> None:
+        """The following error beyond which an axis with a simulated motor trips; infinite for none."""
+        feedback = self.axes[axis].feedback
+        if feedback is not None:
+            feedback.set_error_limit(counts)
+
+    def settle_within(
+        self, axis: int, error: float, speed: float, hold: float, target: float | None = None
+    ) -> None:
+        """Say what `settled_time` goes by: following error (or distance to a target), speed, and for how long."""
+        feedback = self.axes[axis].feedback
+        if feedback is not None:
+            feedback.settle_within(error, speed, hold, target)
+
+    def open_loop(self, axis: int, volts: float) -> None:
+        """Give a simulated motor so many volts whatever it does; motion ends, and the demand stands where it is."""
+        a = self._ready(axis)
+        if a.feedback is None:
+            raise Refusal(
+                "not-simulated",
+                f"axis {axis} has no simulated motor that a torque could turn",
+                f"the machine file gives it one with [axis.{axis}.plant]",
+            )
+        self._freeze(a, "cancel")
+        a.feedback.open(volts)
+
+    def close_loop(self, axis: int) -> None:
+        """Let an axis hold its position again, where its motor is now."""
+        feedback = self.axes[axis].feedback
+        if feedback is not None:
+            feedback.take_over(self)
 
     @property
     def trace(self) -> Trace:

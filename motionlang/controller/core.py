@@ -94,27 +94,34 @@ class Core(Readings):
         a = self.axes[axis]
         a.enabled = True
         a.faults = 0
+        if a.feedback is not None:
+            a.feedback.take_over(self)
         if a.move is None:
             a.target = a.position(self.clock.now)
         self.tell("switched", axis)
 
     def disable(self, axis: int) -> None:
-        """Switch an axis off. With no simulated motor there is no coasting: it stands where it is."""
+        """Switch an axis off: its demand stands where it is, and so does the axis unless a simulated motor coasts."""
         a = self.axes[axis]
         self._freeze(a, "fault" if a.faults else "cancel")
         a.enabled = False
+        if a.feedback is not None:
+            a.feedback.open(0.0)
         self.tell("switched", axis)
 
     def clear_faults(self, axis: int) -> None:
         """Forget an axis's faults."""
-        self.axes[axis].faults = 0
+        a = self.axes[axis]
+        a.faults = 0
+        if a.feedback is not None:
+            a.feedback.look_again()
         self.tell("cleared", axis)
 
     def define_position(self, axis: int, position: float) -> None:
         """Give the present position a new value, also in motion: the rest of the move shifts with it."""
         a, now = self.axes[axis], self.clock.now
         here = a.position(now)
-        shift = position - here
+        shift = position - self.position(axis)
         rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
         if a.move is not None and a.move.action is not None:
             a.move.action.shift(self, a, shift)
@@ -388,8 +395,11 @@ class Core(Readings):
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
-        for watch in a.watches:
-            arm(a, watch, self.clock, now)
+        if a.feedback is not None:
+            a.feedback.changed()
+        else:
+            for watch in a.watches:
+                arm(a, watch, self.clock, now)
         for follower in a.followers:
             follower(profile)
 
@@ -413,9 +423,9 @@ class Core(Readings):
             else:
                 move.action.begin(self, a, move)
 
-    def _take(self, a: Axis) -> None:
-        """The first entry leaves the buffer."""
-        a.last_id = a.buffer.pop(0).id
+    def _take(self, a: Axis, place: int = 0) -> None:
+        """An entry, the first one unless said otherwise, leaves the buffer."""
+        a.last_id = a.buffer.pop(place).id
         if a.buffer_low >= 0:
             buffer.taken(self, a)
 

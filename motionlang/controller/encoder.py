@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
 
+# Auxiliary encoders are the channels from here on.
+AUXILIARY = 1000
+
 
 def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None:
     """Let an encoder run at `velocity` from now on, counts/s, ramping at `accel`; 0: at once."""

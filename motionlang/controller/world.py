@@ -6,6 +6,7 @@ and are placed anew when it sets another one.
 
 from __future__ import annotations
 
+from motionlang.controller.encoder import AUXILIARY
 from motionlang.controller.faults import ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.limit import Limit
 from motionlang.controller.region import Region
@@ -58,11 +59,14 @@ class World:
             self._wire_channel(entry, controller.analogue_inputs.__setitem__)
         for entry in _entries(settings, "fault"):
             self._wire_fault(entry)
+        for entry in _entries(settings, "encoder"):
+            self._wire_encoder(entry)
         controller.listeners.append(self._heard)
 
     def _wire_axis(self, axis: int) -> None:
         """Travel limits and the home switch, each with the input channel that shows it, if it has one."""
         get = self._settings.get
+        self._fit_motor(axis)
         self._controller.axes[axis].index_every = get(f"axis.{axis}.index_every", 0.0)  # type: ignore[assignment]
         self._controller.axes[axis].index_origin = -self._start(axis) * self._scale(axis)
         travel: Pair | None = get(f"axis.{axis}.travel")  # type: ignore[assignment]
@@ -75,6 +79,20 @@ class World:
             low, high = switch
             channel = get(f"axis.{axis}.home_input")
             self._wire_region(axis, low, high, self._home_change(axis, channel))
+
+    def _fit_motor(self, axis: int) -> None:
+        """The simulated motor of an axis whose machine file describes one; it trips as its axis says."""
+        start = f"axis.{axis}.plant."
+        plant = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
+        if not plant:
+            return
+        from motionlang.controller.feedback import Feedback
+
+        start = f"axis.{axis}.servo."
+        servo = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
+        a, bit = self._controller.axes[axis], FOLLOWING_ERROR
+        a.feedback = Feedback(a, self._controller.clock, plant, servo)
+        a.feedback.tripped = lambda: self._controller.fault(axis, bit, self.actions.get((axis, bit), "off"))
 
     def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
         def change(inside: bool) -> None:
@@ -139,6 +157,16 @@ class World:
 
         controller.outputs.listeners.append(changed)
         follow(controller.outputs.inverted(output))
+
+    def _wire_encoder(self, entry: Entry) -> None:
+        """An `[[encoder]]`: from some time on it turns at a velocity, counts/s."""
+        controller = self._controller
+        number = (
+            int(_number(entry, "channel")) if "channel" in entry else AUXILIARY + int(_number(entry, "aux"))
+        )
+        velocity, accel = _number(entry, "velocity"), _number(entry, "accel", 0.0)
+        controller.encoder(number)
+        self._at(_number(entry, "at", 0.0), lambda: controller.drive_encoder(number, velocity, accel))
 
     def _wire_fault(self, entry: Entry) -> None:
         axis = int(_number(entry, "axis"))

@@ -33,6 +33,8 @@ KEYS: dict[str, tuple[str, str]] = {
         "Where the machine stands at power-up, measured from its own zero, in user units.",
     ),
 }
+# The sections of a simulated motor and its loop; their keys are in `controller.servo.settings`.
+SERVO = ("axis.N.plant.", "axis.N.servo.")
 # Tables of things that happen: table -> key -> (kind, help).
 _WHEN = {
     "at": ("time", "The machine time at which it happens, in seconds."),
@@ -84,6 +86,13 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "text": ("text", "Keys that the operator presses, for INKEY."),
         "for": ("positive", "How long the last one is held, in seconds, for READKEY; 0.1 unless given."),
     },
+    "encoder": {
+        "channel": ("channel", "The encoder that something in the world turns, such as a conveyor."),
+        "aux": ("channel", "The auxiliary encoder, instead."),
+        "velocity": ("number", "How fast it turns, in counts a second, until another entry says otherwise."),
+        "accel": ("positive", "How fast it comes to that, in counts/s²; at once unless given."),
+        "at": _WHEN["at"],
+    },
     "answer": {"text": ("text", "What the operator types at the next INPUT.")},
     "comms": {
         "at": _WHEN["at"],
@@ -102,6 +111,7 @@ REQUIRED = {
     "remote": ("node",),
     "fault": ("axis", "kind"),
     "key": ("text",),
+    "encoder": ("velocity",),
     "answer": ("text",),
     "comms": ("element",),
     "netdata": ("element",),
@@ -125,6 +135,11 @@ def read_machine(source: Source) -> dict[str, object]:
         mistakes.extend(_located(source, key, *problem) for problem in problems)
         if not problems:
             settings[key] = value
+    if any(".plant." in key or ".servo." in key for key in settings):
+        from motionlang.controller.servo.settings import mistakes as servo_mistakes
+
+        for place, message, hint in servo_mistakes(settings):
+            mistakes.append(_located(source, f"{place}.", message, hint, f"[{place}]"))
     if mistakes:
         raise ProgramError(mistakes)
     return settings
@@ -133,6 +148,10 @@ def read_machine(source: Source) -> dict[str, object]:
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
     """What is wrong with one plain setting, and a hint; None when nothing is."""
     row = KEYS.get(_generic(key))
+    if row is None and _generic(key).startswith(SERVO):
+        from motionlang.controller.servo import settings as servo
+
+        return servo.setting_problem(key, _generic(key), value)
     if row is None:
         near = nearest(_generic(key), (*KEYS, *TABLES))
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
@@ -176,6 +195,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     yield from _when_problems(table, entry)
     if table == "remote" and ("channel" in entry) is ("analogue" in entry):
         yield "[[remote]] needs a channel or an analogue", "channel = 0 is a digital input", "[[remote]]"
+    if table == "encoder" and ("channel" in entry) is ("aux" in entry):
+        yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
     if table in ("comms", "netdata"):
         yield from _written_problems(table, entry)
 

@@ -23,12 +23,12 @@ MOVING = frozenset(
     {
         "position", "velocity", "remaining", "following_error", "time", "demand", "acceleration",
         "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
-        "sensing.turns",
+        "sensing.turns", "following.offset", "path_speed", "paths.angle", "auxiliary.position",
     }
 )  # fmt: skip
 COUNTING = frozenset({"time", "sensing.seconds"})
 # Those of them whose crossing of a value can be solved.
-SOLVED = frozenset({"position", "remaining", "time"})
+SOLVED = frozenset({"position", "remaining", "following.offset", "time"})
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 
 

@@ -30,6 +30,7 @@ def _rows() -> list[Keyword]:
         constants,
         control,
         feedrate,
+        following,
         functions,
         homing,
         io,
@@ -47,8 +48,8 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        axis, feedrate, motion, buffer, changing, paths, state, control, tasks, terminal, io, comms, remote, limits,
-        homing, latches, sensing, functions, kept, constants, language,
+        axis, feedrate, motion, buffer, changing, paths, following, state, control, tasks, terminal, io, comms, remote,
+        limits, homing, latches, sensing, functions, kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

@@ -169,7 +169,8 @@ def read_settling_time(environment: Environment, row: Row) -> Operation:
 
 
 class Encoders:
-    """The encoders of the axes, which count on whatever zero the program gives to an axis.
+    """The encoders of the axes, which count on whatever zero the program gives to an axis, and those of the machine
+    file, which take the place of an axis's where they have the same number.
 
     What an encoder shows is its counts / ENCODERPRESCALE / ENCODERSCALE, from the value it was given, within
     ENCODERWRAP.
@@ -186,26 +187,35 @@ class Encoders:
         self._settings[name, channel] = value
 
     def counts(self, channel: int) -> float:
+        if channel in self._controller.encoders:
+            return self._controller.encoder_position(channel)
         return self._controller.position(channel) - self._controller.axes[channel].datum
 
     def read(self, channel: int) -> float:
-        shown = self.counts(channel) / self._per_unit(channel) + self.setting("zero", channel)
+        shown = self.counts(channel) / self.per_unit(channel) + self.setting("zero", channel)
         wrap = self.setting("ENCODERWRAP", channel)
         return shown % wrap if wrap else shown
 
     def write(self, channel: int, value: float) -> None:
-        self.set("zero", channel, value - self.counts(channel) / self._per_unit(channel))
+        self.set("zero", channel, value - self.counts(channel) / self.per_unit(channel))
 
     def speed(self, channel: int) -> float:
-        return self._controller.velocity(channel) / self._per_unit(channel)
+        return self.velocity(channel) / self.per_unit(channel)
 
-    def _per_unit(self, channel: int) -> float:
+    def velocity(self, channel: int) -> float:
+        """In counts a second."""
+        if channel in self._controller.encoders:
+            return self._controller.encoder_velocity(channel)
+        return self._controller.velocity(channel)
+
+    def per_unit(self, channel: int) -> float:
+        """Counts in one unit of what the encoder shows."""
         return self.setting("ENCODERSCALE", channel) * self.setting("ENCODERPRESCALE", channel)
 
 
 def channel_of(environment: Environment, channel: int) -> int:
-    """The encoder channel, or the refusal of one that does not exist: they are those of the axes."""
-    if channel not in environment.controller.axes:
+    """The encoder channel, or the refusal of one that does not exist: those of the axes and of the machine file."""
+    if channel not in environment.controller.axes and channel not in environment.controller.encoders:
         axes = list(environment.controller.axes)
         hint = f"the encoders are those of axes {axes[0]} to {axes[-1]}"
         raise Refusal("channel", f"there is no encoder {channel}", hint)
