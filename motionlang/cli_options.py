@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import argparse
-import math
-import re
 import sys
 from importlib import import_module
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
 from motionlang import __version__
-from motionlang.cli_run import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
+from motionlang.cli_machine_options import add_dialect, add_machine, set_values
+from motionlang.cli_parser import Parser, add_command
+from motionlang.cli_run import Options
+from motionlang.cli_run_options import add_run
 from motionlang.errors import nearest
-from motionlang.execution import ONE_SHIFT, dialects
-from motionlang.lang.machine_file import KEYS, check_setting
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from motionlang.cli_parser import Commands
+
 PROGRAM = "motionlang"
-HIGHEST_RATE = 10e6
 # Commands whose modules, with options of their own, are imported only where they are meant.
 FAMILIES = {
     "pvt": ("motionlang.cli_pvt", "position-velocity-time moves for Copley drives"),
@@ -36,19 +36,6 @@ examples:
   motionlang plan --distance 20 --time 0.6 --rule third
                                                  the speed and the rates of a move, and a program for it
   motionlang keywords ACCELTIME                  what a word means, with an example
-"""
-
-RUN_EPILOG = """\
-The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
-Time is the machine's own: an hour of it takes a moment, unless --realtime is given.
-
-exit status: 0 the program ran; 1 it is wrong or faulted (standard error says where); 2 the command line is wrong
-
-examples:
-  motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
-  motionlang run pick.mcl --trace pick.csv --as-controller
-  motionlang run pick.mnt --set controller.axes=2 --set pitch=5
-  generate-program | motionlang run - --dialect mint --report json
 """
 
 
@@ -78,14 +65,14 @@ def _with_factor(given: Sequence[str]) -> list[str]:
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
     """The parser with all its commands; those of `FAMILIES` are only spelled out where `command` is one of them."""
-    parser = _Parser(
+    parser = Parser(
         prog=PROGRAM,
         description="Run programs of motion controllers offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
         epilog=EPILOG,
     )
     parser.add_argument("--version", action="version", version=f"{PROGRAM} {__version__}")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for add in (_add_run, _add_check, _add_repl, _add_plan, _add_profiles, _add_keywords, _add_verify):
+    for add in (add_run, _add_check, _add_repl, _add_plan, _add_profiles, _add_keywords, _add_verify):
         add(commands)
     for name, (module, summary) in FAMILIES.items():
         if name == command:
@@ -95,251 +82,7 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
     return parser
 
 
-class _Parser(argparse.ArgumentParser):
-    """argparse with whole words only and with help texts that keep their lines."""
-
-    def __init__(self, **options: object) -> None:
-        options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
-        super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
-
-    def error(self, message: str) -> NoReturn:
-        """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""
-        self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
-
-    def _hint(self, message: str) -> str:
-        wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
-        if wrong is not None:
-            near = nearest(wrong[1] or wrong[2], self._words())
-            if near is not None:
-                return f"did you mean {near}?"
-        return f"{self.prog} --help explains the command line"
-
-    def _words(self) -> list[str]:
-        """Every option and every choice, those of the commands too."""
-        words: list[str] = []
-        for action in self._actions:
-            words += [*action.option_strings, *map(str, action.choices or ())]
-            if isinstance(action, argparse._SubParsersAction):
-                words += [word for parser in action.choices.values() for word in parser._words()]
-        return words
-
-
-def _in_our_words(message: str) -> str:
-    """A wrong choice as it is said here, whichever way this Python's argparse quotes it."""
-    wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
-    if wrong is None:
-        return message
-    if wrong[1] == "COMMAND" or " | " in wrong[1]:
-        return f"there is no command {wrong[2]}"
-    choices = wrong[3].replace("'", "")
-    return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
-
-
-if TYPE_CHECKING:
-    Commands = argparse._SubParsersAction[_Parser]
-
-
-def _command(
-    commands: Commands, name: str, summary: str, call: Callable[..., int], epilog: str = ""
-) -> argparse.ArgumentParser:
-    parser = commands.add_parser(name, help=summary, description=_sentence(summary), epilog=epilog)
-    parser.set_defaults(command=call, parser=parser)
-    return parser
-
-
-def _either(words: Sequence[str]) -> str:
-    return f"{', '.join(words[:-1])} or {words[-1]}"
-
-
-def _sentence(summary: str) -> str:
-    return summary[0].upper() + summary[1:] + "."
-
-
-# ------------------------------------------------------------------------------------------------------ run
-
-
-def _add_run(commands: Commands) -> None:
-    parser = _command(
-        commands, "run", "run a program on the virtual machine and report what it did", _run, RUN_EPILOG
-    )
-    parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
-    add_machine(parser)
-    parser.add_argument(
-        "--report",
-        choices=REPORTS,
-        default="table",
-        help="what follows the program's own output: a table (the default), or nothing; "
-        "json prints one JSON document and nothing else",
-    )
-    parser.add_argument(
-        "--until",
-        type=_time,
-        metavar="S",
-        help="end the run after S seconds of machine time; without it the machine file says when, or it ends after "
-        f"one shift, {ONE_SHIFT:.0f} s = 8 h",
-    )
-    parser.add_argument(
-        "--realtime",
-        type=_factor,
-        nargs="?",
-        const=1.0,
-        metavar="FACTOR",
-        help="hold the run to the wall clock, FACTOR machine seconds a second (1 without a FACTOR)",
-    )
-    parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {_either(TRACES)}")
-    parser.add_argument(
-        "--rate",
-        type=_rate,
-        metavar="HZ",
-        help=f"samples a second of the trace ({RATE:g}; with --as-controller {SERVO_RATE:g})",
-    )
-    parser.add_argument(
-        "--as-controller",
-        action="store_true",
-        help="trace the points that the trajectory generator computes and the straight lines between them, "
-        "which is what the servo loop is told, instead of the exact curve",
-    )
-    parser.add_argument(
-        "--trajectory-rate",
-        type=_rate,
-        metavar="HZ",
-        help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
-    )
-    parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {_either(PLOTS)}")
-    parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
-
-
-def add_machine(parser: argparse.ArgumentParser) -> None:
-    """What `run`, `repl` and `serve` need to know about the machine."""
-    _add_dialect(parser)
-    parser.add_argument(
-        "--machine",
-        metavar="M.toml",
-        help="the machine the program is to run on; without it run takes pick.machine.toml beside pick.mnt, if there "
-        "is one",
-    )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="give a value to a name of the program, or, by a dotted name, to a key of the machine file: "
-        f"{', '.join(KEYS)}; may be repeated",
-    )
-
-
-def _add_dialect(
-    parser: argparse.ArgumentParser, what: str = "the language, where the suffix does not say it"
-) -> None:
-    parser.add_argument(
-        "--dialect", choices=dialects(), help="the language, where the suffix does not say it"
-    )
-
-
-def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
-    """The options of a `run` line."""
-    options = Options(arguments.file)
-    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot"):
-        setattr(options, name, getattr(arguments, name))
-    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
-    options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
-    options.cache = not arguments.no_cache
-    set_values(arguments.set, options.settings, options.overrides, parser)
-    return options
-
-
-def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    from motionlang.cli_files import refused, wrong_target
-    from motionlang.cli_run import refuse, run_command
-
-    _check_sampling(arguments, parser)
-    options = run_options(arguments, parser)
-    for option, path in (("--trace", options.trace), ("--plot", options.plot)):
-        if path is not None:
-            problem = wrong_target(option, path)
-            if problem is not None:
-                parser.error(problem)
-            diagnostic = refused(path)
-            if diagnostic is not None:
-                return refuse(options, [diagnostic], None, 1)
-    return run_command(options)
-
-
-def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
-    """Options that would say something about nothing."""
-    if arguments.trace is None:
-        for name in ("rate", "as_controller"):
-            if getattr(arguments, name):
-                parser.error(f"--{name.replace('_', '-')} is about a trace: give --trace OUT")
-    if arguments.trajectory_rate and not arguments.as_controller:
-        parser.error("--trajectory-rate is about --as-controller, which is missing")
-
-
-def set_values(
-    pairs: Sequence[str],
-    settings: dict[str, object],
-    overrides: dict[str, float | str],
-    parser: argparse.ArgumentParser,
-) -> None:
-    for pair in pairs:
-        name, equals, text = pair.partition("=")
-        name = name.strip()
-        if not equals or not name:
-            parser.error(f"--set needs NAME=VALUE, not {pair!r}")
-        if "." not in name:
-            overrides[name] = _value(text)
-            continue
-        value = _setting(text)
-        problem = check_setting(name, value)
-        if problem is not None:
-            parser.error(f"--set {pair}: {problem[0]}; {problem[1]}")
-        settings[name] = value
-
-
-def _setting(text: str) -> object:
-    """A machine key's value as the machine file would have it; a bare word is a text."""
-    import tomllib
-
-    try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except (tomllib.TOMLDecodeError, RecursionError):
-        return text
-
-
-def _value(text: str) -> float | str:
-    """A number where it reads as one."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def _number(text: str, low: float, high: float, what: str, *, open_low: bool = False) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not (low < value <= high or (value == low and not open_low)):
-        raise argparse.ArgumentTypeError(f"{text!r} is not {what}")
-    return value
-
-
-def _time(text: str) -> float:
-    return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
-
-
-def _rate(text: str) -> float:
-    what = f"a number of samples a second above 0, {HIGHEST_RATE:,.0f} at most"
-    return _number(text, 0.0, HIGHEST_RATE, what, open_low=True)
-
-
-def _factor(text: str) -> float:
-    return _number(
-        text, 0.0, sys.float_info.max, "a factor above 0: --realtime 10 is ten times as fast", open_low=True
-    )
-
-
-# ------------------------------------------------------------------------------------------- other commands
+# ------------------------------------------------------------------------------------------- the commands
 
 
 CHECK_EPILOG = """\
@@ -355,7 +98,7 @@ examples:
 
 
 def _add_check(commands: Commands) -> None:
-    parser = _command(
+    parser = add_command(
         commands,
         "check",
         "report every mistake and every warning of every file; nothing is run",
@@ -363,7 +106,7 @@ def _add_check(commands: Commands) -> None:
         CHECK_EPILOG,
     )
     parser.add_argument("files", metavar="FILE", nargs="+", help="programs; - reads standard input")
-    _add_dialect(parser)
+    add_dialect(parser)
     parser.add_argument(
         "--machine",
         metavar="M.toml",
@@ -410,7 +153,7 @@ def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> in
 
 
 def _add_repl(commands: Commands) -> None:
-    parser = _command(commands, "repl", "type a program line by line and watch the axes", _repl)
+    parser = add_command(commands, "repl", "type a program line by line and watch the axes", _repl)
     parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first")
     add_machine(parser)
 
@@ -434,14 +177,14 @@ def _repl(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int
 def _add_plan(commands: Commands) -> None:
     from motionlang.cli_plan import add_arguments, plan_command
 
-    parser = _command(
+    parser = add_command(
         commands, "plan", "find the missing figures of a move, and a program for it", plan_command
     )
     add_arguments(parser)
 
 
 def _add_profiles(commands: Commands) -> None:
-    parser = _command(
+    parser = add_command(
         commands, "profiles", "compare the four velocity profiles by the example of PMC's TN1069", _profiles
     )
     parser.add_argument(
@@ -459,11 +202,11 @@ def _profiles(arguments: argparse.Namespace, parser: argparse.ArgumentParser) ->
 
 
 def _add_keywords(commands: Commands) -> None:
-    parser = _command(commands, "keywords", "list the words of a language, or explain one", _keywords)
+    parser = add_command(commands, "keywords", "list the words of a language, or explain one", _keywords)
     parser.add_argument(
         "name", metavar="NAME", nargs="?", help="the word to explain, by its name or its short form"
     )
-    _add_dialect(parser, "one language; both without it")
+    add_dialect(parser, "one language; both without it")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
@@ -474,7 +217,7 @@ def _keywords(arguments: argparse.Namespace, parser: argparse.ArgumentParser) ->
 
 
 def _add_verify(commands: Commands) -> None:
-    parser = _command(commands, "verify", "run programs and compare them with their golden files", _verify)
+    parser = add_command(commands, "verify", "run programs and compare them with their golden files", _verify)
     parser.add_argument(
         "paths",
         metavar="PATH",

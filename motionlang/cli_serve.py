@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from motionlang.cli_options import add_machine, set_values
+from motionlang.cli_machine_options import add_machine, set_values
 from motionlang.cli_run import Options, read_machine_file, read_source, refuse, unreadable
 from motionlang.execution import machine_beside
 from motionlang.serve.address import BadAddress, parse

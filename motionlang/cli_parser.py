@@ -1,0 +1,72 @@
+"""argparse as this command line has it: whole words, mistakes in two lines, and what was probably meant."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from typing import TYPE_CHECKING, NoReturn
+
+from motionlang.errors import nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+
+class Parser(argparse.ArgumentParser):
+    """argparse with whole words only and with help texts that keep their lines."""
+
+    def __init__(self, **options: object) -> None:
+        options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
+        super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""
+        self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
+
+    def _hint(self, message: str) -> str:
+        wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
+        if wrong is not None:
+            near = nearest(wrong[1] or wrong[2], self._words())
+            if near is not None:
+                return f"did you mean {near}?"
+        return f"{self.prog} --help explains the command line"
+
+    def _words(self) -> list[str]:
+        """Every option and every choice, those of the commands too."""
+        words: list[str] = []
+        for action in self._actions:
+            words += [*action.option_strings, *map(str, action.choices or ())]
+            if isinstance(action, argparse._SubParsersAction):
+                words += [word for parser in action.choices.values() for word in parser._words()]
+        return words
+
+
+def _in_our_words(message: str) -> str:
+    """A wrong choice as it is said here, whichever way this Python's argparse quotes it."""
+    wrong = re.fullmatch(r"argument (.+?): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
+    if wrong is None:
+        return message
+    if wrong[1] == "COMMAND" or " | " in wrong[1]:
+        return f"there is no command {wrong[2]}"
+    choices = wrong[3].replace("'", "")
+    return f"argument {wrong[1]}: {wrong[2]!r} is not one of {choices}"
+
+
+if TYPE_CHECKING:
+    Commands = argparse._SubParsersAction[Parser]
+
+
+def add_command(
+    commands: Commands, name: str, summary: str, call: Callable[..., int], epilog: str = ""
+) -> argparse.ArgumentParser:
+    parser = commands.add_parser(name, help=summary, description=_sentence(summary), epilog=epilog)
+    parser.set_defaults(command=call, parser=parser)
+    return parser
+
+
+def either(words: Sequence[str]) -> str:
+    return f"{', '.join(words[:-1])} or {words[-1]}"
+
+
+def _sentence(summary: str) -> str:
+    return summary[0].upper() + summary[1:] + "."
