@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
 # A machine program has no end of its own: this is where a run ends when nothing else says so.
 ONE_SHIFT = 8 * 3600.0
+# New objects between two looks of the garbage collector.
+GARBAGE = 200_000
 # What follows a program's name, without its suffix, in the name of the machine file beside it.
 MACHINE_SUFFIX = ".machine.toml"
 
@@ -204,6 +207,9 @@ def _execute(
 ) -> None:
     """Run to the end, or to what ends it; whatever happened before stays in the result."""
     scheduler: Scheduler | None = None
+    # The log of a run lives as long as the run: looking through it over and over finds nothing to collect.
+    thresholds = gc.get_threshold()
+    gc.set_threshold(GARBAGE, *thresholds[1:])
     try:
         if outside is not None:
             outside.start(result.machine)
@@ -229,6 +235,8 @@ def _execute(
             raise
         result.status = "fault"
         result.diagnostics.append(diagnostic)
+    finally:
+        gc.set_threshold(*thresholds)
 
 
 def _tell_who_waited(result: Run, scheduler: Scheduler) -> None:
