@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
+    from motionlang.controller.feedback import Feedback
     from motionlang.controller.limit import Limit
     from motionlang.controller.move import Move
     from motionlang.controller.watch import Watch
@@ -63,8 +64,10 @@ class Axis:
         "enabled",
         "error_decel",
         "faults",
+        "feedback",
         "feedrate_mode",
         "followers",
+        "gains",
         "home",
         "index",
         "index_every",
@@ -146,6 +149,9 @@ class Axis:
         # Called with each new profile at the moment it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []
+        # Its motor, where one is simulated, and the gains that the program has set, by their words.
+        self.feedback: Feedback | None = None
+        self.gains: dict[str, float] = {}
         # The home switch, and the distance between the encoder's index marks in user units (0: it has none).
         self.home = False
         self.index_every = 0.0

@@ -55,17 +55,54 @@ class Readings:
                 found.append(number)
         return found
 
+    def settling(self) -> list[int]:
+        """The idle axes whose simulated motors have not come to rest yet."""
+        motors = [(number, a.feedback) for number, a in self.axes.items() if a.move is None]
+        return [number for number, feedback in motors if feedback is not None and not feedback.resting]
+
+    def rest_time(self, axis: int) -> float:
+        """When the motor of an idle axis will be at rest, or when to look again."""
+        feedback = self.axes[axis].feedback
+        return self.clock.now if feedback is None else feedback.settled_time()
+
     # ------------------------------------------------------------------------------------------- reading
 
     def position(self, axis: int) -> float:
-        return self.axes[axis].position(self.clock.now)
+        """The actual position: that of the simulated motor, without one the demand."""
+        a = self.axes[axis]
+        return a.position(self.clock.now) if a.feedback is None else a.feedback.position
 
     def velocity(self, axis: int) -> float:
+        """The actual velocity: that of the simulated motor, without one the demand."""
+        a = self.axes[axis]
+        return a.velocity(self.clock.now) if a.feedback is None else a.feedback.velocity
+
+    def demand(self, axis: int) -> float:
+        """The demanded position."""
+        return self.axes[axis].position(self.clock.now)
+
+    def demand_velocity(self, axis: int) -> float:
+        """The demanded velocity."""
         return self.axes[axis].velocity(self.clock.now)
 
     def following_error(self, axis: int) -> float:
-        """Demanded minus actual position: 0 until a motor is simulated."""
-        return 0.0
+        """Demanded minus actual position: 0 without a simulated motor."""
+        feedback = self.axes[axis].feedback
+        return 0.0 if feedback is None else feedback.error
+
+    def servo_output(self, axis: int) -> float:
+        """The output to a simulated motor, volts; 0 without one."""
+        feedback = self.axes[axis].feedback
+        return 0.0 if feedback is None else feedback.output
+
+    def settled_time(self, axis: int) -> float:
+        """When an axis has settled as `settle_within` says, or when to look again; infinite where it never does."""
+        feedback = self.axes[axis].feedback
+        return self.clock.now if feedback is None else feedback.settled_time("program")
+
+    def has_motor(self, axis: int) -> bool:
+        """Whether the axis has a simulated motor."""
+        return self.axes[axis].feedback is not None
 
     def target(self, axis: int) -> float:
         return self.axes[axis].target
@@ -102,7 +139,15 @@ class Readings:
         return self.clock.now if a.move is None else a.end_of_motion()
 
     def crossing_time(self, axis: int, position: float) -> float:
-        """The time at which the axis will pass `position`, infinite if the present motion never does."""
+        """The time at which the axis will pass `position`, infinite if the present motion never does.
+
+        Of a simulated motor as far as can be seen; beyond that the time to look again.
+        """
+        feedback = self.axes[axis].feedback
+        return self.demand_crossing_time(axis, position) if feedback is None else feedback.crossing_time(position)
+
+    def demand_crossing_time(self, axis: int, position: float) -> float:
+        """The same of the demanded position."""
         a, now = self.axes[axis], self.clock.now
         start = a.starts[-1]
         found = a.profiles[-1].crossing(position, now - start)

@@ -35,16 +35,19 @@ class Watch:
 
 
 def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
-    """Solve one watch against the axis's present profile, from `now` on.
+    """Solve one watch against the axis's present profile, from `now` on; a simulated motor is watched instead.
 
     A pass that falls due in this very moment, such as arriving on the position, happens first.
     """
+    if axis.feedback is not None:
+        axis.feedback.arm(watch)
+        return
     due = watch.event
     if due is not None and due.call is not None and due.time <= now:
         pass_now = due.call
         due.cancel()
         pass_now()
-    position = _position(axis, watch)
+    position = place(axis, watch)
     side = _side(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
     if side:
         watch.side = side
@@ -59,7 +62,7 @@ def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> Non
     start, profile = axis.starts[-1], axis.profiles[-1]
     if profile.shape == "hold":
         return
-    found, after = _next(profile, _position(axis, watch), now - start, side)
+    found, after = _next(profile, place(axis, watch), now - start, side)
     if found is not None:
         watch.event = clock.at(start + found, lambda: _changed(axis, watch, clock, after, reached=side != 0))
 
@@ -68,9 +71,9 @@ def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple
     """When the axis next changes sides, and the side it will then be on."""
     if side:
         return profile.crossing(position, elapsed), -side
-    margin = _margin(position)
-    up = profile.crossing(position + margin, elapsed)
-    down = profile.crossing(position - margin, elapsed)
+    within = margin(position)
+    up = profile.crossing(position + within, elapsed)
+    down = profile.crossing(position - within, elapsed)
     if up is None or (down is not None and down < up):
         return down, -1
     return up, 1
@@ -85,14 +88,16 @@ def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -
         watch.call(side)
 
 
-def _position(axis: Axis, watch: Watch) -> float:
+def place(axis: Axis, watch: Watch) -> float:
+    """Where a watch is now, counts as the program counts them."""
     return watch.position + axis.datum if watch.physical else watch.position
 
 
 def _side(distance: float, position: float) -> int:
-    margin = _margin(position)
-    return (distance > margin) - (distance < -margin)
+    within = margin(position)
+    return (distance > within) - (distance < -within)
 
 
-def _margin(position: float) -> float:
+def margin(position: float) -> float:
+    """Counts within which an axis stands on a position."""
     return _ON + 1e-12 * abs(position)

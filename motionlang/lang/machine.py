@@ -111,6 +111,14 @@ class Machine:
         """How many moves were started so far."""
         return 0 if self._controller is None else len(self._controller.moves)
 
+    def settling(self) -> list[int]:
+        """The idle axes whose simulated motors are not at rest yet."""
+        return [] if self._controller is None else self._controller.settling()
+
+    def rest_time(self, axis: int) -> float:
+        """When the motor of an idle axis will be at rest, or when to look again."""
+        return self.controller.rest_time(axis)
+
     def idle_time(self, axis: int) -> float:
         """The time at which an axis will be idle if nothing else happens."""
         return self.controller.idle_time(axis)

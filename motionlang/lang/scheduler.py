@@ -114,9 +114,12 @@ class Scheduler:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
         while True:
             busy = self.machine.moving()
-            if not busy:
-                return True
             times = [self.machine.idle_time(axis) for axis in busy]
+            if not busy:
+                settling = self.machine.settling()
+                if not settling:
+                    return True
+                times = [self.machine.rest_time(axis) for axis in settling]
             finite = [time for time in times if time < INFINITY]
             if not finite or min(finite) > until:
                 if until < INFINITY:

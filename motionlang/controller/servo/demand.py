@@ -94,9 +94,12 @@ class Generator:
                 found.append((sample, self.offset(k)))
         return found
 
-    def rebase(self, cycle: int, position: float) -> None:
-        """From now on the track's own position in `cycle` is `position`: the loop has been closed there."""
-        k = self.in_force(cycle)
+    def rebase(self, cycle: int, position: float, profile: int | None = None) -> None:
+        """From now on the track's own position in `cycle` is `position`: the loop has been closed there.
+
+        `profile` is the number of the one in force; without it the last one that began before the cycle.
+        """
+        k = self.in_force(cycle) if profile is None else profile
         self.offset(k)
         track = self.track
         here = track.profiles[k].position(cycle * self.period - track.starts[k])

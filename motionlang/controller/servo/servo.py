@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.steps import State
     from motionlang.controller.servo.trace import ServoTrace
 
+if TYPE_CHECKING:
+    Mark = tuple[State, int, list[float], dict[str, float]]
+
 SPAN = 1 << 18
 """Samples that are run in one go: what bounds the memory of a servo that writes nothing down."""
 WATCH = 4096
@@ -149,13 +152,14 @@ class Servo:
         """Open the loop: `output` volts go to the motor whatever it does (0: it coasts)."""
         self._open_output = output
 
-    def close(self) -> None:
+    def close(self, profile: int | None = None) -> None:
         """Close the loop where the motor stands: demand becomes measured position, nothing is wound up.
 
-        The track must already say so: where it is now is taken to be where the motor is.
+        The track must already say so: where it is now is taken to be where the motor is. `profile` is the number of
+        the profile in force, for a track that goes on after this moment.
         """
         place = self._measured()
-        self._generator.rebase(-(-self._sample // self.loop.ratio), place)
+        self._generator.rebase(-(-self._sample // self.loop.ratio), place, profile)
         self._points = [place, place, place]
         fresh = initial_state(discretise(self.plant, self.loop.period), place)
         plant_states = len(discretise(self.plant, self.loop.period).names)
@@ -168,6 +172,49 @@ class Servo:
             if getattr(loop, name) != getattr(self.loop, name):
                 raise ValueError(f"the {name.replace('_', ' ')} cannot change while the loop runs")
         self.loop = loop
+
+    # -- looking ahead
+
+    @property
+    def sample(self) -> int:
+        """The number of the next sample, which is taken at that many periods."""
+        return self._sample
+
+    @property
+    def track(self) -> Demanded:
+        """What it follows."""
+        return self._generator.track
+
+    @property
+    def state(self) -> State:
+        """The plant's state and the loop's memory before the next sample."""
+        return self._state
+
+    @property
+    def offset(self) -> float:
+        """Counts that lie between the motor's own coordinates and those of the program, as the track is now."""
+        return self._generator.offset(len(self._generator.track.starts) - 1)
+
+    def mark(self) -> Mark:
+        """What `back` needs to return here."""
+        return self._state, self._sample, list(self._points), self._row
+
+    def back(self, mark: Mark) -> None:
+        """Forget what was run since `mark` was made; gains and the track are as they are now."""
+        self._state, self._sample, self._points, self._row = mark
+        self._points = list(self._points)
+
+    def run(self, count: int) -> ServoTrace:
+        """Run `count` samples and give what they were, in the motor's own coordinates but for `demand`, `position`."""
+        from motionlang.controller.servo.trace import joined
+
+        self._run(self._sample + count)
+        self._keep()
+        return joined(self.loop, self.plant, self._columns, [self._stretch])
+
+    def skip(self, count: int) -> None:
+        """Let `count` samples pass in which nothing changes: the caller knows that the state is a fixed point."""
+        self._sample += count
 
     # -- inside
 

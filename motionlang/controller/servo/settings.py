@@ -95,6 +95,10 @@ SERVO: dict[str, Key] = {
     "reversed": Key("flag", False, "Whether the output is reversed."),
     "arithmetic": Key("text", "real", "How the loop computes.", choices=ARITHMETICS),
     "dac_bits": Key("count", 0, "Bits of the DAC; 0: any voltage.", 0, 16),
+    "bandwidth": _positive(
+        50.0,
+        "The bandwidth, Hz, of gains that are suggested where neither this section nor the program has any.",
+    ),
     "servo_rate": Key(
         "number", _LOOP.servo_rate, "Servo samples a second, a multiple of the next.", 1.0, 1e6
     ),
@@ -132,6 +136,33 @@ def _range_words(key: Key) -> str:
     return f"{key.low:g} to {key.high:g}"
 
 
+def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | None:
+    """What is wrong with a key of the machine file (`generic` has N for its axis), and a hint; None: nothing."""
+    row = KEYS.get(generic)
+    if row is None:
+        section, _, name = key.rpartition(".")
+        table = PLANT if generic.startswith("axis.N.plant.") else SERVO
+        near = nearest(name, table)
+        return f"there is no key {key}", (
+            f"did you mean {near}?" if near else f"[{section}] has {', '.join(table)}"
+        )
+    wrong = problem(row, value)
+    return None if wrong is None else (f"{key} must be {wrong}, not {value!r}", row.help)
+
+
+def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:
+    """What does not fit together in the sections of every axis: the section, what is wrong with it, and a hint."""
+    found = []
+    for axis in sorted({int(key.split(".")[1]) for key in settings if key.startswith("axis.")}):
+        for name, make in (("plant", make_plant), ("servo", make_loop)):
+            values = section(settings, axis, name)
+            try:
+                make(values)
+            except ValueError as wrong:
+                found.append((f"axis.{axis}.{name}", str(wrong), "the page on the servo has every key"))
+    return found
+
+
 def section(settings: Mapping[str, object], axis: int, name: str) -> dict[str, object]:
     """`axis.N.plant.…` or `axis.N.servo.…` of settings with dotted keys, as `make_plant` and `make_loop` take it."""
     prefix = f"axis.{axis}.{name}."
@@ -160,6 +191,7 @@ def make_loop(values: Mapping[str, object], base: Loop | None = None) -> Loop:
         for name in ("override_steps", "override_hold", "override_speed")
         if name in given
     }
+    given.pop("bandwidth", None)
     loop = replace(base or Loop(), **given)  # type: ignore[arg-type]
     if not override.get("override_steps"):
         return loop

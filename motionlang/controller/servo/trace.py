@@ -108,10 +108,12 @@ class ServoTrace:
     @property
     def measured(self) -> Array:
         """The position as the encoder gives it, counts."""
-        made: Array = self._measured() - self._offset
+        made: Array = self.encoder - self._offset
         return made
 
-    def _measured(self) -> Array:
+    @property
+    def encoder(self) -> Array:
+        """The same in the motor's own coordinates, which no program renames."""
         position = self._columns["position"]
         made = discretise(self.plant, self.loop.period)
         if made.load_encoder:
@@ -128,7 +130,7 @@ class ServoTrace:
     @property
     def error(self) -> Array:
         """Following error: demand minus measured position, counts."""
-        return self._demand - self._measured()
+        return self._demand - self.encoder
 
     @property
     def integral(self) -> Array:

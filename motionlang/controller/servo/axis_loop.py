@@ -1,0 +1,138 @@
+"""The loop that an axis of a run has: the program's gains, below them the machine file's, below those a suggestion.
+
+A program that sets none of its gains is one whose controller was tuned before. Where the machine file has no gains
+either, the plant's own suggestion stands in for that tuning, and the report says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from motionlang.controller.servo.gains import LM628_RATE, MCCL, MINT, mccl_loop, mint_loop
+from motionlang.controller.servo.loop import Loop
+from motionlang.controller.servo.settings import SERVO, make_loop
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.controller.servo.plant import Drive, Motor
+
+# The word of a language, and the fields of the loop that it decides.
+FIELDS: dict[str, tuple[str, ...]] = {
+    "KPROP": ("proportional",),
+    "KINT": ("integral",),
+    "KINTLIMIT": ("integral_limit",),
+    "KINTMODE": ("integral_mode",),
+    "KDERIV": ("derivative",),
+    "KVEL": ("velocity_feedback",),
+    "KVELFF": ("velocity_ff",),
+    "KACCEL": ("accel_ff", "decel_ff"),
+    "DACLIMITMAX": ("output_limit",),
+    "LOOPTIME": ("servo_rate", "trajectory_rate"),
+    "SG": ("proportional",),
+    "SI": ("integral", "integral_limit"),
+    "IL": ("integral_limit",),
+    "IO": ("integral_mode",),
+    "SD": ("derivative",),
+    "FR": ("derivative_every",),
+    "VG": ("velocity_ff",),
+    "AG": ("accel_ff",),
+    "DG": ("decel_ff",),
+    "OB": ("output_deadband",),
+    "OO": ("output_offset",),
+    "PH": ("reversed",),
+    "SQ": ("output_limit",),
+    "RATE": ("servo_rate", "trajectory_rate"),
+}
+GAINS = frozenset(
+    (
+        "proportional",
+        "integral",
+        "derivative",
+        "velocity_feedback",
+        "velocity_ff",
+        "accel_ff",
+        "decel_ff",
+    )
+)
+"""Fields without any of which an output stays zero."""
+_LEAST_BANDWIDTH = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """A loop and where its gains come from: "program", "machine file" or "suggested"."""
+
+    loop: Loop
+    gains: str
+    bandwidth: float = 0.0
+    """What they were suggested for, Hz."""
+
+
+def axis_loop(
+    section: Mapping[str, object],
+    words: Mapping[str, float],
+    plant: Motor | Drive,
+    model: str = "",
+    scale: float = 1.0,
+) -> Chosen:
+    """The loop of an axis from its `[axis.N.servo]` section and the words that the program has set.
+
+    `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is counts per user unit. ValueError names what is
+    wrong.
+    """
+    set_by_program = {field for word in words for field in FIELDS[word]}
+    kept = {name: value for name, value in section.items() if name not in set_by_program}
+    if set_by_program & GAINS:
+        loop = _language(section, words, model, scale)
+        # The section's integral acts as the section says, not as a language does that was not asked for one.
+        return Chosen(
+            make_loop(kept, _acting(loop, set_by_program) if "integral" in kept else loop), "program"
+        )
+    loop = _language(section, words, "multiflex" if model else "", scale)
+    if model == "dcx":
+        loop = replace(loop, servo_rate=LM628_RATE, trajectory_rate=LM628_RATE)
+    loop = make_loop(kept, _acting(loop, set_by_program))
+    if GAINS & set(section):
+        return Chosen(loop, "machine file")
+    bandwidth = section.get("bandwidth", SERVO["bandwidth"].default)
+    assert isinstance(bandwidth, (int, float))
+    return _suggested(loop, plant, float(bandwidth))
+
+
+def has_gains(loop: Loop) -> bool:
+    """Whether anything makes the loop answer to its demand."""
+    return any(getattr(loop, name) for name in GAINS)
+
+
+def _acting(loop: Loop, set_by_program: set[str]) -> Loop:
+    """With an integral that acts, and as far as the output reaches, where the program says nothing of it."""
+    fields: dict[str, str | float] = {"integral_mode": "always", "integral_limit": loop.output_limit}
+    return replace(loop, **{name: value for name, value in fields.items() if name not in set_by_program})  # type: ignore[arg-type]
+
+
+def _language(section: Mapping[str, object], words: Mapping[str, float], model: str, scale: float) -> Loop:
+    """The loop as the language alone has it, at the rate of the section unless the program sets one."""
+    rate = section.get("servo_rate")
+    values = dict(words)
+    table = MCCL if model else MINT
+    assert set(values) <= set(table), values
+    if not model:
+        if rate is not None:
+            values.setdefault("LOOPTIME", 1e6 / rate)  # type: ignore[operator]
+        return mint_loop(values)
+    return mccl_loop(values, model, scale)
+
+
+def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
+    """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it."""
+    from motionlang.controller.servo.tuning import suggest
+
+    while True:
+        try:
+            return Chosen(suggest(plant, bandwidth, loop).loop, "suggested", bandwidth)
+        except ValueError:
+            bandwidth /= 2.0
+            if bandwidth < _LEAST_BANDWIDTH:
+                raise

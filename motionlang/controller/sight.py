@@ -1,0 +1,169 @@
+"""How far the motor of an axis can be seen ahead: the samples of a block, and what is looked for in them."""
+
+from __future__ import annotations
+
+from math import ceil, inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.controller.servo.trace import ServoTrace
+
+    Array = NDArray[np.float64]
+
+COLUMNS = ("encoder", "velocity", "error", "output", "torque", "current")
+# Counts within which a motor stands on a position.
+_ON = 1e-6
+
+
+class Sight:
+    """Columns of samples that follow one another, `first` being the number of the first one.
+
+    `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error counts, output
+    volts, torque N m, current A.
+    """
+
+    __slots__ = (*COLUMNS, "first")
+
+    encoder: Array
+    velocity: Array
+    error: Array
+    output: Array
+    torque: Array
+    current: Array
+
+    def __init__(self, first: int, made: ServoTrace) -> None:
+        self.first = first
+        for name in COLUMNS:
+            setattr(self, name, getattr(made, name))
+
+    def __len__(self) -> int:
+        return len(self.encoder)
+
+    @property
+    def end(self) -> int:
+        """The number of the first sample that is not seen any more."""
+        return self.first + len(self)
+
+    def keep(self, first: int, until: int) -> None:
+        """Keep the samples from `first` to `until`, not included."""
+        here = slice(max(first - self.first, 0), until - self.first)
+        for name in COLUMNS:
+            setattr(self, name, getattr(self, name)[here])
+        self.first = max(first, self.first)
+
+    def extend(self, made: ServoTrace) -> None:
+        """See further samples."""
+        for name in COLUMNS:
+            setattr(self, name, np.concatenate((getattr(self, name), getattr(made, name))))
+
+
+class Window:
+    """What a motor must keep to for `hold` seconds to count as settled.
+
+    A following error of at most `error` counts and a speed of at most `speed` counts/s; with a `target` (counts of the
+    program) the distance to it instead of the following error. `since` is the sample from which it has been inside.
+    Where it is `announced`, waits are looked at when it has settled.
+    """
+
+    __slots__ = ("announced", "error", "hold", "since", "speed", "target")
+
+    def __init__(
+        self,
+        error: float = inf,
+        speed: float = inf,
+        hold: float = 0.0,
+        target: float | None = None,
+        announced: bool = True,
+    ) -> None:
+        self.error, self.speed, self.hold, self.target = error, speed, hold, target
+        self.announced = announced
+        self.since = inf
+
+    def same(self, other: Window | None) -> bool:
+        """Whether another one asks for the same."""
+        names = ("error", "speed", "hold", "target")
+        return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
+
+    def inside(self, sight: Sight, offset: float) -> NDArray[np.bool_]:
+        """For every sample seen, whether it is inside; `offset` lies between the motor's counts and the program's."""
+        off = sight.error if self.target is None else self.target + offset - sight.encoder
+        made = np.abs(off) <= self.error
+        if self.speed < inf:
+            made &= np.abs(sight.velocity) <= self.speed
+        return made
+
+    def pass_by(self, sight: Sight, offset: float, until: int) -> None:
+        """Note the samples before number `until`."""
+        inside = self.inside(sight, offset)[: until - sight.first]
+        outside = np.flatnonzero(~inside)
+        if len(outside) == len(inside) or (len(outside) and outside[-1] == len(inside) - 1):
+            self.since = inf
+        elif len(outside):
+            self.since = float(sight.first + int(outside[-1]) + 1)
+        elif self.since == inf:
+            self.since = float(sight.first)
+
+    def settled(self, sight: Sight, offset: float, now: int, rate: float) -> float:
+        """The first sample, `now` or a later one, at which it has been kept long enough; inf where none is seen.
+
+        A window that is being kept when the sight ends gives the sample at which it will have been long enough.
+        """
+        for onset, end in self.onsets(sight, offset, rate):
+            if max(onset, now) < end or end == sight.end:
+                return float(max(onset, now))
+        return inf
+
+    def onsets(self, sight: Sight, offset: float, rate: float) -> list[tuple[int, int]]:
+        """For each time that it is kept: the sample at which that has been long enough, and the first one outside."""
+        found = []
+        for begin, end in _runs(self.inside(sight, offset)):
+            known = begin == 0 and self.since < inf
+            first = self.since if known else float(sight.first + begin)
+            found.append((ceil(first + self.hold * rate - 1e-6), sight.first + end))
+        return found
+
+
+def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Begin and end of each stretch of samples that are inside."""
+    padded = np.concatenate(([False], inside, [False]))
+    edges = np.flatnonzero(padded[1:] != padded[:-1])
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def crossing(position: Array, level: float) -> int | None:
+    """The first sample after the first one that has reached `level`, or left it where the first one stands on it."""
+    margin = _ON + 1e-12 * abs(level)
+    off = position - level
+    if abs(off[0]) <= margin:
+        found = np.flatnonzero(np.abs(off) > margin)
+    elif off[0] > 0.0:
+        found = np.flatnonzero(off <= margin)
+    else:
+        found = np.flatnonzero(off >= -margin)
+    return int(found[0]) if len(found) else None
+
+
+def next_side(position: Array, level: float, side: int) -> tuple[int | None, int]:
+    """The first sample after the first one at which the motor changes sides of `level`, and the side it is then on.
+
+    `side` is the one it counts as being on now. Reaching the level counts as passing it; 0 is a side not known yet.
+    """
+    margin = _ON + 1e-12 * abs(level)
+    off = position - level
+    start = 1
+    if side and abs(off[0]) <= margin:  # it stands on the level: back the way it came is no change
+        away = np.flatnonzero(np.abs(off) > margin)
+        if not len(away):
+            return None, side
+        start = int(away[0])
+        if (off[start] > 0.0) != (side > 0):
+            return start, -side
+    if side == 0:
+        found = np.flatnonzero(np.abs(off[1:]) > margin)
+        return (int(found[0]) + 1, 1 if off[int(found[0]) + 1] > 0.0 else -1) if len(found) else (None, 0)
+    found = np.flatnonzero(off[start:] * side <= margin)
+    return (int(found[0]) + start, -side) if len(found) else (None, side)
