@@ -121,9 +121,11 @@ class Contour:
         controller = self._board.controller
         path = self._plan(0.0, course.length, 0.0, course)
         self._course, self._path, self._start = course, path, controller.clock.now
-        for number in course.segments[0].end:
-            controller.play(number, self._of(number), "CP", self._line)
-        self._announce()
+        for number, profile in [(each, self._of(each)) for each in self.members]:
+            if self._course is course:  # unless an axis before it is beyond its limit, which aborts the path
+                controller.play(number, profile, "CP", self._line)
+        if self._course is course:
+            self._announce()
 
     def _extend(self, segment: Segment) -> bool:
         """Let the path under way grow by one that joins it smoothly; False where that cannot be."""
