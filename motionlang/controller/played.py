@@ -32,14 +32,14 @@ class Played(Action):
         self._began = 0.0
 
     def suspend(self, controller: Core, a: Axis) -> bool:
-        path, place, rate = self._state(controller, a)
+        path, place, rate = self.state(controller, a)
         pace = self._slowing(a, place, rate)
         self._follow(controller, a, path, halted(pace, "suspend"), "suspend", "")
         return True
 
     def plan(self, controller: Core, a: Axis) -> Profile:
         """The way on at full pace."""
-        path, place, rate = self._state(controller, a)
+        path, place, rate = self.state(controller, a)
         if a.suspend_time > 0.0 and rate < 1.0:
             change = 1.0 / a.suspend_time
             pace = plan_velocity("trapezoid", place, rate, 1.0, change, change)
@@ -53,7 +53,7 @@ class Played(Action):
         if not self.on_path or ended == "fault":
             return False
         controller.empty(a)
-        path, place, rate = self._state(controller, a)
+        path, place, rate = self.state(controller, a)
         self._follow(controller, a, path, self._slowing(a, place, rate), path.shape, ended)
         move = a.move
         assert move is not None
@@ -63,9 +63,7 @@ class Played(Action):
         move.action = Stopping()
         return True
 
-    # -- inside
-
-    def _state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
+    def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
         """The profile, how far its time has come, and how fast that runs."""
         now, last = controller.clock.now, a.profiles[-1]
         if self._path is not None and self._pace is not None and self._shown is last:
@@ -73,6 +71,8 @@ class Played(Action):
         if not last.pieced:
             raise Refusal("moving", f"axis {a.index} follows a profile that cannot be suspended")
         return last.after(now - a.starts[-1]), 0.0, 1.0
+
+    # -- inside
 
     def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
         """The time of the profile coming to rest."""

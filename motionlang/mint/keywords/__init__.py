@@ -40,6 +40,7 @@ def _rows() -> list[Keyword]:
         limits,
         motion,
         paths,
+        profiles,
         remote,
         sensing,
         state,
@@ -48,8 +49,8 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        axis, feedrate, motion, buffer, changing, paths, following, state, control, tasks, terminal, io, comms, remote,
-        limits, homing, latches, sensing, functions, kept, constants, language,
+        axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
+        io, comms, remote, limits, homing, latches, sensing, functions, kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
