@@ -48,7 +48,7 @@ class Gear:
             return
         ratio = self._slave.slave_ratio
         try:
-            controller.play(number, profile.scaled(controller.position(number), ratio), "SM", self._line)
+            controller.play(number, profile.scaled(controller.demand(number), ratio), "SM", self._line)
         except Refusal as refusal:
             refusal.line = self._line
             raise

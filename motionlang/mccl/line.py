@@ -15,16 +15,21 @@ if TYPE_CHECKING:
 
 
 class Line:
-    """`commands`, where each stands in the text (`places`), and the `number` of the source line."""
+    """`commands`, where each stands in the text (`places`), and the `number` of the source line.
 
-    __slots__ = ("commands", "number", "places")
+    `origin` is that text: a macro outlives the one it came with.
+    """
 
-    def __init__(self, commands: tuple[Command, ...], places: tuple[int, ...], number: int) -> None:
-        self.commands, self.places, self.number = commands, places, number
+    __slots__ = ("commands", "number", "origin", "places")
+
+    def __init__(
+        self, commands: tuple[Command, ...], places: tuple[int, ...], number: int, origin: str
+    ) -> None:
+        self.commands, self.places, self.number, self.origin = commands, places, number, origin
 
     def rest(self, first: int) -> Line:
         """The line from command `first` on."""
-        return Line(self.commands[first:], self.places[first:], self.number)
+        return Line(self.commands[first:], self.places[first:], self.number, self.origin)
 
     @property
     def text(self) -> str:
@@ -42,8 +47,9 @@ def too_long(length: int) -> Fault:
     )
 
 
-def line_of(text: str, start: int = 0, number: int = 1) -> Line | None:
+def line_of(text: str, start: int = 0, number: int = 1, origin: str | None = None) -> Line | None:
     """The commands of one line of text, None where it has none; Fault when it is too long."""
+    whole = text if origin is None else origin
     text = without_comment(text)
     size = len(text)
     if size > LONGEST and len(text.strip()) > LONGEST:
@@ -51,7 +57,8 @@ def line_of(text: str, start: int = 0, number: int = 1) -> Line | None:
     found = pieces(text)
     if not found:
         return None
-    return Line(tuple([decode(piece) for piece, _ in found]), tuple([start + at for _, at in found]), number)
+    commands = tuple([decode(piece) for piece, _ in found])
+    return Line(commands, tuple([start + at for _, at in found]), number, whole)
 
 
 def lines_of(text: str) -> Iterator[Line | tuple[Fault, int, int]]:
@@ -59,7 +66,7 @@ def lines_of(text: str) -> Iterator[Line | tuple[Fault, int, int]]:
     start = 0
     for number, raw in enumerate(text.split("\n"), 1):
         try:
-            line = line_of(raw, start, number)
+            line = line_of(raw, start, number, text)
         except Fault as fault:
             yield fault, start, number
         else:

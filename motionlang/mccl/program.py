@@ -59,21 +59,8 @@ class FileTask(CommandTask):
         return super().at if self.line is not None else self._stray
 
     def override(self, values: dict[str, float | str]) -> None:
-        """Set registers by their names, R0 to R255."""
-        from motionlang.controller.faults import Refusal
-
-        for name, value in values.items():
-            number = name[1:]
-            if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):
-                raise Refusal(
-                    "unknown-word",
-                    f"{name} is no register",
-                    "MCCL programs have registers, such as --set R10=5",
-                )
-            try:
-                self.set_register(int(number), int(value) if value == int(value) else value)
-            except Fault as fault:
-                raise Refusal(fault.kind, fault.message, fault.hint) from None
+        """Set registers by their names."""
+        override(self, values)
 
     def next_line(self) -> Line | None:
         while self._next < len(self._lines):
@@ -97,6 +84,24 @@ class FileTask(CommandTask):
         return Wait(
             now, lambda: not board.background, lambda: INFINITY, f"for background task {names} to end"
         )
+
+
+def override(task: CommandTask, values: dict[str, float | str]) -> None:
+    """Set registers by their names, R0 to R255, as `--set` has them."""
+    from motionlang.controller.faults import Refusal
+
+    for name, value in values.items():
+        number = name[1:]
+        if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):
+            raise Refusal(
+                "unknown-word",
+                f"{name} is no register",
+                "MCCL programs have registers, such as --set R10=5",
+            )
+        try:
+            task.set_register(int(number), int(value) if value == int(value) else value)
+        except Fault as fault:
+            raise Refusal(fault.kind, fault.message, fault.hint) from None
 
 
 def locate(source: Source, at: int) -> tuple[int, int, int]:

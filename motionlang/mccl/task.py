@@ -84,6 +84,10 @@ class CommandTask(Task):
 
     @property
     def at(self) -> int:
+        return self.place
+
+    @property
+    def place(self) -> int:
         """Offset of the command being carried out, in the text that its line came from."""
         line = self.line
         return line.places[self.here] if line is not None and self.here < len(line.places) else 0

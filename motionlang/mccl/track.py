@@ -34,7 +34,7 @@ def next_turn(controller: Controller, axis: int) -> float:
 
 def heading(controller: Controller, axis: int) -> int:
     """+1 or -1: the direction in which the axis moves, or moved last."""
-    velocity = controller.velocity(axis)
+    velocity = controller.demand_velocity(axis)
     if velocity:
         return 1 if velocity > 0 else -1
     for profile in reversed(controller.axes[axis].profiles[-4:]):
@@ -60,6 +60,8 @@ def band_entry(controller: Controller, axis: int, band: float) -> float:
 def at_target_time(controller: Controller, axis: AxisState) -> float:
     """When the axis is, was or will be at target if nothing else happens: within DB of it for DT."""
     number = axis.number
+    if controller.has_motor(number):
+        return controller.settled_time(number)
     if controller.is_idle(number):
         return axis.rested + axis.deadband_delay
     if axis.deadband <= 0.0:

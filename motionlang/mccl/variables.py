@@ -29,13 +29,11 @@ def _word(which: int) -> Reading:
 
 
 def _position(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(
-        board, axis, board.controller.position(axis.number) - board.controller.following_error(axis.number)
-    )
+    return _moving(board, axis, board.controller.position(axis.number))
 
 
 def _optimal(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.position(axis.number))
+    return _moving(board, axis, board.controller.demand(axis.number))
 
 
 def _velocity(board: Board, axis: AxisState) -> tuple[float, float]:
@@ -62,7 +60,7 @@ def _segments(board: Board, axis: AxisState) -> tuple[float, float]:
 def _moving(board: Board, axis: AxisState, value: float) -> tuple[float, float]:
     """A value that changes as long as the axis moves."""
     controller = board.controller
-    return value, INFINITY if controller.is_idle(axis.number) else controller.clock.now
+    return value, INFINITY if controller.is_still(axis.number) else controller.clock.now
 
 
 _READINGS: dict[str, Reading] = {

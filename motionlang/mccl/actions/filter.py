@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.mccl import motor
 from motionlang.mccl.axis import nearest_whole
 from motionlang.mccl.keywords import TABLE
 
@@ -20,6 +21,10 @@ def _keep(verb: str) -> Action:
             value = nearest_whole(value)
         for axis in task.axes(command):
             axis.kept[verb] = value
+            if verb == "kept_error_limit":
+                motor.limit_error(task.board, axis)
+            else:
+                motor.tune(task.board, axis)
 
     return keep
 
@@ -27,16 +32,19 @@ def _keep(verb: str) -> Action:
 def deadband(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.deadband = axis.distance(float(task.value(command)))
+        motor.settle(task.board, axis)
 
 
 def deadband_delay(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.deadband_delay = float(task.value(command))
+        motor.settle(task.board, axis)
 
 
 def output_phase(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.reversed_phase = bool(task.value(command))
+        motor.tune(task.board, axis)
 
 
 ACTIONS: dict[str, Action] = {row.verb: _keep(row.verb) for row in TABLE if row.verb.startswith("kept_")}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.task import wait_idle
-from motionlang.mccl import codes
+from motionlang.mccl import codes, motor
 from motionlang.mccl.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.flags import MOTOR_ERROR
@@ -29,6 +29,8 @@ def motor_on(task: CommandTask, command: Command) -> None:
         axis.forget_faults()
         controller.set_scale(axis.number, axis.scale.counts, axis.scale.rate, axis.scale.zero)
         controller.enable(axis.number)
+        if controller.has_motor(axis.number):
+            motor.tune(task.board, axis)
 
 
 def motor_off(task: CommandTask, command: Command) -> None:
@@ -52,7 +54,7 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
     for axis in movable(task, command):
         target = path.end_of(axis) if path is not None else controller.target(axis.number)
         if abs(target) == float("inf"):
-            target = controller.position(axis.number)
+            target = controller.demand(axis.number)
         targets.append((axis, target + axis.distance(value)))
     return start_moves(task, command, targets)
 
@@ -101,6 +103,8 @@ def direction(task: CommandTask, command: Command) -> None:
     sign = -1 if task.value(command) else 1
     for axis in task.axes(command):
         axis.direction = sign
+        if axis.mode == TORQUE:
+            motor.drive(task.board, axis)
 
 
 def define_home(task: CommandTask, command: Command) -> None:
@@ -144,7 +148,8 @@ def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:
 def _mode(task: CommandTask, command: Command, mode: str) -> None:
     for axis in task.axes(command):
         task.board.leave_contour(axis)
-        axis.mode = mode
+        before, axis.mode = axis.mode, mode
+        motor.changed_mode(task.board, axis, before)
 
 
 def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
@@ -206,11 +211,11 @@ def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
         return False
     if controller.setting(number, "shape") != "trapezoid":
         return True
-    velocity = controller.velocity(number)
+    velocity = controller.demand_velocity(number)
     decel = float(controller.setting(number, "decel") or 0.0)
     if decel <= 0.0 or velocity == 0.0:
         return False
-    rest = controller.position(number) + velocity * abs(velocity) / (2.0 * decel)
+    rest = controller.demand(number) + velocity * abs(velocity) / (2.0 * decel)
     if (target - rest) * velocity >= 0.0 or abs(target - rest) <= 1e-6:
         return False
     controller.stop(number)

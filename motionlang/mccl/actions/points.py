@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def learn_position(task: CommandTask, command: Command) -> None:
     controller, point = task.board.controller, task.whole(command)
     for axis in task.axes(command):
-        position = controller.position(axis.number) - controller.following_error(axis.number)
+        position = controller.position(axis.number)
         task.board.points[point, axis.number] = position
 
 

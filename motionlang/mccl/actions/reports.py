@@ -26,19 +26,17 @@ def _each(reading: Reading) -> Action:
 
 
 def _position(task: CommandTask, axis: AxisState) -> str:
-    controller = task.board.controller
-    actual = controller.position(axis.number) - controller.following_error(axis.number)
-    return axis.say(actual)
+    return axis.say(task.board.controller.position(axis.number))
 
 
 def _target(task: CommandTask, axis: AxisState) -> str:
     controller = task.board.controller
     target = controller.target(axis.number)
-    return axis.say(target if abs(target) < float("inf") else controller.position(axis.number))
+    return axis.say(target if abs(target) < float("inf") else controller.demand(axis.number))
 
 
 def _optimal(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.position(axis.number))
+    return axis.say(task.board.controller.demand(axis.number))
 
 
 def _following(task: CommandTask, axis: AxisState) -> str:

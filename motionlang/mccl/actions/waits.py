@@ -96,11 +96,11 @@ def _until_target(task: CommandTask, command: Command, axes: list[AxisState], no
     board, axis = task.board, axes[0]
     clock = board.controller.clock
     task.then = lambda time: _next_target(task, command, axes, time)
-    if due < INFINITY:
+    if due < INFINITY and not board.controller.has_motor(axis.number):
         return Wait(now, lambda: clock.now >= due, lambda: due, f"for axis {axis.number} to be at target")
     return Wait(
         now,
-        lambda: at_target_time(board.controller, axis) < INFINITY,
+        lambda: at_target_time(board.controller, axis) <= clock.now,
         lambda: at_target_time(board.controller, axis),
         f"for axis {axis.number} to be at target",
     )

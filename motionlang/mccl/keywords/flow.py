@@ -25,7 +25,8 @@ ROWS = (
          "Wait until the axis has moved this far from where it is now.", "1MN,1MR1000,1WR500"),
     _row("WE", "statement", "W", "axis", "bool", "wait_edge",
          "Wait for the coarse home switch: 0 on, 1 off; completes EL.", "1WE1", low=0, high=1),
-    _row("WI", "statement", "C", "axis", "", "wait_index", "Wait for the index mark; completes IA.",
+    _row("WI", "statement", "C", "axis", "", "wait_index", "Wait for the index mark; completes IA. "
+         "The machine file says where marks are (index_every).",
          "1MN,1MR5000,1IA,1WI"),
     _row("JP", "statement", "W", "none", "number", "jump", "Jump to command n of the line or macro; the first is 0.",
          "AL5,JP3,AL6,TR0", low=0),
