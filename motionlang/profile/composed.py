@@ -13,6 +13,8 @@ from motionlang.profile.formula import Formula
 from motionlang.profile.pieces import still_points
 
 TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.profile.ramps import Piece
 
 _MOST_CROSSINGS = 10_000
 
@@ -113,6 +115,8 @@ class Composed(Formula):
 
 def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
     """`curve` travelled as `along` says, as plain pieces where the part in question is straight."""
+    if len(path.pieces) == 1 and not any(path.pieces[0][2:5]):
+        return _straight(along, path.pieces[0], 0.0, shape)
     low, high = along.extrema()
     knots = path.knots
     for piece, begin, finish in zip(path.pieces, knots, knots[1:], strict=False):
@@ -120,10 +124,14 @@ def travelled(along: Profile, path: Profile, shape: str = "") -> Profile:
         if (first or begin <= low) and (last or high <= finish):
             if any(piece[2:5]):
                 break
-            made = along.scaled(piece[0] + piece[1] * (along.start - begin), piece[1])
-            made.shape = shape or along.shape
-            return made
+            return _straight(along, piece, begin, shape)
     return Composed(along, path, shape)
+
+
+def _straight(along: Profile, piece: Piece, begin: float, shape: str) -> Profile:
+    made = along.scaled(piece[0] + piece[1] * (along.start - begin), piece[1])
+    made.shape = shape or along.shape
+    return made
 
 
 def places(path: Profile) -> list[float]:

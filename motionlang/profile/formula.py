@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 STEPS = 24
 """Brackets between two knots: two turning points inside one of them would not be seen."""
 
+PEAK_STEPS = 5
+"""The same where a peak is looked for: it is broad, and improved afterwards."""
+
 
 class Formula(Profile):
     """A profile without pieces of its own; beyond its last finite knot it is a straight line."""
@@ -146,15 +149,15 @@ class Formula(Profile):
 
     # -- inside
 
-    def _brackets(self, after: float) -> Iterator[tuple[float, float]]:
+    def _brackets(self, after: float, steps: int = STEPS) -> Iterator[tuple[float, float]]:
         """Stretches of time from `after` on, up to the last finite knot."""
         knots = self.knots
         for begin, finish in pairwise(knots):
             if finish <= after or finish == inf:
                 continue
-            step = (finish - begin) / STEPS
-            for i in range(STEPS):
-                low, high = begin + i * step, finish if i == STEPS - 1 else begin + (i + 1) * step
+            step = (finish - begin) / steps
+            for i in range(steps):
+                low, high = begin + i * step, finish if i == steps - 1 else begin + (i + 1) * step
                 if high > after:
                     yield max(low, after), high
 
@@ -200,7 +203,7 @@ class Formula(Profile):
     def _peak_of(self, value: Callable[[float], float]) -> float:
         """The largest absolute value: the best of a grid, improved between its neighbours."""
         peak, around = abs(self.end_velocity) if value == self.velocity else 0.0, None
-        for begin, finish in self._brackets(0.0):
+        for begin, finish in self._brackets(0.0, PEAK_STEPS):
             for t in (begin, 0.5 * (begin + finish), finish * (1.0 - 1e-15)):
                 if abs(value(t)) > peak:
                     peak, around = abs(value(t)), (begin, finish)
@@ -212,7 +215,7 @@ def _best(value: Callable[[float], float], low: float, high: float) -> float:
     share = 0.6180339887498949
     a, b = high - share * (high - low), low + share * (high - low)
     y_a, y_b = value(a), value(b)
-    for _ in range(60):
+    for _ in range(34):
         if y_a > y_b:
             high, b, y_b = b, a, y_a
             a = high - share * (high - low)
