@@ -6,6 +6,8 @@ axis gets a new profile its watches are solved anew; nothing polls.
 
 from __future__ import annotations
 
+from math import ulp
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -70,13 +72,27 @@ def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> Non
 def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple[float | None, int]:
     """When the axis next changes sides, and the side it will then be on."""
     if side:
-        return profile.crossing(position, elapsed), -side
+        return _crossing(profile, position, elapsed, -side), -side
     within = margin(position)
-    up = profile.crossing(position + within, elapsed)
-    down = profile.crossing(position - within, elapsed)
+    up = _crossing(profile, position + within, elapsed, 1)
+    down = _crossing(profile, position - within, elapsed, -1)
     if up is None or (down is not None and down < up):
         return down, -1
     return up, 1
+
+
+def _crossing(profile: Profile, position: float, elapsed: float, direction: int) -> float | None:
+    """When the axis next crosses a position in a direction.
+
+    An event's time is as fine as the clock's numbers are, after some hours at high speed less fine than a position.
+    The axis may then stand a little before what it has passed; that it passes it once more is nothing new.
+    """
+    found = profile.crossing(position, elapsed)
+    step = ulp(elapsed + 1.0)
+    while found is not None and profile.velocity(found) * direction < 0.0:
+        found = profile.crossing(position, found + step)
+        step *= 2.0
+    return found
 
 
 def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -> None:

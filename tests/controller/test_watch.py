@@ -49,6 +49,30 @@ def test_touching_a_position_and_turning_back_passes_it_both_ways() -> None:
     assert seen == [1, -1]
 
 
+@pytest.mark.parametrize("days", [0.01, 1.0, 30.0])
+@pytest.mark.parametrize("speed", [1e5, 1e7, 84e6])
+def test_a_fast_axis_passes_once_also_after_days(days: float, speed: float) -> None:
+    """The clock is then coarser than the margin of a position: an event comes a little before what it tells of."""
+    c = machine()
+    for name, value in (("speed", speed), ("accel", 1e9), ("decel", 1e9)):
+        c.configure(0, name, value)
+    c.clock.advance(days * 86400.0 + 0.123456789)
+    seen: list[int] = []
+    positions = [speed * (0.013 * k + 0.0001) for k in range(1, 40)]
+
+    def pass_by(direction: int) -> None:
+        seen.append(direction)
+        assert len(seen) <= 2 * len(positions)
+
+    for position in positions:
+        c.watch(0, position, pass_by)
+    c.move_to(0, speed)
+    c.clock.advance(c.clock.now + 3.0)
+    c.move_to(0, 0.0)
+    c.clock.advance(c.clock.now + 3.0)
+    assert seen == [1] * len(positions) + [-1] * len(positions)
+
+
 def test_a_watch_set_in_motion_sees_only_what_is_still_to_come() -> None:
     c = machine()
     seen: list[int] = []
