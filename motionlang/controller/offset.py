@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import sqrt
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.follow import tie_of
 from motionlang.profile import plan
 
@@ -45,6 +46,15 @@ def offset(
     profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,
                    a.accel_jerk, a.decel_jerk)  # fmt: skip
     tie.start_offset(profile)
+
+
+def crossing_time(controller: Core, a: Axis, left: float) -> float:
+    """The time at which so much is left of the offset under way, infinite where that never comes."""
+    tie = tie_of(a)
+    if tie is None or tie.offset is None:
+        return INFINITY
+    found = tie.offset.crossing(tie.offset.end - left, controller.clock.now - tie.offset_began)
+    return INFINITY if found is None else tie.offset_began + found
 
 
 def _limits(

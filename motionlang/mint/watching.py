@@ -107,7 +107,9 @@ class _Waiting:
                 return self._wrapped_crossing(axis, level_uu, wrap)
             return controller.crossing_time(axis, scale.position_to_counts(level_uu))
         if kind == "following.offset" and controller.master_of(axis) is not None:
-            return _next_tick(self.environment.clock.now)
+            from motionlang.controller.offset import crossing_time
+
+            return crossing_time(controller, controller.axes[axis], scale.to_counts(level_uu, "uu"))
         return controller.crossing_time(axis, controller.target(axis) - scale.to_counts(level_uu, "uu"))
 
     def _wrapped_crossing(self, axis: int, level_uu: float, wrap: float) -> float:

@@ -129,7 +129,7 @@ def do_table(environment: Environment, row: Row) -> Operation:
     cams = environment.part(Cams)
 
     def do(axis: int, positions: Array | None, lengths: Array | None, line: int) -> None:
-        axis_of(environment, axis)
+        cams.phases.pop(axis_of(environment, axis), None)
         if positions is None:
             cams.arrays.pop(axis, None)
             return
