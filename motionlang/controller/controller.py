@@ -11,7 +11,7 @@ from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.entries import Make, Table
@@ -273,12 +273,12 @@ class Controller(Core):
         """A gain as the program has set it."""
         return self.axes[axis].gains.get(word, default)
 
-    def default_gains(self, axis: int) -> None:
-        """Forget the gains that the program has set."""
+    def set_gains(self, axis: int, gains: Mapping[str, float]) -> None:
+        """The same for all gains at once: what is not named is as the program found it."""
         a = self.axes[axis]
-        a.gains.clear()
         if a.feedback is not None:
-            a.feedback.tune(a.gains)
+            a.feedback.tune(gains)
+        a.gains = dict(gains)
 
     def set_error_limit(self, axis: int, counts: float) -> None:
         """The following error beyond which an axis with a simulated motor trips; infinite for none."""
@@ -287,22 +287,24 @@ class Controller(Core):
             feedback.set_error_limit(counts)
 
     def settle_within(
-        self, axis: int, error: float, speed: float, hold: float, target: float | None = None
+        self, axis: int, error: float, speed: float, hold: float, at_target: bool = False
     ) -> None:
-        """Say what `settled_time` goes by: following error (or distance to a target), speed, and for how long."""
+        """Say what `settled_time` goes by: following error (or distance to the target), speed, and for how long."""
         feedback = self.axes[axis].feedback
         if feedback is not None:
-            feedback.settle_within(error, speed, hold, target)
+            feedback.settle_within(error, speed, hold, at_target)
 
     def open_loop(self, axis: int, volts: float) -> None:
         """Give a simulated motor so many volts whatever it does; motion ends, and the demand stands where it is."""
-        a = self._ready(axis)
+        a = self.axes[axis]
         if a.feedback is None:
             raise Refusal(
                 "not-simulated",
                 f"axis {axis} has no simulated motor that a torque could turn",
                 f"the machine file gives it one with [axis.{axis}.plant]",
             )
+        if a.feedback.closed:
+            self._ready(axis)
         self._freeze(a, "cancel")
         a.feedback.open(volts)
 

@@ -227,6 +227,7 @@ class Core(Readings):
     def stop(self, axis: int, ended: str = "stop") -> None:
         """Decelerate to rest at the set rate (at `error_decel` for a fault) and empty the buffer."""
         a = self.axes[axis]
+        self._hold(a)
         a.suspended = False
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended):
             self.empty(a)
@@ -246,7 +247,9 @@ class Core(Readings):
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
         """Come to rest at once and empty the buffer."""
-        self._freeze(self.axes[axis], ended)
+        a = self.axes[axis]
+        self._freeze(a, ended)
+        self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
         """Raise a fault on an axis and do what `action` (one of `limit.ACTIONS`) says about it."""
@@ -273,7 +276,13 @@ class Core(Readings):
             )
         if not a.enabled:
             raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
+        self._hold(a)
         return a
+
+    def _hold(self, a: Axis) -> None:
+        """A simulated motor whose output was set by hand is its loop's again."""
+        if a.feedback is not None and a.enabled:
+            a.feedback.take_over(self)
 
     def rates(self, a: Axis, speed: float) -> tuple[float, float]:
         """The rates in force for a move at `speed`, or the refusal of one that is not above zero."""
@@ -303,27 +312,18 @@ class Core(Readings):
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
         if move.overridden:
             speed *= a.override
-        speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
+        if a.limited:
+            speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         if a.suspended or not speed:
             return halt.standing(self, a)
-        last, now = a.profiles[-1], self.clock.now
+        last, shape = a.profiles[-1], a.shape
         try:
-            if last.shape == "hold":
-                return plan(
-                    a.shape,
-                    last.end,
-                    move.target,
-                    speed,
-                    accel,
-                    decel,
-                    0.0,
-                    a.ramp,
-                    a.accel_jerk,
-                    a.decel_jerk,
-                )
-            s = last.at(now - a.starts[-1])
+            if last.shape == "hold" and shape == "trapezoid":  # nearly every move there is
+                return plan(shape, last.end, move.target, speed, accel, decel)
+            jerks = (a.accel_jerk, a.decel_jerk) if shape == "scurve" else (INFINITY, INFINITY)
+            s = last.at(self.clock.now - a.starts[-1])
             return plan(
-                a.shape,
+                shape,
                 s.position,
                 move.target,
                 speed,
@@ -331,8 +331,7 @@ class Core(Readings):
                 decel,
                 s.velocity,
                 a.ramp,
-                a.accel_jerk,
-                a.decel_jerk,
+                *jerks,
                 s.acceleration,
             )
         except ValueError as problem:

@@ -3,7 +3,7 @@
 The servo is run ahead of the clock in blocks. A reading is a look into the block; whatever waits for the motor (a
 switch on its way, the following-error limit, a window to settle in) is found in the block and happens as an event, at
 the time of its servo sample, though nobody reads. A new profile or gain throws away what lies behind the present
-sample. Blocks double from SHORT to LONG samples while nothing interferes, so that neither costs more than its share.
+sample. Blocks double from SHORT samples to LONG seconds while nothing interferes.
 
 Until the axis is first commanded to move nothing is computed: the motor rests at its demand.
 """
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.servo import Mark
     from motionlang.controller.watch import Watch
 
-SHORT, LONG = 64, 2048
+SHORT, LONG = 64, 0.5
 # What two blocks of a motor at rest may differ by: counts, and volts.
 _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 _NEVER = 1 << 62
@@ -58,6 +58,7 @@ class Feedback:
         "_due",
         "_envelope",
         "_event",
+        "_long",
         "_mark",
         "_servo",
         "_sight",
@@ -95,7 +96,7 @@ class Feedback:
         self._servo: Servo | None = None
         self._sight: Sight | None = None
         self._mark: Mark | None = None
-        self._size = SHORT
+        self._size = self._long = SHORT
         # When something is looked at next: the event, and its sample.
         self._event: Event | None = None
         self._due = _NEVER
@@ -164,7 +165,7 @@ class Feedback:
         if self._servo is None:
             return self._clock.now
         k, sight = self._ahead()
-        found = self.windows[name].settled(sight, self._servo.offset, sight.first + k, self._rate)
+        found = self.windows[name].settled(sight, self._target, sight.first + k, self._rate)
         if found < INFINITY:
             return max(found / self._rate, self._clock.now) if found > sight.first + k else self._clock.now
         return self._horizon(sight)
@@ -227,9 +228,9 @@ class Feedback:
         for watch in self._axis.watches:
             self._take_side(watch)
 
-    def settle_within(self, error: float, speed: float, hold: float, target: float | None = None) -> None:
+    def settle_within(self, error: float, speed: float, hold: float, at_target: bool = False) -> None:
         """Say when the motor counts as settled for the program, from now on."""
-        window = Window(error, speed, hold, target)
+        window = Window(error, speed, hold, at_target)
         if window.same(self.windows.get("program")):
             return
         self.windows["program"] = window
@@ -248,8 +249,8 @@ class Feedback:
         if self._servo is None:
             return
         now = self._now
-        while self._due <= now:
-            due, self._due = self._due, _NEVER
+        due, self._due = self._due, _NEVER
+        if self.scanned < due <= now:  # time went past it in one go
             self._happen(due)
         self.scanned = max(self.scanned, now)
         self.calm, self._envelope = False, None
@@ -279,6 +280,11 @@ class Feedback:
         return self._servo.loop.servo_rate
 
     @property
+    def _target(self) -> float:
+        assert self._servo is not None
+        return self._axis.target + self._servo.offset
+
+    @property
     def _now(self) -> int:
         return sample_at(self._clock.now, self._rate)
 
@@ -300,7 +306,7 @@ class Feedback:
             apply(servo, change)
         last = run_to(servo, self._now) or last
         assert last is not None
-        self._mark = servo.mark()
+        self._mark, self._long = servo.mark(), max(round(LONG * self._rate), SHORT)
         self._sight = Sight(servo.sample - len(last), last)
         self._sight.keep(self._now, servo.sample)
         self.scanned = self._now
@@ -331,13 +337,13 @@ class Feedback:
             self.scanned = max(self.scanned, min(now, sight.end - 1))
         first = min(self.scanned, sight.end - 1)
         for window in self.windows.values():
-            window.pass_by(sight, servo.offset, first + 1)
+            window.pass_by(sight, self._target, first + 1)
         sight.keep(first, sight.end)
         self._mark = servo.mark()
         sight.extend(servo.run(self._size))
-        if self._size == LONG:
+        if self._size == self._long:
             self._judge(sight, now)
-        self._size = min(2 * self._size, LONG)
+        self._size = min(2 * self._size, self._long)
 
     def _judge(self, sight: Sight, now: int) -> None:
         """Whether the motor stands for good: its demand rests, and the last block went nowhere new."""
@@ -345,8 +351,8 @@ class Feedback:
         assert servo is not None
         assert self._mark is not None
         new = None
-        if stands(servo, LONG, servo.sample):
-            place, output = sight.encoder[-LONG:], sight.output[-LONG:]
+        if stands(servo, self._long, servo.sample):
+            place, output = sight.encoder[-self._long :], sight.output[-self._long :]
             new = (-float(place.min()), float(place.max()), -float(output.min()), float(output.max()))
         old, self._envelope = self._envelope, new
         grown = [INFINITY] if old is None or new is None else map(sub, new, old)
@@ -409,7 +415,7 @@ class Feedback:
             found += [sight.first + lo + int(k) for k in beyond[:1]]
         for window in self.windows.values():
             if window.announced:
-                onsets = window.onsets(sight, self._servo.offset, self._rate)
+                onsets = window.onsets(sight, self._target, self._rate)
                 found += [sample for sample, _ in onsets if self.scanned < sample < sight.end][:1]
         return min(found, default=None)
 

@@ -104,6 +104,16 @@ class Readings:
         """Whether the axis has a simulated motor."""
         return self.axes[axis].feedback is not None
 
+    def is_open(self, axis: int) -> bool:
+        """Whether a simulated motor runs without its loop."""
+        feedback = self.axes[axis].feedback
+        return feedback is not None and not feedback.closed
+
+    def is_still(self, axis: int) -> bool:
+        """Whether the axis is idle, and its motor, where one is simulated, stands for good."""
+        a = self.axes[axis]
+        return a.move is None and (a.feedback is None or a.feedback.calm)
+
     def target(self, axis: int) -> float:
         return self.axes[axis].target
 
@@ -144,7 +154,11 @@ class Readings:
         Of a simulated motor as far as can be seen; beyond that the time to look again.
         """
         feedback = self.axes[axis].feedback
-        return self.demand_crossing_time(axis, position) if feedback is None else feedback.crossing_time(position)
+        return (
+            self.demand_crossing_time(axis, position)
+            if feedback is None
+            else feedback.crossing_time(position)
+        )
 
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """The same of the demanded position."""

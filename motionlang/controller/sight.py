@@ -64,41 +64,41 @@ class Sight:
 class Window:
     """What a motor must keep to for `hold` seconds to count as settled.
 
-    A following error of at most `error` counts and a speed of at most `speed` counts/s; with a `target` (counts of the
-    program) the distance to it instead of the following error. `since` is the sample from which it has been inside.
+    A following error of at most `error` counts and a speed of at most `speed` counts/s; where it is `at_target`, the
+    distance to the target instead of the following error. `since` is the sample from which it has been inside.
     Where it is `announced`, waits are looked at when it has settled.
     """
 
-    __slots__ = ("announced", "error", "hold", "since", "speed", "target")
+    __slots__ = ("announced", "at_target", "error", "hold", "since", "speed")
 
     def __init__(
         self,
         error: float = inf,
         speed: float = inf,
         hold: float = 0.0,
-        target: float | None = None,
+        at_target: bool = False,
         announced: bool = True,
     ) -> None:
-        self.error, self.speed, self.hold, self.target = error, speed, hold, target
+        self.error, self.speed, self.hold, self.at_target = error, speed, hold, at_target
         self.announced = announced
         self.since = inf
 
     def same(self, other: Window | None) -> bool:
         """Whether another one asks for the same."""
-        names = ("error", "speed", "hold", "target")
+        names = ("error", "speed", "hold", "at_target")
         return other is not None and all(getattr(self, name) == getattr(other, name) for name in names)
 
-    def inside(self, sight: Sight, offset: float) -> NDArray[np.bool_]:
-        """For every sample seen, whether it is inside; `offset` lies between the motor's counts and the program's."""
-        off = sight.error if self.target is None else self.target + offset - sight.encoder
+    def inside(self, sight: Sight, target: float) -> NDArray[np.bool_]:
+        """For every sample seen, whether it is inside; `target` is the motor's, in its own coordinates."""
+        off = target - sight.encoder if self.at_target else sight.error
         made = np.abs(off) <= self.error
         if self.speed < inf:
             made &= np.abs(sight.velocity) <= self.speed
         return made
 
-    def pass_by(self, sight: Sight, offset: float, until: int) -> None:
+    def pass_by(self, sight: Sight, target: float, until: int) -> None:
         """Note the samples before number `until`."""
-        inside = self.inside(sight, offset)[: until - sight.first]
+        inside = self.inside(sight, target)[: until - sight.first]
         outside = np.flatnonzero(~inside)
         if len(outside) == len(inside) or (len(outside) and outside[-1] == len(inside) - 1):
             self.since = inf
@@ -107,20 +107,20 @@ class Window:
         elif self.since == inf:
             self.since = float(sight.first)
 
-    def settled(self, sight: Sight, offset: float, now: int, rate: float) -> float:
+    def settled(self, sight: Sight, target: float, now: int, rate: float) -> float:
         """The first sample, `now` or a later one, at which it has been kept long enough; inf where none is seen.
 
         A window that is being kept when the sight ends gives the sample at which it will have been long enough.
         """
-        for onset, end in self.onsets(sight, offset, rate):
+        for onset, end in self.onsets(sight, target, rate):
             if max(onset, now) < end or end == sight.end:
                 return float(max(onset, now))
         return inf
 
-    def onsets(self, sight: Sight, offset: float, rate: float) -> list[tuple[int, int]]:
+    def onsets(self, sight: Sight, target: float, rate: float) -> list[tuple[int, int]]:
         """For each time that it is kept: the sample at which that has been long enough, and the first one outside."""
         found = []
-        for begin, end in _runs(self.inside(sight, offset)):
+        for begin, end in _runs(self.inside(sight, target)):
             known = begin == 0 and self.since < inf
             first = self.since if known else float(sight.first + begin)
             found.append((ceil(first + self.hold * rate - 1e-6), sight.first + end))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
-from motionlang.mccl import codes
+from motionlang.mccl import codes, motor
 from motionlang.mccl.axis import AxisState
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.contour import Contour
@@ -105,6 +105,7 @@ class Board:
             controller.configure(number, name, value)
         axis.apply_units()
         controller.set_scale(number, 1.0)
+        motor.power_up(self, axis)
 
     # ------------------------------------------------------------------------------------ what axes belong to
 

@@ -37,7 +37,7 @@ FULL_OUTPUT = 10.0
 def power_up(board: Board, axis: AxisState) -> None:
     """Settings as at power-up."""
     number, controller = axis.number, board.controller
-    if not controller.has_motor(number):
+    if controller.axes[number].feedback is None:
         return
     controller.axes[number].feedback.model = "dcx" if board.model.whole_gains else "multiflex"  # type: ignore[union-attr]
     tune(board, axis)
@@ -48,7 +48,7 @@ def power_up(board: Board, axis: AxisState) -> None:
 def tune(board: Board, axis: AxisState) -> None:
     """The gains that the program has set are the loop's from now on."""
     controller, number = board.controller, axis.number
-    if not controller.has_motor(number):
+    if controller.axes[number].feedback is None:
         return
     words = {WORDS[verb]: value for verb, value in axis.kept.items() if verb in WORDS}
     if axis.reversed_phase:
@@ -68,27 +68,20 @@ def limit_error(board: Board, axis: AxisState) -> None:
 
 def settle(board: Board, axis: AxisState) -> None:
     """DB and DT: how near its target, and for how long, a motor must be."""
-    controller, number = board.controller, axis.number
-    target = controller.target(number)
-    controller.settle_within(
-        number,
-        max(axis.deadband, _COUNT),
-        INFINITY,
-        axis.deadband_delay,
-        target if abs(target) < INFINITY else None,
-    )
+    error = max(axis.deadband, _COUNT)
+    board.controller.settle_within(axis.number, error, INFINITY, axis.deadband_delay, True)
 
 
 def drive(board: Board, axis: AxisState) -> None:
     """Torque mode: SQ is the output, in the direction of DI."""
     controller, number = board.controller, axis.number
-    if controller.has_motor(number) and controller.is_enabled(number):
+    if controller.axes[number].feedback is not None and controller.is_enabled(number):
         controller.open_loop(number, axis.direction * axis.kept.get("kept_torque", FULL_OUTPUT))
 
 
 def changed_mode(board: Board, axis: AxisState, before: str) -> None:
     """The axis has another mode than `before`."""
-    if not board.controller.has_motor(axis.number) or axis.mode == before:
+    if board.controller.axes[axis.number].feedback is None or axis.mode == before:
         return
     if before == TORQUE and board.controller.is_enabled(axis.number):
         board.controller.close_loop(axis.number)

@@ -60,7 +60,7 @@ def band_entry(controller: Controller, axis: int, band: float) -> float:
 def at_target_time(controller: Controller, axis: AxisState) -> float:
     """When the axis is, was or will be at target if nothing else happens: within DB of it for DT."""
     number = axis.number
-    if controller.has_motor(number):
+    if controller.axes[number].feedback is not None:
         return controller.settled_time(number)
     if controller.is_idle(number):
         return axis.rested + axis.deadband_delay

@@ -233,7 +233,16 @@ def _read_is_idle(environment: Environment, row: Row) -> Operation:
 
 
 def _read_position(environment: Environment, row: Row) -> Operation:
-    position, wraps = environment.controller.position, environment.wraps
+    return _wrapped(environment, environment.controller.position)
+
+
+def _read_demand(environment: Environment, row: Row) -> Operation:
+    return _wrapped(environment, environment.controller.demand)
+
+
+def _wrapped(environment: Environment, position: Callable[[int], float]) -> Operation:
+    """Reads a position in user units, within the turn where the axis has one."""
+    wraps = environment.wraps
 
     def read(axis: int) -> float:
         found = scale_of(environment, axis).position_to_user(position(axis))

@@ -9,6 +9,18 @@ ANALOGUE = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0, "ADCDEADBAND": 0.0, "ADCDEADBAND
 MODES = {"LIMITMODE": 1, "SOFTLIMITMODE": 1, "FOLERRORMODE": 2, "ERRORINPUTMODE": 3, "ABORTMODE": 1}
 STOP_INPUT_MODE = 3
 IDLE = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
+# The servo loop; a gain of 0 does nothing (`controller.servo.gains` has the same, a test says).
+GAINS = {
+    "KPROP": 0.0,
+    "KINT": 0.0,
+    "KINTLIMIT": 100.0,
+    "KINTMODE": 0.0,
+    "KDERIV": 0.0,
+    "KVEL": 0.0,
+    "KVELFF": 0.0,
+    "KACCEL": 0.0,
+}
+LOOP_TIME, FATAL_ERROR = 1000.0, 8388607.0
 HOME_SPEED, HOME_BACKOFF = 4000.0, 10.0
 # HOME: the constant, the direction of the search, what is looked for, whether an index mark follows. From memory; the
 # sources only say that 1 homes on the switch and the encoder's index (MN1270 p. 86).

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 # Verbs of readings that change while time passes and nothing happens.
 MOVING = frozenset(
     {
-        "position", "velocity", "remaining", "following_error", "time", "demand", "acceleration",
+        "position", "velocity", "remaining", "following_error", "time", "demand", "demand_velocity",
         "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
         "sensing.turns", "following.offset", "path_speed", "paths.angle", "auxiliary.position",
     }
 )  # fmt: skip
 COUNTING = frozenset({"time", "sensing.seconds"})
 # Those of them whose crossing of a value can be solved.
-SOLVED = frozenset({"position", "remaining", "following.offset", "time"})
+SOLVED = frozenset({"position", "demand", "remaining", "following.offset", "time"})
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 
 

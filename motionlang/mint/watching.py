@@ -23,8 +23,9 @@ def watch(
 ) -> Wait:
     """Wait until `ready`; `watches` tell when it may become true while nothing else happens.
 
-    A watch is `("position" | "remaining", axis, level)`, `("time", None, level)`, `("motion",)` for what changes while
-    an axis moves, or `("tick",)`; axis and level are functions, as they may change while the program waits.
+    A watch is `("position" | "demand" | "remaining", axis, level)`, `("time", None, level)`, `("motion",)` for what
+    changes while an axis moves, or `("tick",)`; axis and level are functions, as they may change while the program
+    waits.
     """
     waiting = _Waiting(environment, ready, watches)
     return Wait(t, waiting.ready, waiting.due, why)
@@ -89,7 +90,7 @@ class _Waiting:
         if kind == "tick":
             return _next_tick(now)
         if kind == "motion":
-            return INFINITY if all(map(controller.is_idle, controller.axes)) else _next_tick(now)
+            return INFINITY if all(map(controller.is_still, controller.axes)) else _next_tick(now)
         assert level is not None
         if kind == "time":
             return _counted(now, self.task.timer[0], level())
@@ -98,27 +99,34 @@ class _Waiting:
 
     def _crossing(self, kind: str, axis: int, level_uu: float) -> float:
         controller = self.environment.controller
-        if axis not in controller.axes or controller.is_idle(axis):
+        if axis not in controller.axes or controller.is_still(axis):
             return INFINITY  # a refusal, if there is to be one, comes from the condition itself
         scale = controller.axes[axis].scale
-        if kind == "position":
+        if kind in ("position", "demand"):
             wrap = self.environment.wraps.get(axis)
             if wrap:
-                return self._wrapped_crossing(axis, level_uu, wrap)
-            return controller.crossing_time(axis, scale.position_to_counts(level_uu))
+                return self._wrapped_crossing(kind, axis, level_uu, wrap)
+            return self._passing(kind, axis)(axis, scale.position_to_counts(level_uu))
         if kind == "following.offset" and controller.master_of(axis) is not None:
             from motionlang.controller.offset import crossing_time
 
             return crossing_time(controller, controller.axes[axis], scale.to_counts(level_uu, "uu"))
-        return controller.crossing_time(axis, controller.target(axis) - scale.to_counts(level_uu, "uu"))
+        return controller.demand_crossing_time(
+            axis, controller.target(axis) - scale.to_counts(level_uu, "uu")
+        )
 
-    def _wrapped_crossing(self, axis: int, level_uu: float, wrap: float) -> float:
+    def _passing(self, kind: str, axis: int) -> Callable[[int, float], float]:
+        controller = self.environment.controller
+        return controller.crossing_time if kind == "position" else controller.demand_crossing_time
+
+    def _wrapped_crossing(self, kind: str, axis: int, level_uu: float, wrap: float) -> float:
         """The next moment at which a wrapped position passes a level, or begins again."""
         controller = self.environment.controller
-        scale = controller.axes[axis].scale
-        turn = scale.position_to_user(controller.position(axis)) // wrap * wrap
+        scale, passing = controller.axes[axis].scale, self._passing(kind, axis)
+        here = controller.position(axis) if kind == "position" else controller.demand(axis)
+        turn = scale.position_to_user(here) // wrap * wrap
         places = [turn + each + offset for each in (-wrap, 0.0, wrap) for offset in (0.0, level_uu % wrap)]
-        return min(controller.crossing_time(axis, scale.position_to_counts(place)) for place in places)
+        return min(passing(axis, scale.position_to_counts(place)) for place in places)
 
 
 def _next_tick(now: float) -> float:

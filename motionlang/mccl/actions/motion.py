@@ -29,8 +29,7 @@ def motor_on(task: CommandTask, command: Command) -> None:
         axis.forget_faults()
         controller.set_scale(axis.number, axis.scale.counts, axis.scale.rate, axis.scale.zero)
         controller.enable(axis.number)
-        if controller.has_motor(axis.number):
-            motor.tune(task.board, axis)
+        motor.tune(task.board, axis)
 
 
 def motor_off(task: CommandTask, command: Command) -> None:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.task import Action, CommandTask
 
 INFINITY = float("inf")
+BEFORE_NEVER = 1e300
 # Counts within which a position counts as reached: far below one, far above rounding.
 _REACHED = 1e-6
 
@@ -96,11 +97,12 @@ def _until_target(task: CommandTask, command: Command, axes: list[AxisState], no
     board, axis = task.board, axes[0]
     clock = board.controller.clock
     task.then = lambda time: _next_target(task, command, axes, time)
-    if due < INFINITY and not board.controller.has_motor(axis.number):
+    has_motor = board.controller.axes[axis.number].feedback is not None
+    if due < INFINITY and not has_motor:
         return Wait(now, lambda: clock.now >= due, lambda: due, f"for axis {axis.number} to be at target")
     return Wait(
         now,
-        lambda: at_target_time(board.controller, axis) <= clock.now,
+        lambda: at_target_time(board.controller, axis) <= (clock.now if has_motor else BEFORE_NEVER),
         lambda: at_target_time(board.controller, axis),
         f"for axis {axis.number} to be at target",
     )

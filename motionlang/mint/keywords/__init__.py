@@ -43,6 +43,7 @@ def _rows() -> list[Keyword]:
         profiles,
         remote,
         sensing,
+        servo,
         state,
         tasks,
         terminal,
@@ -50,7 +51,7 @@ def _rows() -> list[Keyword]:
 
     groups = (
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        io, comms, remote, limits, homing, latches, sensing, functions, kept, constants, language,
+        io, comms, remote, limits, homing, latches, sensing, servo, functions, kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

@@ -108,6 +108,17 @@ class IdleWindows:
 
     def set(self, name: str, axis: int, value: float) -> None:
         self._settings[name, axis] = value
+        self._tell_motor(axis)
+
+    def _tell_motor(self, axis: int) -> None:
+        """Let a simulated motor know what settling means."""
+        mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
+        self._controller.settle_within(
+            axis,
+            self.setting("IDLEPOS", axis) if mode & AT_POSITION else far,
+            self.setting("IDLEVEL", axis) if mode & AT_SPEED else far,
+            self.setting("IDLETIME", axis) / 1000.0,
+        )
 
     def settled(self, axis: int) -> bool:
         """Whether an axis whose move is over is inside its windows, and has been for IDLETIME."""
@@ -115,6 +126,10 @@ class IdleWindows:
         if not mode:
             return True
         controller = self._controller
+        if controller.is_open(axis):
+            return True  # nothing holds the motor: there is no error to settle
+        if controller.has_motor(axis) and controller.settled_time(axis) > controller.clock.now:
+            return False
         if mode & AT_POSITION and abs(controller.following_error(axis)) > self.setting("IDLEPOS", axis):
             return False
         if mode & AT_SPEED and abs(controller.velocity(axis)) > self.setting("IDLEVEL", axis):
@@ -133,6 +148,7 @@ class IdleWindows:
         """DEFAULT."""
         for name in IDLE:
             self._settings.pop((name, axis), None)
+        self._tell_motor(axis)
 
 
 def read_window(environment: Environment, row: Row) -> Operation:
