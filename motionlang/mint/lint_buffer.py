@@ -77,7 +77,7 @@ class Buffers:
 
     def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
         turns = self._turns(function, node)
-        if turns is None or any(type(inner) in _BREAKS for inner in walk(node.body)):
+        if turns is None or not self._counts_itself(function, node):
             return
         acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
         if any(act.role in ("go", "stop", "act", "path", "call") for act in acts):
@@ -95,6 +95,18 @@ class Buffers:
                 continue
             if known.waiting + turns * len(found) > size and known.waiting + len(found) <= size:
                 self._overfilled(found[0], key, size)
+
+    def _counts_itself(self, function: Function, node: nodes.For) -> bool:
+        """Whether nothing in the body leaves the loop or changes its counter."""
+        counter = self.facts.symbol(function, node.variable)
+        for inner in walk(node.body):
+            if type(inner) in _BREAKS:
+                return False
+            if any(
+                self.facts.symbol(function, name) is counter for name in self.facts.written(function, inner)
+            ):
+                return False
+        return True
 
     def _turns(self, function: Function, node: nodes.For) -> int | None:
         start, stop = self.facts.number(function, node.start), self.facts.number(function, node.stop)
