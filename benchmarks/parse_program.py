@@ -1,25 +1,14 @@
-"""A program of any size, in Mint and statement for statement in Python; the same for the same seed."""
+"""A program of any size that compiles, in Mint and statement for statement in Python; the same for the same seed."""
 
 from __future__ import annotations
 
 from random import Random
 
-NAMES = [
-    "x",
-    "y",
-    "count",
-    "target",
-    "speedRef",
-    "n",
-    "offset",
-    "posLimit",
-    "torque",
-    "gain",
-    "feedRate",
-    "zHome",
-]
-SETTINGS = ["SPEED", "ACCEL", "DECEL", "MOVEA", "MOVER", "FOLLOW", "JOG", "OFFSET", "KPROP", "KDERIV", "KINT"]
-READINGS = ["POS", "VEL", "FOLERROR", "IDLE", "AXISMODE", "IN", "ADC", "ENCODER"]
+NAMES = ["x", "y", "count", "goal", "ref", "n", "gap", "most", "moment", "gain", "rate", "zHome"]
+SETTINGS = ["MOVEA", "MOVER", "POS", "ENCODER"]
+# Settings that take only some values: they are given a number, not a term whose value may lie outside.
+BOUNDED = ["SPEED", "ACCEL", "DECEL", "JOG"]
+READINGS = ["POS", "VEL", "FOLERROR", "IDLE", "AXISMODE", "ENCODER"]
 COMPARISONS = {"<": "<", ">": ">", "<=": "<=", ">=": ">=", "<>": "!=", "=": "=="}
 Pair = tuple[str, str]  # the same text in Mint and in Python
 
@@ -28,8 +17,9 @@ def program(size: int, seed: int = 1) -> Pair:
     """A program of about `size` characters of Mint."""
     writer = _Writer(Random(seed))
     number = 0
+    writer.line(0, f"Dim {', '.join(NAMES)}", f"{' = '.join(NAMES)} = 0.0")
     while writer.size < size:
-        writer.line(0, f"Sub proc{number}(a, b)", f"def proc{number}(a, b):")
+        writer.line(0, f"Sub proc{number}(a, b)", f"def proc{number}(a, b):\n  global {', '.join(NAMES)}")
         writer.block(1)
         writer.line(0, "End Sub", "")
         number += 1
@@ -51,7 +41,7 @@ class _Writer:
     def number(self) -> str:
         kind = self.random.random()
         if kind < 0.6:
-            return str(self.random.randint(0, 9999))
+            return str(self.random.randint(1, 9999))
         return f"{self.random.random() * 1000:.{self.random.randint(1, 4)}f}"
 
     def value(self, depth: int = 0) -> Pair:
@@ -88,9 +78,12 @@ class _Writer:
         if kind < 0.4:
             name = self.random.choice(NAMES)
             return f"{name} = {value[0]}", f"{name} = {value[1]}"
-        setting = self.random.choice(SETTINGS)
-        if kind < 0.75:
+        if kind < 0.58:
+            setting = self.random.choice(SETTINGS)
             return f"{setting}({axis}) = {value[0]}", f"{setting}[{axis}] = {value[1]}"
+        if kind < 0.75:
+            setting, number = self.random.choice(BOUNDED), self.number()
+            return f"{setting}({axis}) = {number}", f"{setting}[{axis}] = {number}"
         if kind < 0.85:
             return f"GO({axis})", f"GO({axis})"
         if kind < 0.92:

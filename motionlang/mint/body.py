@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint import nodes
     from motionlang.mint.names import Names
+    from motionlang.mint.parts import Part
     from motionlang.mint.polling import Poll
     from motionlang.mint.problems import Problems
 
@@ -50,6 +51,7 @@ class Whole:
         "guarded",
         "line",
         "names",
+        "parts",
         "problems",
         "spec_names",
         "specs",
@@ -64,6 +66,7 @@ class Whole:
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
         self.costs: set[int] = set()
+        self.parts = 0  # how many parts there are
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.
         self.guarded = any(f.kind == "event" and f.name.lower() == "onerror" for f in names.functions)
@@ -96,6 +99,7 @@ class Body:
         "noted",
         "observes",
         "outside",
+        "parts",
         "pending",
         "polls",
         "scope",
@@ -113,6 +117,7 @@ class Body:
         self.temps = 0
         # Names of outer functions that this one assigns to.
         self.outside: set[str] = set()
+        self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
         self.polls: list[Poll | None] = []
         self.facts: dict[int, ranges.Range] = {}
@@ -211,10 +216,15 @@ class Body:
 
     def use_outside(self, symbol: Symbol) -> None:
         """Note that the function assigns to a variable that lives outside it (or outside its dispatcher)."""
-        function = self.function
-        around = function.kind == "main" and (symbol.shared or self.whole.typed)
-        if function.jumps or symbol.home is not function or around:
+        if self.function.jumps or not self.keeps(symbol):
             self.outside.add(symbol.python)
+
+    def keeps(self, symbol: Symbol) -> bool:
+        """Whether a variable lives in this Python function: what others use too does only in subs, which recur."""
+        function = self.function
+        if symbol.home is not function:
+            return False
+        return function.kind == "sub" or not (symbol.shared or (self.whole.typed and function.kind == "main"))
 
     def range_of(self, symbol: Symbol, node: nodes.Node) -> ranges.Range:
         """What is known of a variable where `node` reads it."""

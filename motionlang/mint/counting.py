@@ -71,13 +71,14 @@ def count(b: Body, node: nodes.For) -> None:
     flag = flag_for(b, "for", node.body)
     noted, b.noted = b.noted, False
     outer, b.lines = b.lines, []
+    parts = len(b.parts)
     at = b.at
     b.indent += 1
     body_of(b, "for", node.body, flag)
     b.indent -= 1
     b.at = at
     body, b.lines = b.lines, outer
-    if b.noted or not _can_be_cut(b, node, counter):
+    if b.noted or len(b.parts) > parts or not _can_be_cut(b, node, counter):
         _plain(b, node, counter, body)
     else:
         _chunks(b, counter, body)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import Interactive
-from motionlang.mint.compiler import compile_module
+from motionlang.mint.compiler import compile_line
 from motionlang.mint.environment import Environment, MintTask
 from motionlang.mint.overriding import override_if_there
 from motionlang.mint.parser import is_complete, parse
@@ -48,7 +48,7 @@ class MintInteractive(Interactive):
         before = dict(self._scope.names)
         file = f"<mint {self._inputs}>"
         try:
-            compiled = compile_module(module, self.machine.settings, self._scope, f"_{self._inputs}", file)
+            compiled = compile_line(module, self.machine.settings, self._scope, f"_{self._inputs}", file)
         except ProgramError:
             self._scope.names = before  # a line with mistakes declares nothing
             raise

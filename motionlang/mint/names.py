@@ -124,7 +124,7 @@ class Names:
     def _declare_task(self, task: nodes.Task) -> None:
         function = self._block("task", task, task.name, "k_")
         for sub in task.subs:
-            function.inner.append(self._declare_sub(sub, function.scope))
+            self._declare_sub(sub, function.scope)
 
     def _declare_sub(self, sub: nodes.Sub, scope: Scope) -> Function:
         function = Function("sub", sub.name, self._python("s_", sub.name), sub.body, scope)

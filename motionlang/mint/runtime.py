@@ -3,48 +3,37 @@
 from __future__ import annotations
 
 from motionlang.lang.program import Program
+from motionlang.mint.code import FILE, loaded
 from motionlang.mint.environment import Environment, MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from types import CodeType
+    from collections.abc import Mapping
     from typing import Any
 
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Task
-
-# The file name of generated code, by which tracebacks are told from our own.
-FILE = "<mint>"
+    from motionlang.mint.code import Code
 
 
 class MintProgram(Program):
-    """`code` defines `make`; `specs` says what its `kN` are; `places[n]` is the place of line n of the code.
+    """The source stays with the program: `--set` changes constants, which are written into the code."""
 
-    The source stays with the program: `--set` changes constants, which are written into the code.
-    """
+    __slots__ = ("code", "name", "settings", "text")
 
-    __slots__ = ("code", "name", "places", "settings", "specs", "text")
+    def __init__(self, code: Code, name: str, text: str, settings: Mapping[str, object] | None) -> None:
+        self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
 
-    def __init__(
-        self,
-        code: CodeType,
-        places: Sequence[int],
-        specs: Sequence[tuple[object, ...]],
-        name: str,
-        text: str,
-        settings: Mapping[str, object] | None,
-    ) -> None:
-        self.code, self.places, self.specs = code, places, specs
-        self.name, self.text, self.settings = name, text, dict(settings or {})
+    @property
+    def size(self) -> int:
+        """How much of it is compiled; it grows as it runs."""
+        return self.code.size
 
     def payload(self) -> bytes:
         """The program as bytes, for `load`."""
-        from array import array
         from marshal import dumps
 
-        places = array("q", self.places).tobytes()
-        everything: Any = (self.code, places, list(self.specs), self.name, self.text, self.settings)
+        everything: Any = (self.code.payload(), self.name, self.text, self.settings)
         return dumps(everything)
 
     def start(self, machine: Machine) -> Task:
@@ -59,14 +48,13 @@ class MintProgram(Program):
         """The parent task of the program as it stands."""
         environment = Environment(machine)
         environment.prepare()
-        environment.files[FILE] = self.places
-        namespace: dict[str, object] = {}
-        exec(self.code, namespace)
-        make = namespace["make"]
-        operations = environment.make_operations(self.specs)
-        environment.blocks = make(  # type: ignore[operator]
-            environment, environment.clock, machine.terminal.write, machine.instruction_time, operations
-        )
+        code, dt = self.code, machine.instruction_time
+        environment.files[FILE] = code.places
+        operations = environment.make_operations(code.specs)
+        namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
+        namespace.update(E=environment, C=environment.clock, P=machine.terminal.write, dt=dt)
+        code.link(namespace, dt)
+        environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()
         task = MintTask("main", environment.blocks["main"], environment)
@@ -78,5 +66,5 @@ def load(payload: bytes) -> MintProgram:
     """The program that `MintProgram.payload` was made of."""
     from marshal import loads
 
-    code, places, specs, name, text, settings = loads(payload)
-    return MintProgram(code, memoryview(places).cast("q"), specs, name, text, settings)
+    code, name, text, settings = loads(payload)
+    return MintProgram(loaded(code), name, text, settings)

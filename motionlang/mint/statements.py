@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from motionlang.mint import counting, jumping, keyword_use, loops, nodes, pausing, polling, terminal_use
+from motionlang.mint import (
+    counting,
+    jumping,
+    keyword_use,
+    loops,
+    nodes,
+    parts,
+    pausing,
+    polling,
+    terminal_use,
+)
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
 from motionlang.mint.expressions import article, condition, converted, place, unknown, value
@@ -18,14 +28,21 @@ if TYPE_CHECKING:
 def block(b: Body, body: list[nodes.Stmt]) -> None:
     """Statements one after the other."""
     guarded = b.whole.guarded and b.function.name.lower() != "onerror"
+    polls = b.polls and b.polls[-1] is not None
+    first = len(b.lines)
+    ends = []
     for node in body:
         b.at = node.at
-        b.begin()
-        polling.mark(b, node)
+        b.observes = b.calls = False
+        if polls:
+            polling.mark(b, node)
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:
             _STATEMENTS[type(node)](b, node)
+        ends.append(len(b.lines))
+    if len(b.lines) - first > parts.LONGEST:
+        parts.cut(b, first, ends)
 
 
 def _guard(b: Body, node: nodes.Stmt) -> None:

@@ -113,7 +113,6 @@ class Function:
         "at",
         "body",
         "calls",
-        "inner",
         "jumps",
         "kind",
         "loops",
@@ -137,5 +136,4 @@ class Function:
         self.parameters: list[Symbol] = []
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
-        self.inner: list[Function] = []
         self.observes = self.loops = self.jumps = self.plain = False

@@ -59,7 +59,7 @@ def test_a_loop_in_chunks_gives_way_at_the_same_moments(
 
 
 def test_such_loops_are_cut() -> None:
-    text = compile_module(parse(Source("a.mnt", LOOPS["a branch"]))).text
+    text = compile_module(parse(Source("a.mnt", LOOPS["a branch"]))).code.text
     assert "for v_i in range(" in text
 
 
@@ -75,7 +75,7 @@ def test_such_loops_are_cut() -> None:
     ],
 )
 def test_others_are_not(loop: str) -> None:
-    assert "for v_i in range(" not in compile_module(parse(Source("a.mnt", loop))).text
+    assert "for v_i in range(" not in compile_module(parse(Source("a.mnt", loop))).code.text
 
 
 @pytest.mark.parametrize("seed", range(60))

@@ -45,7 +45,7 @@ def test_many_compiled_programs_agree_with_a_plain_interpreter() -> None:
 
 
 def text_of(program: str) -> str:
-    return compile_module(parse(Source("a.mnt", program))).text
+    return compile_module(parse(Source("a.mnt", program))).code.text
 
 
 LOOP = "For i = 1 To 1000000\n  x = x + i * 2\n  If x > 1000 Then x = 0\nNext"

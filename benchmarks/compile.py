@@ -1,0 +1,84 @@
+"""How fast Mint is made runnable: `name value unit` lines, every ratio measured within this one run.
+
+    python benchmarks/compile.py [BYTES]
+
+The text is a program of about a quarter of a megabyte, made twice with the same statements: in Mint and in Python, so
+that CPython's own `compile` is a fair yardstick. Runnable means that the first statement can be executed: the code of
+a long program is made function by function, as they are called; `everything` has made all of it. The collector is
+off for both. `lines` are programs of one straight line of statements, whose cost should grow as their length does.
+Times are processor times, ratios the medians of rounds in which both run one after the other.
+"""
+
+from __future__ import annotations
+
+import gc
+import sys
+from statistics import median
+from time import process_time
+
+from parse_program import program
+
+from motionlang.mint.compiler import compile_source
+from motionlang.mint.parser import parse
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime import MintProgram
+
+ROUNDS = 7
+LINES = (10_000, 40_000)
+
+
+def seconds(work: Callable[[], object]) -> float:
+    """The time of one call, with the cyclic collector off."""
+    gc.collect()
+    gc.disable()
+    began = process_time()
+    result = work()
+    taken = process_time() - began
+    gc.enable()
+    del result
+    return taken
+
+
+def runnable(source: Source) -> MintProgram:
+    """A program that can be started."""
+    return compile_source(source)[0]
+
+
+def whole(source: Source) -> None:
+    """A program of which everything is compiled."""
+    runnable(source).code.compile_all()
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and print."""
+    mint, python = program(int(arguments[0]) if arguments else 250_000)
+    source = Source("big.mnt", mint)
+    steps: dict[str, Callable[[], object]] = {
+        "parse": lambda: parse(source),
+        "runnable": lambda: runnable(source),
+        "everything": lambda: whole(source),
+    }
+    native: list[float] = []
+    ratios: dict[str, list[float]] = {name: [] for name in steps}
+    for _ in range(ROUNDS):
+        native.append(seconds(lambda: compile(python, "big.py", "exec")))
+        for name, step in steps.items():
+            ratios[name].append(seconds(step) / native[-1])
+    print(f"compile_program {len(mint) / 1e6:.2f} MB")
+    print(f"compile_python {median(native) * 1e3:.0f} ms")
+    for name, values in ratios.items():
+        print(f"compile_{name} {median(values):.2f} x_python")
+    for count in LINES:
+        straight = Source("straight.mnt", "PRINT 1\n" * count)
+        taken = min(seconds(lambda text=straight: whole(text)) for _ in range(2))  # type: ignore[misc]
+        print(f"compile_lines_{count} {taken / count * 1e6:.1f} us/line")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))

@@ -1,0 +1,184 @@
+"""The code of a program in units: functions that are compiled together, at the latest when one of them is called.
+
+What functions share lives in cells, made once when the program starts: the time `t`, the horizon `H` and the variables
+that more than one of them uses. A unit is compiled within a function that has those names, and the functions found in
+it are put together with the cells:
+
+    def _(t, H, v_x):
+     global s_fill
+     def s_fill(p_n):
+      nonlocal t, v_x
+      …
+
+Everything else is a global name: `kN` and `dN`, `E`, `C`, `P`, and the functions. Until a unit is compiled, its
+functions are stand-ins, which put the true ones in their places when they are called.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Container, Mapping, Sequence
+    from types import CellType, CodeType
+    from typing import Any
+
+# The file name of generated code, by which tracebacks are told from our own.
+FILE = "<mint>"
+# What functions always share.
+TIME = ("t", "H")
+# What the head of a part says instead of the names it shares.
+ALL = "nonlocal *"
+
+
+def _example() -> Callable[[], None]:
+    """A function over a cell: of its classes everything here is made."""
+    cell = None
+    return lambda: cell
+
+
+_FUNCTION: Any = type(_example())
+_CODE = type(_example().__code__)  # type: ignore[attr-defined,unused-ignore]
+_CELL: Any = type(_example().__closure__[0])  # type: ignore[attr-defined,index,unused-ignore]
+
+
+class Unit:
+    """Functions by their `names`, as text until somebody wants their code.
+
+    The text begins with the third line of what is compiled; line n of that is line `before` + n of the whole program.
+    `is_part`: one function that is a part of another one, whose variables it shares.
+    """
+
+    __slots__ = ("before", "codes", "is_part", "names", "text")
+
+    def __init__(
+        self,
+        names: tuple[str, ...],
+        text: str,
+        before: int,
+        is_part: bool = False,
+        codes: tuple[CodeType, ...] = (),
+    ) -> None:
+        self.names, self.text, self.before, self.is_part, self.codes = names, text, before, is_part, codes
+
+    def compile(self, shared: Container[str]) -> tuple[CodeType, ...]:
+        """The code of the functions; `shared` are the names of all cells."""
+        if not self.codes:
+            from re import findall
+
+            words = sorted(set(findall(r"\bv_\w+", self.text)))
+            used = ", ".join([*TIME, *(word for word in words if word in shared)])
+            text = f"def _({used}):\n global {', '.join(self.names)}\n{self.text}"
+            if self.is_part:
+                text = text.replace(ALL, f"nonlocal {used}", 1)
+            around = compile(text, FILE, "exec").co_consts[0]
+            self.codes = tuple(
+                _moved(each, self.before) for each in around.co_consts if each.__class__ is _CODE
+            )
+        return self.codes
+
+    def payload(self) -> tuple[object, ...]:
+        """What `Unit` needs to make it again."""
+        return self.names, "" if self.codes else self.text, self.before, self.is_part, self.codes
+
+
+def _moved(code: CodeType, lines: int) -> CodeType:
+    """The same code so many lines further down."""
+    if not lines:
+        return code
+    inner = tuple(_moved(each, lines) if each.__class__ is _CODE else each for each in code.co_consts)
+    return code.replace(co_firstlineno=code.co_firstlineno + lines, co_consts=inner)
+
+
+class Code:
+    """All units of a program, and what they stand on.
+
+    `first` gives the cells named in `shared` their first values. `specs` says what the `kN` are, `costs` for which N
+    there is a `dN`; `blocks` are the functions by "main", "task blink", "event timer"; `places[n]` is the place in the
+    program of line n of the code.
+    """
+
+    __slots__ = ("blocks", "costs", "first", "places", "shared", "specs", "units")
+
+    def __init__(
+        self,
+        units: Sequence[Unit],
+        first: CodeType | None,
+        shared: Sequence[str],
+        specs: Sequence[tuple[object, ...]],
+        costs: Sequence[int],
+        blocks: Mapping[str, str],
+        places: Sequence[int],
+    ) -> None:
+        self.units, self.first, self.shared, self.specs, self.costs = units, first, shared, specs, costs
+        self.blocks, self.places = blocks, places
+
+    @property
+    def size(self) -> int:
+        """How many units are compiled."""
+        return sum(1 for unit in self.units if unit.codes)
+
+    @property
+    def text(self) -> str:
+        """The Python that the program was made into, without the lines around its units."""
+        return "\n".join(unit.text for unit in self.units)
+
+    def compile_all(self) -> None:
+        """Compile the units that are still text."""
+        shared = {*TIME, *self.shared}
+        for unit in self.units:
+            unit.compile(shared)
+
+    def payload(self) -> tuple[object, ...]:
+        """Everything in a form that `marshal` takes, for `loaded`."""
+        from array import array
+
+        units = [unit.payload() for unit in self.units]
+        places = array("q", self.places).tobytes()
+        return units, self.first, self.shared, self.specs, self.costs, self.blocks, places
+
+    def link(self, namespace: dict[str, object], dt: float) -> None:
+        """Put the functions, or their stand-ins, into a namespace that has everything else."""
+        for n in self.costs:
+            namespace[f"d{n}"] = n * dt
+        values: dict[str, object] = dict.fromkeys(TIME, 0.0)
+        if self.first is not None:
+            exec(self.first, values)
+        cells = {name: _CELL(values.get(name)) for name in (*TIME, *self.shared)}
+        for unit in self.units:
+            if unit.codes:
+                _bind(unit, namespace, cells)
+            else:
+                for name in unit.names:
+                    namespace[name] = _StandIn(name, unit, namespace, cells)
+
+
+def loaded(payload: tuple[object, ...]) -> Code:
+    """The code that `Code.payload` was made of."""
+    units, first, shared, specs, costs, blocks, places = payload
+    made = [Unit(*unit) for unit in units]  # type: ignore[attr-defined]
+    return Code(made, first, shared, specs, costs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]
+
+
+def _bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]) -> None:
+    for code in unit.compile(cells):
+        closure = tuple(cells[name] for name in code.co_freevars)
+        namespace[code.co_name] = _FUNCTION(code, namespace, code.co_name, None, closure)
+
+
+class _StandIn:
+    """A function that is compiled at its first call."""
+
+    __slots__ = ("cells", "name", "namespace", "unit")
+
+    # Tells that the function will be generated code.
+    __code__ = _example.__code__.replace(co_filename=FILE)
+
+    def __init__(
+        self, name: str, unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]
+    ) -> None:
+        self.name, self.unit, self.namespace, self.cells = name, unit, namespace, cells
+
+    def __call__(self, *arguments: object) -> object:
+        if self.namespace[self.name] is self:
+            _bind(self.unit, self.namespace, self.cells)
+        return self.namespace[self.name](*arguments)  # type: ignore[operator]

@@ -1,0 +1,104 @@
+"""Long blocks are cut into parts, each a function of its own.
+
+What CPython's compiler needs for one function grows with the square of its jumps, so ten thousand statements in a row
+would take a second and a hundred thousand minutes. Statements that are not left by an Exit, a Return or a jump are
+moved into a part, and a call of it stands in their place:
+
+    yield from q1()
+
+The text of the statements stays what it is, so virtual time passes in the same steps. A part shares the time and the
+variables of its function. Those of tasks and event handlers, of which each runs once at a time, become cells of the
+program, and their parts units of their own; a sub may be called again before it ends, and its parts stand within it.
+"""
+
+from __future__ import annotations
+
+from re import compile
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.body import Body, Line
+
+# A block with more lines than LONGEST is cut into parts of about SIZE lines.
+LONGEST = 600
+SIZE = 200
+
+_LOOP = compile(r" *(?:while|for) ")
+# What leaves a part, or calls what only the function around it knows.
+_LEAVES = compile(r" *(?:return\b|pc = |yield from j_)")
+_BREAK = compile(r" *(?:break$|if .*: break$)")
+
+
+class Part:
+    """A part by its name; its lines are indented for the body of a function in the outermost place."""
+
+    __slots__ = ("lines", "name", "waits")
+
+    def __init__(self, name: str, lines: list[Line], waits: bool) -> None:
+        self.name, self.lines, self.waits = name, lines, waits
+
+    def written(self, names: str, indent: int) -> list[Line]:
+        """The whole function; `names` are those it shares."""
+        at, more = self.lines[0][1], " " * indent
+        head = [f" def {self.name}():", f"  {names}"]
+        end = ["  if 0: yield"] if self.waits else []  # it is a generator wherever the yields in its text are
+        lines = [*((line, at) for line in head), *self.lines, *((line, at) for line in end)]
+        return [(more + line, where) for line, where in lines] if indent else lines
+
+
+def cut(b: Body, first: int, ends: list[int]) -> None:
+    """Cut the lines of a block from `first` on into parts; its statements end before the lines `ends`."""
+    if b.whole.typed or (b.polls and b.polls[-1] is not None):
+        return  # what the turns of a loop that polls do is noted in variables of the function
+    statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
+    while sum(map(len, statements)) > LONGEST:
+        shorter = _shortened(b, statements)
+        if len(shorter) == len(statements):
+            break
+        statements = shorter
+    b.lines[first:] = [line for statement in statements for line in statement]
+
+
+def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
+    """The statements with runs of them replaced by calls."""
+    out: list[list[Line]] = []
+    run: list[list[Line]] = []
+    length = 0
+    for statement in statements:
+        movable = not _is_left(statement, b.indent)
+        if run and (not movable or length + len(statement) > SIZE):
+            out += _moved(b, run, length)
+            run, length = [], 0
+        if movable:
+            run.append(statement)
+            length += len(statement)
+        else:
+            out.append(statement)
+    return out + _moved(b, run, length)
+
+
+def _is_left(statement: list[Line], indent: int) -> bool:
+    """Whether some way leads out of the statement to another place than behind it."""
+    loops: list[int] = []
+    for line, _ in statement:
+        depth = len(line) - len(line.lstrip(" "))
+        while loops and depth <= loops[-1]:
+            loops.pop()
+        if _LEAVES.match(line) or (_BREAK.match(line) and not loops):
+            return True
+        if _LOOP.match(line) and line.endswith(":"):
+            loops.append(depth)
+    return False
+
+
+def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
+    """A run of statements in a part of its own, where it is long enough for that, and the call of it."""
+    if len(run) < 2 or length < SIZE // 2:
+        return run
+    lines = [line for statement in run for line in statement]
+    waits = any("yield " in line for line, _ in lines)
+    b.whole.parts += 1
+    name = f"q{b.whole.parts}"
+    b.parts.append(Part(name, [(line[b.indent - 2 :], at) for line, at in lines], waits))
+    call = f"{' ' * b.indent}{'yield from ' if waits else ''}{name}()"
+    return [[(call, lines[0][1])]]
