@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.cli_run import Options
+    from motionlang.controller.servo.trace import ServoTrace
     from motionlang.execution import Run
 
 # What a format is written by, and the extra that brings it.
@@ -81,11 +82,21 @@ def _write_trace(result: Run, options: Options) -> None:
 
 def _write_plot(result: Run, options: Options) -> None:
     assert options.plot is not None
+    servos = _motors(result)
     if options.plot.lower().endswith(".html"):
         from motionlang.views.scope import write_scope
 
-        write_scope(result, options.plot)
+        write_scope(result, options.plot, servos)
     else:
         from motionlang.views.plot import write_plot
 
-        write_plot(result, options.plot)
+        write_plot(result, options.plot, servos)
+
+
+def _motors(result: Run) -> dict[int, ServoTrace]:
+    """What the simulated motors of a run did, by axis."""
+    if all(axis.feedback is None for axis in result.controller.axes.values()):
+        return {}
+    from motionlang.controller.history import servo_traces
+
+    return servo_traces(result.controller)

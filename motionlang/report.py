@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.history import MoveFigures
     from motionlang.errors import Diagnostic
     from motionlang.execution import Run
 
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 SCHEMA = "motionlang.report/1"
 # What "ended" says of a move that was under way when the run came to its end.
 END_OF_RUN = "end-of-run"
+# What an axis's position comes from: without a simulated motor feedback equals demand.
+DEMAND, MOTOR = "demand", "simulated motor"
 
 
 def build(run: Run) -> Row:
@@ -45,6 +49,7 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic]) -> st
 def moves(run: Run) -> Iterator[Row]:
     """Every move that was started, in the order of its start, what is still under way cut at the end of the run."""
     running = {id(axis.move) for axis in run.controller.axes.values() if axis.move is not None}
+    figures = _motor_figures(run.controller)
     for move in run.controller.moves:
         profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
         assert profile is not None
@@ -70,7 +75,24 @@ def moves(run: Run) -> Iterator[Row]:
         }
         if ended:
             row["ended"] = ended
+        motor = figures.get(id(move))
+        if motor is not None:
+            row |= {
+                "peak_following_error": motor.peak_error / size,
+                "settle_time": motor.settle_time,
+                "rms_torque": motor.rms_torque,
+                "peak_output": motor.peak_output,
+            }
         yield row
+
+
+def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:
+    """What simulated motors made of the moves; nothing, and no time spent, where there are none."""
+    if all(axis.feedback is None for axis in controller.axes.values()):
+        return {}
+    from motionlang.controller.history import figures
+
+    return figures(controller)
 
 
 def axes(run: Run) -> list[Row]:
@@ -84,15 +106,25 @@ def axes(run: Run) -> list[Row]:
 
 
 def _axis(axis: Axis, now: float) -> Row:
-    counts = axis.position(now)
-    return {
+    motor = axis.feedback
+    counts = axis.position(now) if motor is None else motor.position
+    row: Row = {
         "axis": axis.index,
         "position": axis.scale.position_to_user(counts),
         "counts": counts,
         "scale": axis.scale.counts,
         "enabled": axis.enabled,
         "error": axis.faults,
+        "feedback": DEMAND if motor is None else MOTOR,
     }
+    if motor is not None:
+        chosen = motor.chosen
+        row["following_error"] = motor.error / abs(axis.scale.counts or 1.0)
+        row["output"] = motor.output + 0.0  # no minus zero
+        row["gains"] = None if chosen is None else chosen.gains
+        if chosen is not None and chosen.bandwidth:
+            row["bandwidth"] = chosen.bandwidth
+    return row
 
 
 def _is_touched(axis: Axis) -> bool:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.controller.servo.demand import Generator
-from motionlang.controller.trace import Trace
+from motionlang.controller.trace import MOTOR, Trace
 from motionlang.profile.sample import ORDERS, PieceTable
 
 if TYPE_CHECKING:
@@ -55,6 +55,9 @@ class Commanded(Trace):
         known: dict[int, Array] = {}
         for column, out in zip(columns, data, strict=True):
             if column.axis is None:
+                continue
+            if column.quantity in MOTOR:
+                self._fill_motor(column.axis, column.quantity, start, step, count, out)
                 continue
             points = self._of(column.axis)
             if column.axis not in known:

@@ -21,7 +21,7 @@ from motionlang.controller.servo.axis_loop import axis_loop
 from motionlang.controller.servo.replay import apply, run_to, sample_at, stands
 from motionlang.controller.servo.servo import Servo
 from motionlang.controller.servo.settings import make_plant
-from motionlang.controller.sight import Sight, Window, crossing, next_side
+from motionlang.controller.sight import REST_ERROR, REST_TIME, Sight, Window, crossing, next_side
 from motionlang.controller.watch import margin, place
 from motionlang.profile import hold
 
@@ -41,8 +41,6 @@ SHORT, LONG = 64, 0.5
 # What two blocks of a motor at rest may differ by: counts, and volts.
 _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 _NEVER = 1 << 62
-# A motor is at rest when it has been this near its demand, counts, for so many seconds.
-REST_ERROR, REST_TIME = 1.0, 0.02
 
 
 class Feedback:
@@ -69,6 +67,7 @@ class Feedback:
         "chosen",
         "closed",
         "error_limit",
+        "first_loop",
         "model",
         "plant",
         "scanned",
@@ -88,6 +87,7 @@ class Feedback:
         # All that was done to the loop, by time: what a replay needs.
         self.changes: list[Change] = []
         self.chosen: Chosen | None = None
+        self.first_loop: Loop | None = None
         self.windows = {
             "rest": Window(error=REST_ERROR, hold=REST_TIME, announced=False),
             "program": Window(error=0.5, announced=False),
@@ -299,7 +299,8 @@ class Feedback:
         if self._servo is not None:
             return
         self.chosen = self._choose()
-        self._servo = servo = Servo(self.chosen.loop, self.plant, self._axis)
+        self.first_loop = self.chosen.loop
+        self._servo = servo = Servo(self.first_loop, self.plant, self._axis)
         last = None
         for change in self.changes:
             last = run_to(servo, sample_at(change[0], self._rate)) or last

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 COLUMNS = ("encoder", "velocity", "error", "output", "torque", "current")
 # Counts within which a motor stands on a position.
 _ON = 1e-6
+# A motor is at rest when it has been this near its demand, counts, for so many seconds.
+REST_ERROR, REST_TIME = 1.0, 0.02
 
 
 class Sight:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from motionlang.controller.controller import Controller
+    from motionlang.controller.history import Reader
 
     Array = NDArray[np.float64]
 
@@ -31,6 +32,13 @@ UNITS: dict[str, tuple[str, str]] = {
     "jerk": ("uu/s3", "uu_per_s3"),
 }
 USUAL = ("position", "velocity", "acceleration")
+# What a simulated motor made of it; "actual" is the position that its encoder measured.
+MOTOR: dict[str, tuple[str, str]] = {
+    "actual": ("uu", "uu"),
+    "following error": ("uu", "uu"),
+    "output": ("V", "V"),
+    "torque": ("N m", "Nm"),
+}
 # Rows of one chunk: a few hundred kilobytes a column, which stay in the cache while they are written out.
 ROWS = 65_536
 MOST_ROWS = 200_000_000
@@ -78,11 +86,12 @@ class Samples:
 class Trace:
     """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
 
-    __slots__ = ("_tables", "controller", "end")
+    __slots__ = ("_readers", "_tables", "controller", "end")
 
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
         self._tables: dict[int, PieceTable] = {}
+        self._readers: dict[int, Reader] = {}
         self.end = controller.clock.now
 
     @property
@@ -92,14 +101,19 @@ class Trace:
         return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
 
     def columns(
-        self, axes: Sequence[int] | None = None, quantities: Sequence[str] = USUAL
+        self, axes: Sequence[int] | None = None, quantities: Sequence[str] | None = None
     ) -> tuple[Column, ...]:
-        """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist."""
+        """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist.
+
+        Without `quantities` those of `USUAL`, and those of `MOTOR` where an axis has a simulated one.
+        """
         made = [Column("time_s", "time", "s", None)]
         for axis in self.axes if axes is None else axes:
-            for quantity in quantities:
-                unit, suffix = UNITS[quantity]
-                name = f"axis{self.controller.axes[axis].index}_{quantity}_{suffix}"
+            a = self.controller.axes[axis]
+            usual = USUAL if a.feedback is None else (*USUAL, *MOTOR)
+            for quantity in usual if quantities is None else quantities:
+                unit, suffix = UNITS[quantity] if quantity in UNITS else MOTOR[quantity]
+                name = f"axis{a.index}_{quantity.replace(' ', '_')}_{suffix}"
                 made.append(Column(name, quantity, unit, axis))
         return tuple(made)
 
@@ -112,7 +126,7 @@ class Trace:
         rate: float = 1000.0,
         axes: Sequence[int] | None = None,
         until: float | None = None,
-        quantities: Sequence[str] = USUAL,
+        quantities: Sequence[str] | None = None,
     ) -> Samples:
         """All rows at once, `rate` in samples a second; ValueError above 200 million rows: use `chunks`."""
         count = self.rows(rate, until)
@@ -132,7 +146,7 @@ class Trace:
         rate: float = 1000.0,
         axes: Sequence[int] | None = None,
         until: float | None = None,
-        quantities: Sequence[str] = USUAL,
+        quantities: Sequence[str] | None = None,
     ) -> Iterator[Samples]:
         """The same rows, `ROWS` at a time; the arrays of a chunk are overwritten by the next."""
         end = self.end if until is None else until
@@ -178,9 +192,25 @@ class Trace:
         self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
         for column, out in zip(columns, data, strict=True):
-            if column.axis is not None:
+            if column.axis is not None and column.quantity in MOTOR:
+                self._fill_motor(column.axis, column.quantity, start, step, count, out)
+            elif column.axis is not None:
                 self.table(column.axis).sample(start, step, count, ORDERS[column.quantity], out)
                 self.to_user(column.axis, column.quantity, out)
+
+    def _fill_motor(
+        self, axis: int, quantity: str, start: float, step: float, count: int, out: Array
+    ) -> None:
+        """What the motor of an axis did, in user units, volts or N m; 0 for an axis that has none."""
+        from motionlang.controller.history import Reader
+
+        if axis not in self._readers:
+            self._readers[axis] = Reader(self.controller.axes[axis], self.end)
+        self._readers[axis].fill(quantity, start + np.arange(count, dtype=np.float64) * step, out)
+        if quantity == "actual":
+            self.to_user(axis, "position", out)
+        elif quantity == "following error":
+            self.to_user(axis, "velocity", out)  # a difference: no zero in it
 
 
 def _last_step(rate: float, end: float) -> int:

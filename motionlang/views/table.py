@@ -42,9 +42,18 @@ _MOVES = (
 _AXES = (
     Column("axis"),
     Column("position", "uu"),
-    Column("counts", drop=2),
-    Column("scale", "counts/uu", drop=1),
+    Column("counts", drop=3),
+    Column("scale", "counts/uu", drop=2),
+    Column("feedback", align="<", drop=1),
     Column("state", align="<"),
+)
+_MOTORS = (
+    Column("axis"),
+    Column("line", drop=1),
+    Column("peak error", "uu"),
+    Column("settled after", "s"),
+    Column("RMS torque", "N m"),
+    Column("peak output", "V", drop=2),
 )
 _TOTALS = (
     Column("line"),
@@ -69,6 +78,9 @@ def render(run: Run, *, width: int = 100, colour: bool = False, charts: bool = F
         parts.append(_totals(rows, run.time, width, colour))
     if charts and rows:
         parts += _charts(run, rows, width, colour)
+    motors = [row for row in rows if "rms_torque" in row]
+    if motors:
+        parts.append(_motors(motors, width, colour))
     axes = axes_of(run)
     if axes:
         parts.append(_axes(axes, width, colour))
@@ -177,6 +189,27 @@ def _charts(run: Run, rows: list[Row], width: int, colour: bool) -> list[list[st
     return parts
 
 
+def _motors(rows: list[Row], width: int, colour: bool) -> list[str]:
+    """What simulated motors made of the moves, a line a move; of many, of those with the largest errors."""
+    shown = (
+        rows if len(rows) <= MOST_ROWS else sorted(rows, key=lambda row: -row["peak_following_error"])[:SHOWN]
+    )
+    error = decimals_of([row["peak_following_error"] for row in shown])
+    texts = [
+        [
+            str(row["axis"]),
+            str(row["line"] or ""),
+            figure(row["peak_following_error"], error),
+            "never" if row["settle_time"] is None else figure(row["settle_time"], 5),
+            figure(row["rms_torque"], 6),
+            figure(row["peak_output"], 4),
+        ]
+        for row in shown
+    ]
+    head = "motors" if shown is rows else f"motors, the {len(shown)} largest following errors"
+    return [styled(head, "bold", colour), *grid(_MOTORS, texts, width=width, colour=colour)]
+
+
 def _axes(axes: list[Row], width: int, colour: bool) -> list[str]:
     place = decimals_of([axis["position"] for axis in axes])
     counts = decimals_of([axis["counts"] for axis in axes], 2)
@@ -187,6 +220,7 @@ def _axes(axes: list[Row], width: int, colour: bool) -> list[str]:
             figure(axis["position"], place),
             figure(axis["counts"], counts),
             figure(axis["scale"], scale),
+            axis["feedback"],
             _state(axis),
         ]
         for axis in axes
