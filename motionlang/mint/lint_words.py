@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 MOVES = frozenset(("MOVEA", "MOVER"))
 # Entries of the buffer of one axis that do not move it.
 ENTRIES = frozenset(("MOVEDWELL", "MOVEOUT", "MOVEOUTX", "MOVEPULSEOUTX"))
-# Moves of several axes together; a GO of one of them starts all.
-PATHS = frozenset(("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"))
+# Moves of several axes together, of which a GO of one of them starts all, and those that follow a master or a table.
+PATHS = frozenset(
+    ("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR", "FLY", "CAM", "SPLINE", "OFFSET")
+)
 # End what an axis does and empty its buffer; those of HALTS at once.
 STOPS = frozenset(("STOP", "CANCEL", "CANCELALL", "ABORT", "RESET", "RESETALL", "DEFAULT", "DEFAULTALL"))
 HALTS = STOPS - {"STOP"}
 OF_ALL_AXES = frozenset(("CANCELALL", "ABORT", "RESETALL", "DEFAULTALL"))
 # Move an axis at once, without GO.
-AT_ONCE = frozenset(
-    ("JOG", "INCA", "INCR", "HOME", "DATUM", "FOLLOW", "FLY", "CAM", "SPLINE", "OFFSET", "TORQUE", "FREQ")
-)
+AT_ONCE = frozenset(("JOG", "INCA", "INCR", "HOME", "DATUM", "FOLLOW", "TORQUE", "FREQ"))
 # Words that give the same property of moves; the one written last counts.
 SLOTS = {
     "SPEED": "speed",
@@ -33,6 +33,7 @@ SLOTS = {
     "ACCELTIMEMAX": "accel",
     "DECEL": "decel",
     "DECELTIME": "decel",
+    "DECELTIMEMAX": "decel",
     "ACCELJERK": "accel jerk",
     "ACCELJERKTIME": "accel jerk",
     "DECELJERK": "decel jerk",

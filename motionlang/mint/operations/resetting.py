@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from motionlang.controller.axis import DEFAULTS
 from motionlang.controller.faults import Refusal
 from motionlang.mint.operations.limits import axis_of
@@ -18,15 +20,28 @@ if TYPE_CHECKING:
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
 # What DEFAULT gives back to an axis, beside the numbers of `DEFAULTS`.
-_SETTINGS: dict[str, float | str | None] = {
+_SETTINGS: dict[str, object] = {
     "accel_time": None,
     "decel_time": None,
+    "buffer_size": int(DEFAULTS["buffer_size"]),
     "error_decel": DEFAULTS["decel"],
     "shape": "trapezoid",
     "feedrate_mode": 0,
     "override": 1.0,
     "buffer_low": -1,
     "move_id": 0,
+    "accel_jerk_time": None,
+    "decel_jerk_time": None,
+    "s_ramp": None,
+    "own_rates": None,
+    "max_speed": inf,
+    "max_accel": inf,
+    "max_decel": inf,
+    "contour_mode": False,
+    "contour_angle": 0.0,
+    "blend_mode": False,
+    "blend_distance": 0.0,
+    "suspend_time": 0.1,
 }
 
 
@@ -68,7 +83,7 @@ def _default(environment: Environment, axis: int) -> None:
     if not controller.is_idle(axis):
         raise Refusal("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
     for name, value in {**DEFAULTS, **_SETTINGS}.items():
-        controller.configure(axis, name, int(value) if name == "buffer_size" else value)  # type: ignore[arg-type]
+        controller.configure(axis, name, value)
     controller.set_scale(axis, 1.0)
     for part in environment.parts():
         forget: Callable[[int], None] | None = getattr(part, "default", None)
