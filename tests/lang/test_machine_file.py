@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from motionlang.errors import ProgramError
-from motionlang.lang.machine_file import KEYS, TABLES, read_machine
+from motionlang.lang.machine_file import read_machine
 from motionlang.source import Source
+from tests.machine_page import PAGE, written
 
 
 def read(text: str) -> dict[str, object]:
@@ -106,9 +105,5 @@ def test_text_that_is_not_toml() -> None:
     assert message
 
 
-def test_the_page_of_the_machine_file_names_every_key() -> None:
-    page = (Path(__file__).parents[2] / "docs" / "machine-file.md").read_text(encoding="utf-8")
-    assert [key for key in KEYS if f"| `{key}` | {KEYS[key][1]} |" not in page] == []
-    for table, rows in TABLES.items():
-        section = page.partition(f"## `[[{table}]]`")[2].partition("\n## ")[0]
-        assert [key for key in rows if f"| `{key}` | {rows[key][1]}" not in section] == [], table
+def test_the_page_of_the_machine_file_is_what_its_vocabulary_says() -> None:
+    assert PAGE.read_text(encoding="utf-8") == written(), "python -m tests.machine_page writes it anew"

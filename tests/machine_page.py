@@ -1,0 +1,43 @@
+"""Writes the tables of docs/machine-file.md from the vocabulary of the machine file: `python -m tests.machine_page`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from motionlang.lang.machine_file import KEYS, REQUIRED, TABLES
+
+PAGE = Path(__file__).parent.parent / "docs" / "machine-file.md"
+FROM = "## Keys\n"
+SENTENCES = {
+    "input": "Digital inputs: by time, by the position of an axis, or behind an output. One entry is one way in "
+    "which the channel is set; several may speak of the same one.",
+    "analogue": "Analogue inputs, likewise.",
+    "remote": "Inputs of remote nodes on a bus.",
+    "encoder": "Encoders that something outside of the controller turns, such as the conveyor that a program follows.",
+    "fault": "Faults of an axis: at a time, at a position, or when the program comes to a line for the first time. "
+    "What the axis then does is the program's choice (`FOLERRORMODE`, `ERRORINPUTMODE`, `LIMITMODE`).",
+    "key": "Keys that the operator presses.",
+    "answer": "Lines that the operator types, one for each `INPUT`.",
+    "comms": "What the host writes into the comms array of a Mint controller; it raises the events of the elements.",
+    "netdata": "The same for NetData.",
+}
+
+
+def written() -> str:
+    """The page as it must be: what was written by hand, and the tables."""
+    text = PAGE.read_text(encoding="utf-8")
+    parts = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
+    parts.append("`N` is the number of an axis, as the language numbers them.\n")
+    for name, rows in TABLES.items():
+        needed = REQUIRED[name]
+        shown = {key: help + (" Needed." if key in needed else "") for key, (_, help) in rows.items()}
+        parts.append(f"## `[[{name}]]`\n\n{SENTENCES[name]}\n\n{_table(shown)}")
+    return "\n".join(parts)
+
+
+def _table(rows: dict[str, str]) -> str:
+    return "".join(["| key | |\n|---|---|\n", *(f"| `{key}` | {help} |\n" for key, help in rows.items())])
+
+
+if __name__ == "__main__":
+    PAGE.write_text(written(), encoding="utf-8")
