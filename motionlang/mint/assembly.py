@@ -50,16 +50,26 @@ class TypedLine:
 def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     """The code of a program."""
     shared = _shared(whole, bodies)
-    units = _Units({*TIME, *shared}, whole.problems)
+    units = _Units()
     for function, b in bodies.items():
         units.add(function.python, _head(whole, b) + _dispatched(whole, b))
         for part in b.parts if function.kind != "sub" else ():
             units.add_part(part)
-    units.finish()
+    units.close()
     first = _first_values(whole)
-    code = compile(first, FILE, "exec") if first else None
+    start = compile(first, FILE, "exec") if first else None
     blocks = {"main": "main", **_blocks(whole)}
-    return Code(units.made, code, shared, whole.specs, sorted(whole.costs), blocks, units.places)
+    code = Code(units.made, start, shared, whole.specs, sorted(whole.costs), blocks, units.places)
+    _compile_now(code, whole.problems)
+    return code
+
+
+def _compile_now(code: Code, problems: Problems) -> None:
+    """Compile what is called at once, and what CPython may refuse."""
+    cells = code.cells()
+    for number, unit in enumerate(code.units):
+        if number == 0 or len(code.places) <= SHORT or _may_be_refused(unit.text):
+            _checked(lambda unit=unit: unit.compile(cells), code.places, unit.before, problems)  # type: ignore[misc]
 
 
 def _blocks(whole: Whole) -> dict[str, str]:
@@ -100,8 +110,7 @@ def _first_values(whole: Whole) -> str:
 class _Units:
     """The units being made; `places[n]` is the place in the program of line n of all their lines."""
 
-    def __init__(self, shared: set[str], problems: Problems) -> None:
-        self.shared, self.problems = shared, problems
+    def __init__(self) -> None:
         self.made: list[Unit] = []
         self.places = [0]
         self._names: list[str] = []
@@ -110,24 +119,18 @@ class _Units:
     def add(self, name: str, lines: list[Line]) -> None:
         """A function; short ones share a unit."""
         if self._lines and len(self._lines) + len(lines) > SIZE:
-            self._close()
+            self.close()
         self._names.append(name)
         self._lines += lines
 
     def add_part(self, part: Part) -> None:
         """A part of the function before it."""
-        self._close()
+        self.close()
         self._names, self._lines = [part.name], part.written(ALL, 0)
-        self._close(is_part=True)
+        self.close(is_part=True)
 
-    def finish(self) -> None:
-        """All functions have come."""
-        self._close()
-        for number, unit in enumerate(self.made):
-            if number == 0 or len(self.places) <= SHORT or _may_be_refused(unit.text):
-                _checked(lambda unit=unit: unit.compile(self.shared), self.places, unit.before, self.problems)  # type: ignore[misc]
-
-    def _close(self, is_part: bool = False) -> None:
+    def close(self, is_part: bool = False) -> None:
+        """The next function begins a unit of its own."""
         if not self._lines:
             return
         before, at = len(self.places) - 1, self._lines[0][1]

@@ -1,16 +1,16 @@
 """The code of a program in units: functions that are compiled together, at the latest when one of them is called.
 
-What functions share lives in cells, made once when the program starts: the time `t`, the horizon `H` and the variables
-that more than one of them uses. A unit is compiled within a function that has those names, and the functions found in
-it are put together with the cells:
+What functions share lives in cells, made once when the program starts: the time `t`, the horizon `H`, the costs `dN` of
+statements and the variables that more than one function uses. A unit is compiled within a function that has those
+names, and the functions found in it are put together with the cells:
 
-    def _(t, H, v_x):
+    def _(t, H, d2, v_x):
      global s_fill
      def s_fill(p_n):
       nonlocal t, v_x
       …
 
-Everything else is a global name: `kN` and `dN`, `E`, `C`, `P`, and the functions. Until a unit is compiled, its
+Everything else is a global name: `kN`, `E`, `C`, `P`, and the functions. Until a unit is compiled, its
 functions are stand-ins, which put the true ones in their places when they are called.
 """
 
@@ -65,8 +65,9 @@ class Unit:
         if not self.codes:
             from re import findall
 
-            words = sorted(set(findall(r"\bv_\w+", self.text)))
-            used = ", ".join([*TIME, *(word for word in words if word in shared)])
+            words = sorted(set(findall(r"\b(?:v_\w|d\d)\w*", self.text)))
+            names = [word for word in words if word in shared]
+            used = ", ".join([*TIME, *names])
             text = f"def _({used}):\n global {', '.join(self.names)}\n{self.text}"
             if self.is_part:
                 text = text.replace(ALL, f"nonlocal {used}", 1)
@@ -124,9 +125,13 @@ class Code:
 
     def compile_all(self) -> None:
         """Compile the units that are still text."""
-        shared = {*TIME, *self.shared}
+        shared = self.cells()
         for unit in self.units:
             unit.compile(shared)
+
+    def cells(self) -> set[str]:
+        """The names of all cells."""
+        return {*TIME, *self.shared, *(f"d{n}" for n in self.costs)}
 
     def payload(self) -> tuple[object, ...]:
         """Everything in a form that `marshal` takes, for `loaded`."""
@@ -138,12 +143,10 @@ class Code:
 
     def link(self, namespace: dict[str, object], dt: float) -> None:
         """Put the functions, or their stand-ins, into a namespace that has everything else."""
-        for n in self.costs:
-            namespace[f"d{n}"] = n * dt
-        values: dict[str, object] = dict.fromkeys(TIME, 0.0)
+        values: dict[str, object] = {**dict.fromkeys(TIME, 0.0), **{f"d{n}": n * dt for n in self.costs}}
         if self.first is not None:
             exec(self.first, values)
-        cells = {name: _CELL(values.get(name)) for name in (*TIME, *self.shared)}
+        cells = {name: _CELL(values.get(name)) for name in self.cells()}
         for unit in self.units:
             if unit.codes:
                 _bind(unit, namespace, cells)
