@@ -165,7 +165,8 @@ class World:
             int(_number(entry, "channel")) if "channel" in entry else AUXILIARY + int(_number(entry, "aux"))
         )
         velocity, accel = _number(entry, "velocity"), _number(entry, "accel", 0.0)
-        controller.encoder(number)
+        encoder = controller.encoder(number)
+        encoder.index_every = _number(entry, "index_every", encoder.index_every)
         self._at(_number(entry, "at", 0.0), lambda: controller.drive_encoder(number, velocity, accel))
 
     def _wire_fault(self, entry: Entry) -> None:

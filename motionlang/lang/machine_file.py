@@ -91,6 +91,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "aux": ("channel", "The auxiliary encoder, instead."),
         "velocity": ("number", "How fast it turns, in counts a second, until another entry says otherwise."),
         "accel": ("positive", "How fast it comes to that, in counts/s²; at once unless given."),
+        "index_every": ("positive", "The distance between its index marks, in counts; none unless given."),
         "at": _WHEN["at"],
     },
     "answer": {"text": ("text", "What the operator types at the next INPUT.")},
