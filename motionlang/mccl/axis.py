@@ -57,8 +57,12 @@ class AxisState:
     """
 
     __slots__ = (
+        "aux_index",
+        "aux_zero",
+        "backlash",
         "breakpoint",
         "breakpoint_reached",
+        "compensates",
         "constant",
         "controlling",
         "deadband",
@@ -74,6 +78,7 @@ class AxisState:
         "kept",
         "limit_mode",
         "master",
+        "minimum",
         "mode",
         "model",
         "number",
@@ -90,6 +95,7 @@ class AxisState:
         "soft_high",
         "soft_low",
         "synchronised",
+        "takeup",
         "units",
         "vector",
     )
@@ -118,7 +124,12 @@ class AxisState:
         self.jog, self.jogging = JogSettings(), False
         self.recording = False
         self.half_steps = self.reversed_phase = False
-        # Settings of the servo loop, by the name of their row's verb.
+        # The velocity at which a stepper starts and stops, and what is added to its targets against backlash.
+        self.minimum = 0.0
+        self.compensates, self.backlash, self.takeup = False, 0.0, 0.0
+        # What the auxiliary encoder counted when it was given the value 0, and at its last index.
+        self.aux_zero = self.aux_index = 0.0
+        # Settings of the servo loop and the output stage, by the name of their row's verb.
         self.kept: dict[str, float] = {}
 
     def forget_faults(self) -> None:

@@ -13,7 +13,11 @@ SIMULATED = [row for row in TABLE if row.simulated]
 KNOWN = [row for row in TABLE if not row.simulated]
 
 # What a machine must have for axis 1 to be homed, by the keys of the machine file.
-HOMING = {"axis.1.index_every": 1000.0, "axis.1.home_switch": [500.0, 600.0]}
+HOMING: dict[str, object] = {
+    "axis.1.index_every": 1000.0,
+    "axis.1.home_switch": [500.0, 600.0],
+    "encoder": [{"aux": 1, "velocity": 1000.0, "index_every": 200.0}],
+}
 
 
 @pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)

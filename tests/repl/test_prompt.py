@@ -66,7 +66,7 @@ def test_live_mode_is_a_matter_of_the_terminal(keys: PipeInput) -> None:
 
 def test_completion_knows_the_table_and_says_what_a_word_does() -> None:
     mccl = dialect("mccl")
-    assert [word for word, _, _ in candidates(mccl, "1MN,2W")][:3] == ["WA", "WE", "WF"]
+    assert [word for word, _, _ in candidates(mccl, "1MN,2W")][:3] == ["WA", "WB", "WD"]
     row = mccl.table().get("MR")
     assert row is not None
     assert candidates(mccl, "1MR") == [("MR", 2, row.help)]

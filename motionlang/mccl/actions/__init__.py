@@ -6,9 +6,12 @@
 from __future__ import annotations
 
 from motionlang.mccl.actions import (
+    auxiliary,
+    backlash,
     contour,
     filter,
     flow,
+    functions,
     gearing,
     homing,
     io,
@@ -21,6 +24,8 @@ from motionlang.mccl.actions import (
     record,
     registers,
     reports,
+    stages,
+    texts,
     trajectory,
     units,
     variables,
@@ -34,9 +39,12 @@ if TYPE_CHECKING:
 
 ACTIONS: dict[str, Action] = {}
 for _group in (
+    auxiliary,
+    backlash,
     contour,
     filter,
     flow,
+    functions,
     gearing,
     homing,
     io,
@@ -49,6 +57,8 @@ for _group in (
     record,
     registers,
     reports,
+    stages,
+    texts,
     trajectory,
     units,
     variables,
@@ -56,7 +66,7 @@ for _group in (
 ):
     ACTIONS.update(_group.ACTIONS)
 
-PURE = flow.PURE | macros.PURE | registers.PURE | variables.PURE | io.PURE
+PURE = flow.PURE | functions.PURE | macros.PURE | registers.PURE | variables.PURE | io.PURE
 
 
 def not_simulated(task: CommandTask, command: Command) -> None:

@@ -13,6 +13,7 @@ from motionlang.mccl import codes, motor
 from motionlang.mccl.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.flags import MOTOR_ERROR
+from motionlang.mccl.launch import aim, launch
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,9 +52,7 @@ def move_by(task: CommandTask, command: Command) -> Wait | None:
     path = task.path_open
     targets = []
     for axis in movable(task, command):
-        target = path.end_of(axis) if path is not None else controller.target(axis.number)
-        if abs(target) == float("inf"):
-            target = controller.demand(axis.number)
+        target = path.end_of(axis) if path is not None else aim(controller, axis)
         targets.append((axis, target + axis.distance(value)))
     return start_moves(task, command, targets)
 
@@ -172,7 +171,7 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
                 f"{command.name} needs axis {axis.number} in position mode; it is in {axis.mode} mode",
                 f"{axis.number}PM switches it back",
             )
-    stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target)]
+    stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target + axis.takeup)]
     if not stalled:
         _start(task, command, targets)
         return None
@@ -187,7 +186,7 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
 def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> None:
     for axis, target in targets:
         axis.running = False
-        task.board.controller.move_to(axis.number, target, command.name, task.source_line)
+        launch(task.board, axis, target, command.name, task.source_line)
 
 
 def _check_fit(task: CommandTask, axis: AxisState) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.actions.motion import movable, start_moves
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.launch import aim
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,17 +17,15 @@ if TYPE_CHECKING:
 def learn_position(task: CommandTask, command: Command) -> None:
     controller, point = task.board.controller, task.whole(command)
     for axis in task.axes(command):
-        position = controller.position(axis.number)
-        task.board.points[point, axis.number] = position
+        task.board.points[point, axis.number] = controller.position(axis.number) - axis.takeup
 
 
 def learn_target(task: CommandTask, command: Command) -> None:
     point = task.whole(command)
     for axis in task.axes(command):
-        target = task.board.controller.target(axis.number)
-        if abs(target) == float("inf"):
+        if abs(task.board.controller.target(axis.number)) == float("inf"):
             raise Fault(codes.PARAMETER, f"axis {axis.number} runs without a target", "LP learns where it is")
-        task.board.points[point, axis.number] = target
+        task.board.points[point, axis.number] = aim(task.board.controller, axis)
 
 
 def move_to_point(task: CommandTask, command: Command) -> Wait | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl.axis import real
+from motionlang.mccl.launch import aim
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,9 +31,7 @@ def _position(task: CommandTask, axis: AxisState) -> str:
 
 
 def _target(task: CommandTask, axis: AxisState) -> str:
-    controller = task.board.controller
-    target = controller.target(axis.number)
-    return axis.say(target if abs(target) < float("inf") else controller.demand(axis.number))
+    return axis.say(aim(task.board.controller, axis))
 
 
 def _optimal(task: CommandTask, axis: AxisState) -> str:

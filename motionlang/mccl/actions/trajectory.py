@@ -32,6 +32,12 @@ def speed(task: CommandTask, command: Command) -> None:
             run_in_velocity_mode(task, axis)
 
 
+def minimum_speed(task: CommandTask, command: Command) -> None:
+    value = task.value(command)
+    for axis in task.axes(command):
+        axis.minimum = axis.rate(value, "uu/s")
+
+
 def shape_trapezoid(task: CommandTask, command: Command) -> None:
     _shape(task, command, "trapezoid")
 
@@ -100,6 +106,7 @@ ACTIONS: dict[str, Action] = {
     "accel": accel,
     "decel": decel,
     "speed": speed,
+    "minimum_speed": minimum_speed,
     "shape_trapezoid": shape_trapezoid,
     "shape_parabolic": shape_parabolic,
     "shape_scurve": shape_scurve,

@@ -1,4 +1,4 @@
-"""The controller's variables, by name (LU) and by address (RB RW RL RV RD)."""
+"""The controller's variables, by name (LU) and by address (RB RW RL RV RD, WB WW WL WV WD)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.actions.registers import wrapped
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.status import word
-from motionlang.mccl.variables import NAMES, read
+from motionlang.mccl.variables import NAMES, read, write
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -45,10 +45,37 @@ def read_real(task: CommandTask, command: Command) -> None:
     task.registers[0] = float(_value(task, command))
 
 
+def write_byte(task: CommandTask, command: Command) -> None:
+    _write_low(task, command, 0xFF)
+
+
+def write_word(task: CommandTask, command: Command) -> None:
+    _write_low(task, command, 0xFFFF)
+
+
+def write_long(task: CommandTask, command: Command) -> None:
+    _write(task, command, int(task.registers[0]))
+
+
+def write_real(task: CommandTask, command: Command) -> None:
+    _write(task, command, float(task.registers[0]))
+
+
 def get_auxiliary(task: CommandTask, command: Command) -> None:
     value, until = word(task.board, task.axis(command), 1)
     task.poll.read_until(until)
     task.registers[0] = wrapped(value)
+
+
+def _write_low(task: CommandTask, command: Command, mask: int) -> None:
+    """Replace the low bits of a variable by those of the accumulator."""
+    old, _ = read(task.board, task.axis(command), task.whole(command))
+    _write(task, command, int(old) & ~mask | int(task.registers[0]) & mask)
+
+
+def _write(task: CommandTask, command: Command, value: float) -> None:
+    task.poll.effects += 1
+    write(task.board, task.axis(command), task.whole(command), value)
 
 
 def _value(task: CommandTask, command: Command) -> float | int:
@@ -66,6 +93,11 @@ ACTIONS: dict[str, Action] = {
     "read_long": read_long,
     "read_float": read_real,
     "read_double": read_real,
+    "write_byte": write_byte,
+    "write_word": write_word,
+    "write_long": write_long,
+    "write_float": write_real,
+    "write_double": write_real,
     "get_auxiliary": get_auxiliary,
 }
 PURE = frozenset(ACTIONS)

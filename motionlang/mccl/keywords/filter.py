@@ -38,8 +38,14 @@ ROWS = (
          "1OO0.05", default=0, low=-10, high=10),
     _row("PH", "setting", "W", "axes", "bool", "output_phase", "Output phase: 0 standard, 1 reversed.",
          "1PH0", default=0, low=0, high=1),
-    _known("OM", "setting", "axes",
-         "Output mode: bipolar, unipolar, PWM, piezo, sine; pulse and direction, CW and CCW."),
-    _known("IM", "setting", "axes", "Input mode of a stepper: 0 open loop, 1 closed loop."),
-    _known("ES", "setting", "axes", "Encoder scaling of a closed-loop stepper."),
+    _row("OM", "setting", "W", "axes", "number", "output_mode",
+         "Output mode: 0 bipolar, 1 unipolar, 2 and 3 the same as PWM, 4 piezo, 32768 and 49152 sine without and with "
+         "encoder; stepper 0 pulse and direction, 1 CW and CCW. Kept, told as the variable OUTPUTMODE.",
+         '1OM2,LU"OUTPUTMODE",1RL@0,TR0', default=0, low=0, high=0xC000),
+    _row("IM", "setting", "W", "axes", "bool", "input_mode",
+         "Input mode of a stepper: 0 open loop, 1 closed loop. Kept, told as the variable INPUTMODE; a stepper here "
+         "loses no steps.", '1IM1,LU"INPUTMODE",1RL@0,TR0', default=0, low=0, high=1),
+    _row("ES", "setting", "W", "axes", "number", "encoder_scaling",
+         "Encoder counts per step of a closed-loop stepper. Kept, told as the variable ENCODERSCALE.",
+         '1ES2.5,LU"ENCODERSCALE",1RV@0,TR0', default=1, low=-1e6, high=1e6),
 )  # fmt: skip

@@ -28,7 +28,8 @@ ROWS = (
          source=MX, trust="code"),
     _row("DH", "command", "W", "axes", "uu", "define_home", "Define home: the present position becomes this one.",
          "1DH0"),
-    _known("AH", "command", "axes", "Give the present position of the auxiliary encoder a new value."),
+    _row("AH", "command", "W", "axes", "uu", "define_auxiliary",
+         "Give the present position of the auxiliary encoder a new value.", "1AH100,1AT"),
     _row("FI", "command", "W", "axis", "uu", "find_index",
          "Find the index mark: while the axis runs, wait for the mark; there the position becomes this one. "
          "The machine file says where marks are (index_every).",
@@ -41,7 +42,9 @@ ROWS = (
     _row("EL", "command", "W", "axis", "uu", "arm_edge",
          "Arm the capture of the home edge; complete it with WE, when the position at the edge becomes this one.",
          "1EL0"),
-    _known("AF", "command", "axis", "Find the index of the auxiliary encoder."),
+    _row("AF", "command", "W", "axis", "uu", "find_auxiliary_index",
+         "Find the index of the auxiliary encoder: wait for its mark; there its position becomes this one. The machine "
+         "file turns it and says where marks are ([[encoder]]).", "1AF0,1AT"),
     _row("LP", "command", "W", "axes", "number", "learn_position", "Learn the actual position as point n.",
          "1LP1", low=0, high=255),
     _row("LT", "command", "W", "axes", "number", "learn_target", "Learn the target as point n.",

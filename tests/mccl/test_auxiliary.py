@@ -1,0 +1,47 @@
+"""The auxiliary encoder of an axis: the machine file turns it, AT AH AF AZ tell and define it."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.mccl.conftest import Runner
+
+TURNING = {
+    "encoder": [
+        {"aux": 1, "velocity": 1000.0, "index_every": 400.0},
+        {"aux": 2, "velocity": -50.0, "at": 1.0},
+    ]
+}
+
+
+def test_it_turns_as_the_machine_file_says(mccl: Runner) -> None:
+    result = mccl("WA1.00001,1AT,2AT,3AT,WA1,1AT,2AT", machine=TURNING)
+    assert result.output == ["01 1000", "02 0", "03 0", "01 2000", "02 -50"]
+
+
+def test_it_is_given_another_value_and_told_in_user_units(mccl: Runner) -> None:
+    result = mccl("WA0.5,1AH20,1AT,WA0.1,1AT\n1US10,1UZ7,1MN,1AT,1AH3,1AT", machine=TURNING)
+    assert result.output == ["01 20", "01 120", "01 12.000000", "01 3.000000"]
+
+
+def test_its_index_is_found_at_the_exact_moment(mccl: Runner) -> None:
+    """Marks at 400 and 800 counts: the second one becomes 5, and the encoder is told to have come to it at 0.8 s."""
+    result = mccl("WA0.5,1AF5,1AT,1AZ,WA0.1,1AT,1AZ", machine=TURNING)
+    assert result.output == ["01 5", "01 5", "01 105", "01 5"]
+    assert result.time == pytest.approx(0.9, abs=1e-3)
+
+
+def test_an_encoder_that_turns_backwards_finds_the_mark_behind_it(mccl: Runner) -> None:
+    machine = {"encoder": [{"aux": 1, "velocity": -1000.0, "index_every": 400.0}]}
+    assert mccl("WA0.5,1AF0,1AT,WA0.01,1AT", machine=machine).output == ["01 0", "01 -10"]
+
+
+def test_an_index_that_never_comes(mccl: Runner) -> None:
+    result = mccl("1AF0", machine={"encoder": [{"aux": 1, "velocity": 1000.0}]})
+    assert [each.code for each in result.diagnostics] == ["never"]
+    assert "index mark of the auxiliary encoder of axis 1" in result.diagnostics[0].message
+
+
+def test_a_loop_that_watches_it_is_not_skipped(mccl: Runner) -> None:
+    result = mccl('LU"AUXPOSITION",AR20\n1RL@20,IB700,JR-2,NO,1AT', machine=TURNING)
+    assert result.output == ["01 700"]
