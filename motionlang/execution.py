@@ -135,6 +135,10 @@ def run(
             begun(result.machine)
         _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
+        if result.machine.has_motors:
+            from motionlang.controller.history import notes
+
+            result.not_counted += notes(result.controller)
         if result.machine.without_effect:
             words = ", ".join(result.machine.without_effect)
             result.not_counted.append(f"settings that have no effect here: {words}")

@@ -77,7 +77,7 @@ def moves(run: Run) -> Iterator[Row]:
             row["ended"] = ended
         motor = figures.get(id(move))
         if motor is not None:
-            row |= {
+            row["motor"] = {
                 "peak_following_error": motor.peak_error / size,
                 "settle_time": motor.settle_time,
                 "rms_torque": motor.rms_torque,
@@ -118,12 +118,11 @@ def _axis(axis: Axis, now: float) -> Row:
         "feedback": DEMAND if motor is None else MOTOR,
     }
     if motor is not None:
-        chosen = motor.chosen
-        row["following_error"] = motor.error / abs(axis.scale.counts or 1.0)
-        row["output"] = motor.output + 0.0  # no minus zero
-        row["gains"] = None if chosen is None else chosen.gains
-        if chosen is not None and chosen.bandwidth:
-            row["bandwidth"] = chosen.bandwidth
+        row["motor"] = {
+            "following_error": motor.error / abs(axis.scale.counts or 1.0),
+            "output": motor.output + 0.0,  # no minus zero
+            "gains": "not needed" if motor.chosen is None else motor.chosen.gains,
+        }
     return row
 
 

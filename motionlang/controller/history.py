@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.controller.servo.axis_loop import has_gains
 from motionlang.controller.servo.replay import replay, whole
 from motionlang.controller.sight import REST_ERROR
 
@@ -211,3 +212,20 @@ def part_column(part: ServoTrace, quantity: str) -> Array:
     """The column of a block that shows a quantity."""
     column: Array = getattr(part, COLUMNS[quantity])
     return column
+
+
+def notes(controller: Controller) -> list[str]:
+    """What a reader of the report must know of the motors: gains that nobody has set, and gains that do nothing."""
+    found = []
+    for number, feedback in motors(controller).items():
+        chosen = feedback.chosen
+        if chosen is None:
+            continue
+        if chosen.gains == "suggested":
+            found.append(
+                f"axis {number}: neither the program nor the machine file sets gains for its motor; "
+                f"it ran with those suggested for {chosen.bandwidth:g} Hz"
+            )
+        elif not has_gains(chosen.loop):
+            found.append(f"axis {number}: all gains of its motor are 0, so it does not follow its demand")
+    return found

@@ -111,6 +111,11 @@ class Machine:
         """How many moves were started so far."""
         return 0 if self._controller is None else len(self._controller.moves)
 
+    @property
+    def has_motors(self) -> bool:
+        """Whether the machine file gives an axis a simulated motor."""
+        return any(".plant." in key for key in self.settings)
+
     def settling(self) -> list[int]:
         """The idle axes whose simulated motors are not at rest yet."""
         return [] if self._controller is None else self._controller.settling()

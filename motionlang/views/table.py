@@ -42,9 +42,9 @@ _MOVES = (
 _AXES = (
     Column("axis"),
     Column("position", "uu"),
-    Column("counts", drop=3),
-    Column("scale", "counts/uu", drop=2),
-    Column("feedback", align="<", drop=1),
+    Column("counts", drop=2),
+    Column("scale", "counts/uu", drop=1),
+    Column("feedback", align="<", drop=3),
     Column("state", align="<"),
 )
 _MOTORS = (
@@ -78,7 +78,7 @@ def render(run: Run, *, width: int = 100, colour: bool = False, charts: bool = F
         parts.append(_totals(rows, run.time, width, colour))
     if charts and rows:
         parts += _charts(run, rows, width, colour)
-    motors = [row for row in rows if "rms_torque" in row]
+    motors = [row for row in rows if "motor" in row]
     if motors:
         parts.append(_motors(motors, width, colour))
     axes = axes_of(run)
@@ -191,18 +191,17 @@ def _charts(run: Run, rows: list[Row], width: int, colour: bool) -> list[list[st
 
 def _motors(rows: list[Row], width: int, colour: bool) -> list[str]:
     """What simulated motors made of the moves, a line a move; of many, of those with the largest errors."""
-    shown = (
-        rows if len(rows) <= MOST_ROWS else sorted(rows, key=lambda row: -row["peak_following_error"])[:SHOWN]
-    )
-    error = decimals_of([row["peak_following_error"] for row in shown])
+    worst = sorted(rows, key=lambda row: -row["motor"]["peak_following_error"])
+    shown = rows if len(rows) <= MOST_ROWS else worst[:SHOWN]
+    error = decimals_of([row["motor"]["peak_following_error"] for row in shown])
     texts = [
         [
             str(row["axis"]),
             str(row["line"] or ""),
-            figure(row["peak_following_error"], error),
-            "never" if row["settle_time"] is None else figure(row["settle_time"], 5),
-            figure(row["rms_torque"], 6),
-            figure(row["peak_output"], 4),
+            figure(row["motor"]["peak_following_error"], error),
+            "never" if row["motor"]["settle_time"] is None else figure(row["motor"]["settle_time"], 5),
+            figure(row["motor"]["rms_torque"], 6),
+            figure(row["motor"]["peak_output"], 4),
         ]
         for row in shown
     ]

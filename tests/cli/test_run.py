@@ -28,10 +28,10 @@ axis  command  line  profile      start  time  from   to  distance  peak
       ├ slew                              0.6                  150
       └ decel                             0.2                   25
 
-axis  position  counts      scale  state
+axis  position  counts      scale  feedback  state
             uu          counts/uu
-────────────────────────────────────────
-   1       200  240000       1200  on
+──────────────────────────────────────────────────
+   1       200  240000       1200  demand    on
 """
 
 WRONG = """\

@@ -41,7 +41,15 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
             }
         ],
         "axes": [
-            {"axis": 0, "position": 200.0, "counts": 240000.0, "scale": 1200.0, "enabled": True, "error": 0}
+            {
+                "axis": 0,
+                "position": 200.0,
+                "counts": 240000.0,
+                "scale": 1200.0,
+                "enabled": True,
+                "error": 0,
+                "feedback": "demand",
+            }
         ],
         "diagnostics": [],
         "not_counted": [],

@@ -22,10 +22,10 @@ axis  command  line  profile      start  time  from   to  distance  peak
       ├ slew                              0.6                  150
       └ decel                             0.2                   25
 
-axis  position  counts      scale  state
+axis  position  counts      scale  feedback  state
             uu          counts/uu
-────────────────────────────────────────
-   0       200  240000       1200  on
+──────────────────────────────────────────────────
+   0       200  240000       1200  demand    on
 """
 
 PICK = """\
@@ -53,12 +53,12 @@ axis  command  line  profile     start      time      from         to   distance
       ├ accel                           0.052360                         -1.0908
       └ slew                            1.347640                        -56.1517
 
-axis   position      counts      scale  state
+axis   position      counts      scale  feedback  state
              uu              counts/uu
-─────────────────────────────────────────────
-   0     0.0000        0.00       1200  on
-   1    26.0908    31309.00       1200  on
-   2  -191.6667  -230000.00       1200  on
+───────────────────────────────────────────────────────
+   0     0.0000        0.00       1200  demand    on
+   1    26.0908    31309.00       1200  demand    on
+   2  -191.6667  -230000.00       1200  demand    on
 """
 
 NARROW = """\
@@ -140,7 +140,7 @@ def test_notes_and_errors_of_axes_are_shown() -> None:
     controller.axes[1].enabled = False
     run.not_counted.append("line 3: a wait on an input that no scenario drives")
     text = render(ended(run))
-    assert "   1         0       0          1  off, error 4\n" in text
+    assert "   1         0       0          1  demand    off, error 4\n" in text
     assert text.endswith("\n\nnote: line 3: a wait on an input that no scenario drives\n")
 
 
