@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # An axis by its number, or by the parameter of a sub that holds it; None is an axis that cannot be told.
 Key = int | Symbol | None
 # Roles that command an axis; those that only stop it are no command.
-COMMANDS = frozenset(("move", "entry", "path", "go", "act", "zero", "scale"))
+COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
 
 
 class Act:
@@ -236,9 +236,10 @@ class Facts:
             return symbol if symbol not in self.writers else None
         return None
 
-    def named(self, word: str) -> set[Key]:
-        """The axes for which a word is used anywhere."""
-        return {key for _, _, act in self.all_acts() if act.is_(word) for key in act.axes}
+    def named(self, *words: str) -> set[Key]:
+        """The axes for which one of some words is written anywhere."""
+        acts = [act for _, _, act in self.all_acts() if act.row is not None and act.row.name in words]
+        return {key for act in acts if act.role != "read" for key in act.axes}
 
     def constants(self, word: str) -> dict[Key, list[float] | None]:
         """The constants that a word gives to each axis, None where one is not known."""

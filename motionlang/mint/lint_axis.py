@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from motionlang.mint import nodes
 from motionlang.mint.flowgraph import DO, Step
 from motionlang.mint.lint_acts import COMMANDS, Act, Facts, Key
-from motionlang.mint.lint_words import HALTS, SLOTS
+from motionlang.mint.lint_words import FOLLOWS, HALTS, PATHS, SLOTS, ZEROES
 from motionlang.mint.symbols import Function, Symbol
 
 if TYPE_CHECKING:
@@ -111,6 +111,7 @@ class Follower:
         self.before: dict[Function, dict[Step, State]] = {}
         self.apart = self._shared()
         self.stopped = self._stopped_by_handlers()
+        self.led = self._led()
         self._at_work: set[Function] = set()
         self._report: Report | None = None
         for function in facts.functions:
@@ -141,7 +142,20 @@ class Follower:
     def known(self, state: State, key: Key) -> Axis:
         """What is certain of an axis."""
         unsure = isinstance(key, Symbol) and self.apart
-        return ANY if key is None or unsure or key in self.apart or None in self.apart else state[key]
+        if key is None or unsure or key in self.apart or None in self.apart:
+            return ANY
+        axis = state[key]
+        if {key, None} & self.led or (isinstance(key, Symbol) and self.led):
+            return replace(axis, motion=UNKNOWN, fresh=False)
+        return axis
+
+    def _led(self) -> set[Key]:
+        """Axes that may move without a GO of theirs: behind a master, on a path of another axis, by a trigger."""
+        found = self.facts.named(*FOLLOWS, "TRIGGERMODE")
+        for _, _, act in self.facts.all_acts():
+            if act.row is not None and act.row.name in PATHS:
+                found.update(act.axes[1:])
+        return found
 
     def tell(self, report: Report) -> None:
         """Go through every step once more and report what is wrong there."""
@@ -267,14 +281,18 @@ class Follower:
             self._tell("scale-after-speed", step, act, act.axes[number], axis)
         return replace(axis, waiting=min(axis.waiting + 1, MOST_ENTRIES), stale=frozenset())
 
+    def _course(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        return replace(self._entry(function, step, act, number, axis), target=None)
+
     def _path(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        """A move of several axes: where it ends is known for a line, what it leaves in the buffers is not."""
+        """A move of several axes waits for the GO of the first one; where it ends is known for a line."""
         assert act.row is not None
         target = None
         if act.row.name in ("VECTORA", "VECTORR") and number < len(act.values):
             target = self._target(function, act, number, axis, act.row.name == "VECTORR")
-        after = replace(axis, motion=UNKNOWN, fresh=False, waiting=0, target=target, stale=frozenset())
-        return self._checked(step, act, number, after)
+        if number == 0:
+            axis = self._entry(function, step, act, number, axis)
+        return self._checked(step, act, number, replace(axis, target=target))
 
     def _go(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
@@ -284,7 +302,8 @@ class Follower:
         assert act.row is not None
         stands = axis.motion == IDLE or act.row.name in HALTS
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
-        return replace(axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept)
+        axis = replace(axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept)
+        return replace(axis, target=None, frame=None) if act.row.name in ZEROES else axis
 
     def _at_once(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
@@ -365,11 +384,12 @@ class Follower:
 
 
 # Roles after which a caller knows less of an axis.
-_CHANGES = frozenset(("move", "entry", "path", "go", "stop", "act", "scale", "zero", "use"))
+_CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
 _FOLLOW: dict[str, Callable[..., Axis]] = {
     "read": Follower._read,
     "move": Follower._move,
     "entry": Follower._entry,
+    "course": Follower._course,
     "path": Follower._path,
     "go": Follower._go,
     "stop": Follower._stop,

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 DEFAULT_SIZE = 2
 _GO = frozenset(("go",))
-_LOADS = ("move", "entry", "path")
+_LOADS = ("move", "entry", "course", "path")
 _BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Label)
 
 
@@ -48,8 +48,8 @@ class Buffers:
     def _loads(self, function: Function, step: Step, state: State) -> None:
         """A load that waits for room, when only a GO behind it could make room."""
         for act in self.facts.acts[step]:
-            if act.role in ("move", "entry"):
-                for key in act.axes:
+            if act.role in _LOADS:
+                for key in act.axes[:1] if act.role == "path" else act.axes:
                     size = self._size(key)
                     if size is not None and self.follower.known(state, key).waiting >= size:
                         self._overfilled(act, key, size)
@@ -80,7 +80,7 @@ class Buffers:
         if turns is None or not self._counts_itself(function, node):
             return
         acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
-        if any(act.role in ("go", "stop", "act", "path", "call") for act in acts):
+        if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
             return
         loads: dict[Key, list[Act]] = {}
         direct = {id(inner.target) for inner in node.body if type(inner) is nodes.Assign}

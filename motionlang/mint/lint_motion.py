@@ -23,11 +23,14 @@ class Reach:
         self.forward = facts.constants("SOFTLIMITFORWARD")
         self.reverse = facts.constants("SOFTLIMITREVERSE")
         self.unlimited = facts.named("SOFTLIMITMODE")
+        self.wrapped = facts.named("POSWRAP")
 
     def beyond(self, key: Key, axis: Axis) -> str:
         """What the target of an axis lies beyond, in words; "" where it does not."""
         target = axis.target
         assert target is not None
+        if {key, None} & self.wrapped:
+            return ""
         forward, reverse = self._software(key)
         if forward is not None and target > forward:
             return f"the software limit at {forward:g}"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     Add = Callable[..., None]
 
-_COMMANDS = frozenset(("move", "entry", "path", "go", "act"))
+_COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
 # Words with which tasks take turns.
 _TURNS = frozenset(("TASKSTATUS", "TASKSUSPEND", "TASKRESUME"))
 

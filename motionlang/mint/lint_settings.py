@@ -40,7 +40,7 @@ class Settings:
             behind = graph.backward(last, last, partial(self._used, bits, everything))
             for step in graph.steps:
                 if step in self.follower.before[function]:
-                    self._useless(function, step, behind[step], bits)
+                    self._useless(step, behind[step], bits)
 
     def _slot_bits(self, function: Function) -> Bits:
         """A bit for each property of each axis that this function alone has a say in."""
@@ -91,28 +91,24 @@ class Settings:
                         found &= ~bits.get((key, SLOTS[act.row.name]), 0)
             elif act.role == "call" or None in act.axes or (act.row is not None and act.row.name == "WAIT"):
                 found = everything
-            elif act.role == "read" and act.row is not None and act.row.name in SLOTS:
-                for key in act.axes:  # what a rate or the time for it reads as may depend on the speed
-                    found |= bits.get((key, SLOTS[act.row.name]), 0) | bits.get((key, "speed"), 0)
             elif act.role != "scale":
                 for (key, _), bit in bits.items():
                     if key in act.axes or any(isinstance(each, Symbol) for each in act.axes):
                         found |= bit
         return found
 
-    def _useless(self, function: Function, step: Step, behind: int, bits: Bits) -> None:
+    def _useless(self, step: Step, behind: int, bits: Bits) -> None:
         for act in self.facts.acts[step]:
             if act.role != "slot":
                 continue
             assert act.row is not None
             slot = SLOTS[act.row.name]
-            for key in act.axes:
-                bit = bits.get((key, slot), 0)
-                if bit and not behind & bit:
-                    self._tell_useless(function, step, act, key, slot)
-                    break
+            dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
+            # `SPEED(0, 1, 2) = 10;` with an exception for one of them below is a manner of writing.
+            if dead and len(dead) == len(act.axes):
+                self._tell_useless(step, act, dead[0], slot)
 
-    def _tell_useless(self, function: Function, step: Step, act: Act, key: Key, slot: str) -> None:
+    def _tell_useless(self, step: Step, act: Act, key: Key, slot: str) -> None:
         assert act.row is not None
         later = self._next_setting(step, key, slot)
         if later is None:

@@ -12,18 +12,21 @@ if TYPE_CHECKING:
 
 # Moves of one axis that wait in its buffer until GO, and where they end is known.
 MOVES = frozenset(("MOVEA", "MOVER"))
-# Entries of the buffer of one axis that do not move it.
+# Entries of the buffer of one axis that do not move it, and those that move it nobody knows where to.
 ENTRIES = frozenset(("MOVEDWELL", "MOVEOUT", "MOVEOUTX", "MOVEPULSEOUTX"))
-# Moves of several axes together, of which a GO of one of them starts all, and those that follow a master or a table.
-PATHS = frozenset(
-    ("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR", "FLY", "CAM", "SPLINE", "OFFSET")
-)
+COURSES = frozenset(("FLY", "CAM", "SPLINE", "OFFSET"))
+# An axis with one of these moves with its master, whatever it does itself.
+FOLLOWS = frozenset(("FOLLOW", "FLY", "CAM", "OFFSET"))
+# Moves of several axes together, which the GO of the first one starts.
+PATHS = frozenset(("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"))
 # End what an axis does and empty its buffer; those of HALTS at once.
 STOPS = frozenset(("STOP", "CANCEL", "CANCELALL", "ABORT", "RESET", "RESETALL", "DEFAULT", "DEFAULTALL"))
 HALTS = STOPS - {"STOP"}
 OF_ALL_AXES = frozenset(("CANCELALL", "ABORT", "RESETALL", "DEFAULTALL"))
 # Move an axis at once, without GO.
 AT_ONCE = frozenset(("JOG", "INCA", "INCR", "HOME", "DATUM", "FOLLOW", "TORQUE", "FREQ"))
+# Give the axis another zero.
+ZEROES = frozenset(("RESET", "RESETALL", "DEFAULT", "DEFAULTALL"))
 # Words that give the same property of moves; the one written last counts.
 SLOTS = {
     "SPEED": "speed",
@@ -48,8 +51,8 @@ SCALES = frozenset(("SCALEFACTOR", "POSSCALEFACTOR"))
 def role(row: Keyword, written: bool) -> str:
     """What a statement with this word does to the axes it names.
 
-    "move", "entry", "path", "go", "stop", "act" (moves at once), "slot" (sets one of `SLOTS`), "scale", "zero" (POS),
-    "use" (anything else that is given a value or carried out) and "read".
+    "move", "entry", "course", "path", "go", "stop", "act" (moves at once), "slot" (sets one of `SLOTS`), "scale",
+    "zero" (POS), "use" (anything else that is given a value or carried out) and "read".
     """
     if not written:
         return "read"
@@ -63,6 +66,7 @@ def role(row: Keyword, written: bool) -> str:
 _ROLES = (
     (MOVES, "move"),
     (ENTRIES, "entry"),
+    (COURSES, "course"),
     (PATHS, "path"),
     (frozenset(("GO",)), "go"),
     (STOPS, "stop"),
