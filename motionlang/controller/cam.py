@@ -208,8 +208,8 @@ class Shear(CurveFollow):
 
     def over(self, forward: bool) -> bool:
         controller, a = self.controller, self.a
-        head = a.buffer[0] if a.buffer else None
-        if head is None or not head.released or not isinstance(head.action, Fly):
+        head = self._next_entry()
+        if head is None or not isinstance(head.action, Fly):
             return False
         following = head.action
         if follows(following.master, a):
@@ -228,6 +228,17 @@ class Shear(CurveFollow):
         tie.move.target = tie.curve.end
         tie.engage()
         return True
+
+    def _next_entry(self) -> Move | None:
+        """The entry that follows; outputs on the way to it are set."""
+        buffered = self.a.buffer
+        while buffered and buffered[0].released:
+            head = buffered[0]
+            if not isinstance(head.action, (buffer.Outputs, buffer.Pulse)):
+                return head
+            self.controller._take(self.a)
+            head.action.begin(self.controller, self.a, head)
+        return None
 
     def _close(self) -> None:
         """End this segment's entry of the log."""
