@@ -7,10 +7,10 @@ from re import findall
 from motionlang.mint import jumping
 from motionlang.mint.code import ALL, FILE, TIME, Code, Unit
 from motionlang.mint.events import kind_and_number
-from motionlang.mint.names import walk
 from motionlang.mint.nodes import Jump
 from motionlang.mint.parts import SIZE, Part
 from motionlang.mint.statements import fresh
+from motionlang.mint.survey import walk
 from motionlang.mint.symbols import FLOAT, Function, Symbol
 
 TYPE_CHECKING = False

@@ -157,7 +157,7 @@ def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
 
 def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
     """Whether the body gives the variable another value."""
-    from motionlang.mint.names import walk
+    from motionlang.mint.survey import walk
 
     for each in walk(node.body):
         target = (

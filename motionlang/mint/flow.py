@@ -327,7 +327,7 @@ class Flow:
                     self._read_all(each, state)
 
     def _forget(self, node: object) -> None:
-        from motionlang.mint.names import walk
+        from motionlang.mint.survey import walk
 
         for each in walk([node]):
             if type(each) is nodes.Name and (symbol := self._followed(each)) is not None:
@@ -428,7 +428,7 @@ def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
 
 def _constants(body: Iterable[object], scope: Scope) -> set[int]:
     """The whole numbers that occur in a function, and their neighbours: where bounds settle."""
-    from motionlang.mint.names import walk
+    from motionlang.mint.survey import walk
 
     found: set[int] = set()
     for node in walk(body):

@@ -67,7 +67,7 @@ def _end(b: Body) -> None:
 
 def _check(b: Body) -> None:
     """Labels twice, and labels inside a block."""
-    from motionlang.mint.names import walk
+    from motionlang.mint.survey import walk
 
     seen: set[str] = set()
     outer = {id(node) for node in b.function.body}

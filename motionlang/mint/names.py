@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mint import nodes
 from motionlang.mint.events import KINDS, SINGLE, kind_and_number
 from motionlang.mint.fold import fold
+from motionlang.mint.survey import Survey, walk
 from motionlang.mint.symbols import (
     FLOAT,
     INTEGER,
@@ -21,8 +22,6 @@ from motionlang.mint.symbols import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
     from motionlang.lang.keyword import Table
     from motionlang.mint.problems import Problems
 
@@ -31,34 +30,6 @@ _OBSERVES = (nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End)
 _JUMPS = (nodes.Label, nodes.Jump)
 # Array elements in all; a typing error in a Dim must not take the memory of the computer.
 MOST_ELEMENTS = 10_000_000
-
-
-def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
-    """Every node below `start`, in no particular order."""
-    stack = list(start)
-    while stack:
-        node = stack.pop()
-        children = _CHILDREN.get(node.__class__)
-        if children is None:
-            continue
-        yield node  # type: ignore[misc]
-        for slot in children:
-            value = getattr(node, slot)
-            if value.__class__ is list:
-                stack.extend(value)
-            elif value is not None:
-                stack.append(value)
-
-
-# The slots of each class that may hold nodes; the others hold names, operators and the like.
-_NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
-                        "places", "repeat", "separator"))  # fmt: skip
-_CHILDREN: dict[type, tuple[str, ...]] = {
-    cls: tuple(slot for slot in cls.__slots__ if slot not in _NOT_NODES)
-    for cls in vars(nodes).values()
-    if isinstance(cls, type) and issubclass(cls, nodes.Node)
-}
-_CHILDREN[nodes.Number] = _CHILDREN[nodes.String] = ()
 
 
 class Names:
@@ -76,6 +47,7 @@ class Names:
         self.module = self.main.scope
         # Whether AXES says which axes a keyword without brackets means.
         self.uses_axes = self.typed
+        self._surveys: dict[Function, Survey] = {}
         self._taken: set[str] = {s.python for s in self.module.names.values()}
 
     # ------------------------------------------------------------------------------------- declarations
@@ -98,6 +70,7 @@ class Names:
         for function in self.functions:
             self._implicit(function)
         for function in self.functions:
+            function.scope.settle()
             self._use(function)
         self._settle()
 
@@ -181,7 +154,8 @@ class Names:
         return Type(TYPES[key], size)
 
     def _declare_data(self, function: Function) -> None:
-        for node in _ordered(walk(function.body), (nodes.Const, nodes.Define, nodes.Dim)):
+        survey = self._surveys[function] = Survey(function.body)
+        for node in survey.of(nodes.Const, nodes.Define, nodes.Dim):
             if type(node) is nodes.Dim:
                 if node.nv:
                     self.problems.add("not-simulated", "nv data lasts as long as the run", node.at,
@@ -263,31 +237,45 @@ class Names:
 
     def _implicit(self, function: Function) -> None:
         """A name that is assigned to is a variable, a Float, also without a Dim."""
-        for node in walk(function.body):
-            target = getattr(node, "variable", None) or getattr(node, "target", None)
-            if type(node) in (nodes.Assign, nodes.For, nodes.Input) and type(target) is nodes.Name:
-                if target.args is not None or function.scope.find(target.name) is not None:
-                    continue
-                if self.table.get(target.name) is not None or _is_result(function, target.name):
-                    continue
+        for node in self._surveys[function].statements:
+            kind = node.__class__
+            if kind is nodes.Assign or kind is nodes.Input:
+                target = node.target  # type: ignore[attr-defined]
+            elif kind is nodes.For:
+                target = node.variable  # type: ignore[attr-defined]
+            else:
+                continue
+            if target.__class__ is not nodes.Name or target.args is not None:
+                continue
+            if function.scope.find(target.name) is not None or self.table.get(target.name) is not None:
+                continue
+            if not _is_result(function, target.name):
                 symbol = Symbol(target.name, "variable", Type(FLOAT), self._python("v_", target.name), target.at,
                                 function)  # fmt: skip
                 symbol.declared = False
                 function.scope.names[target.name.lower()] = symbol
 
     def _use(self, function: Function) -> None:
-        for node in walk(function.body):
-            kind = type(node)
-            if isinstance(node, nodes.Name):
-                self._use_name(function, node)
-            elif kind in _LOOPS:
+        survey = self._surveys.pop(function)
+        known: dict[str, Symbol | None] = {}
+        for name in survey.names:
+            spelling = name.name
+            symbol = known.get(spelling)
+            if symbol is not None and symbol.kind in ("variable", "parameter"):
+                symbol.uses += 1
+            elif symbol is not None or spelling not in known:
+                self._use_name(function, name)
+                known[spelling] = function.scope.find(spelling)
+        for node in survey.statements:
+            kind = node.__class__
+            if kind is nodes.Assign or kind is nodes.Input:
+                self._written(function, node.target)  # type: ignore[attr-defined]
+            if kind in _LOOPS:
                 function.loops = True
             elif kind in _OBSERVES:
                 function.observes = True
             elif kind in _JUMPS:
                 function.jumps = True
-            elif kind in (nodes.Assign, nodes.Input):
-                self._written(function, node.target)  # type: ignore[attr-defined]
 
     def _written(self, function: Function, target: nodes.Expr) -> None:
         """What is only assigned to is not used."""
@@ -325,22 +313,22 @@ class Names:
 
     def _settle(self) -> None:
         """Which subs are plain: no loop, no keyword that takes note of time, no call of a sub that is not plain."""
-        plain = {f for f in self.functions if f.kind == "sub" and not (f.observes or f.loops or f.jumps)}
-        settled: set[Function] = set()
-        changed = True
-        while changed:
-            changed = False
-            for function in plain - settled:
-                if function.calls <= settled:
-                    settled.add(function)
-                    changed = True
-        for function in settled:  # a sub in a circle of calls never settles: recursion keeps its time
-            function.plain = True
+        callers: dict[Function, list[Function]] = {}
+        unknown: dict[Function, int] = {}
+        for function in self.functions:
+            if function.kind == "sub" and not (function.observes or function.loops or function.jumps):
+                unknown[function] = len(function.calls)
+                for callee in function.calls:
+                    callers.setdefault(callee, []).append(function)
+        ready = [function for function, count in unknown.items() if not count]
+        while ready:  # a sub in a circle of calls never comes here: recursion keeps its time
+            plain = ready.pop()
+            plain.plain = True
+            for caller in callers.get(plain, ()):
+                unknown[caller] -= 1
+                if not unknown[caller]:
+                    ready.append(caller)
 
 
 def _is_result(function: Function, name: str) -> bool:
     return function.result is not None and function.result.name.lower() == name.lower()
-
-
-def _ordered(found: Iterable[nodes.Node], kinds: tuple[type, ...]) -> list[nodes.Node]:
-    return sorted((node for node in found if type(node) in kinds), key=lambda node: node.at)

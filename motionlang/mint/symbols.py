@@ -78,14 +78,30 @@ class Symbol:
 class Scope:
     """Names of one block, and the scope around it."""
 
-    __slots__ = ("function", "names", "outer")
+    __slots__ = ("_found", "function", "names", "outer")
 
     def __init__(self, function: Function, outer: Scope | None) -> None:
         self.function, self.outer = function, outer
         self.names: dict[str, Symbol] = {}
+        # What spellings stand for, once no more names will come.
+        self._found: dict[str, Symbol | None] | None = None
+
+    def settle(self) -> None:
+        """All names are there."""
+        self._found = {}
 
     def find(self, name: str) -> Symbol | None:
         """The symbol of a name in any case, from the innermost block outward."""
+        found = self._found
+        if found is None:
+            return self._find(name)
+        try:
+            return found[name]
+        except KeyError:
+            symbol = found[name] = self._find(name)
+            return symbol
+
+    def _find(self, name: str) -> Symbol | None:
         key = name.lower()
         scope: Scope | None = self
         while scope is not None:
