@@ -101,7 +101,7 @@ class Scheduler:
                 continue
             horizon = min(clock.next_time(), until)
             if len(self.tasks) > 1 or self.outside is not None:
-                horizon = min(horizon, clock.now + self._turn_length(horizon))
+                horizon = min(horizon, clock.now + self._turn_length(horizon), self._next_due())
             time, task.wait = task.resume(clock.now, horizon)
             self._advance(time)
             while clock.now < time:
@@ -148,6 +148,16 @@ class Scheduler:
             return QUANTUM
         self._length, self._left = turns * QUANTUM, len(running) - 1
         return self._length
+
+    def _next_due(self) -> float:
+        """When the first of the tasks that wait may go on: a turn does not outlast it, so nobody oversleeps."""
+        now, first = self.clock.now, INFINITY
+        for task in self.interrupts[-1:] or self.tasks:
+            if task.wait is not None:
+                due = task.wait.due()
+                if now < due < first:
+                    first = due
+        return first
 
     def _advance(self, time: float) -> None:
         if self.outside is not None:

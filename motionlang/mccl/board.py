@@ -195,13 +195,6 @@ class Board:
             self.at_work = task
             self.turns += 1
 
-    def next_due(self, task: CommandTask) -> float:
-        """When the first of the other tasks that wait will go on."""
-        return min(
-            (each.wait.due() for each in self.tasks if each is not task and each.wait is not None),
-            default=INFINITY,
-        )
-
     def next_wake(self, task: CommandTask) -> float:
         """The earliest time at which another task may do something."""
         time = INFINITY

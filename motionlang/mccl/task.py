@@ -111,7 +111,6 @@ class CommandTask(Task):
             return now, wait
         clock, left = self.board.controller.clock, SLICE
         if len(self.board.tasks) > 1:
-            horizon = min(horizon, self.board.next_due(self))
             self.board.take_turn(self)
         while left:
             line = self.line

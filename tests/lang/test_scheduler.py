@@ -111,6 +111,30 @@ def test_two_tasks_share_the_controllers_time() -> None:
     assert c.clock.now == pytest.approx(0.02, abs=2e-3)
 
 
+def test_a_task_that_waits_for_a_time_does_not_oversleep_while_another_computes() -> None:
+    """The turn of the busy one ends at the moment, not a quantum later."""
+    c = controller()
+    woken = []
+
+    def sleeper(t: float, h: float) -> Steps:
+        for moment in (0.00123, 0.0031, 0.0102):
+            t, h = yield wait_until(c, t, moment)
+            woken.append(t)
+        return t
+
+    def busy(t: float, h: float) -> Steps:
+        while t < 0.02:
+            t += 1e-5
+            if t >= h:
+                t, h = yield t
+        return t
+
+    s = Scheduler(c, task(busy))
+    s.start(task(sleeper))
+    s.run()
+    assert woken == [pytest.approx(moment, abs=1.1e-5) for moment in (0.00123, 0.0031, 0.0102)]
+
+
 def test_the_program_ends_with_its_parent() -> None:
     c = controller()
 
