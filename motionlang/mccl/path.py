@@ -83,6 +83,13 @@ class Path:
         """MA and MR say where the axes end, counts."""
         for axis, target in targets:
             self.member(axis)
+            if axis.number in self.targets:
+                raise Fault(
+                    codes.ASSIGNED_TWICE,
+                    f"axis {axis.number} has an end point in this path already",
+                    "each path has a CP of its own",
+                    "axis",
+                )
             if not task.board.controller.is_enabled(axis.number):
                 raise Fault(
                     codes.INVALID,

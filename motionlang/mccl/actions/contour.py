@@ -19,6 +19,13 @@ def contour_mode(task: CommandTask, command: Command) -> None:
     task.board.axis(number)
     if not task.board.controller.is_idle(axis.number):
         raise Fault(codes.INVALID, f"axis {axis.number} is moving", f"{axis.number}WS waits for it", "moving")
+    if axis.mode == CONTOUR and axis.controlling not in (None, number):
+        raise Fault(
+            codes.ALREADY_ASSIGNED,
+            f"axis {axis.number} is in contour mode under axis {axis.controlling} already",
+            f"{axis.number}PM frees it",
+            "axis",
+        )
     axis.mode, axis.controlling = CONTOUR, number
 
 
