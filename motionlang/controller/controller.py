@@ -294,6 +294,15 @@ class Controller(Core):
         if feedback is not None:
             feedback.settle_within(error, speed, hold, at_target)
 
+    def recall(self, axis: int, quantity: str, times: Sequence[float]) -> list[float]:
+        """What was "actual" (counts), the "output" (volts) and the like of `history.COLUMNS` at rising past times."""
+        a = self.axes[axis]
+        if a.feedback is None:
+            return [a.position(time) if quantity == "actual" else 0.0 for time in times]
+        from motionlang.controller.history import recall
+
+        return recall(a, self.clock.now, quantity, times)
+
     def open_loop(self, axis: int, volts: float) -> None:
         """Give a simulated motor so many volts whatever it does; motion ends, and the demand stands where it is."""
         a = self.axes[axis]

@@ -208,6 +208,16 @@ class Reader:
         return first + len(part) * part.loop.period
 
 
+def recall(a: Axis, until: float, quantity: str, times: Sequence[float]) -> list[float]:
+    """A quantity of `COLUMNS` at rising times, none of them later than `until`."""
+    if not times:
+        return []
+    made = np.empty(len(times))
+    Reader(a, until).fill(quantity, np.asarray(times, dtype=np.float64), made)
+    values: list[float] = made.tolist()
+    return values
+
+
 def part_column(part: ServoTrace, quantity: str) -> Array:
     """The column of a block that shows a quantity."""
     column: Array = getattr(part, COLUMNS[quantity])

@@ -213,7 +213,7 @@ def next_index(controller: Controller, axis: int, direction: int) -> float:
     pitch = a.index_every * a.scale.counts
     if not pitch > 0:
         return math.inf * direction
-    here = a.position(controller.clock.now) - a.datum - a.index_origin
+    here = controller.position(axis) - a.datum - a.index_origin
     step = here / pitch
     mark = math.floor(step + 1e-9) + 1 if direction > 0 else math.ceil(step - 1e-9) - 1
     return mark * pitch + a.index_origin

@@ -52,8 +52,8 @@ class Region:
         self._watches.clear()
 
     def _here(self) -> float:
-        a = self._controller.axes[self.axis]
-        return a.position(self._controller.clock.now) - (a.datum if self.physical else 0.0)
+        datum = self._controller.axes[self.axis].datum if self.physical else 0.0
+        return self._controller.position(self.axis) - datum
 
     def _pass(self, direction: int) -> None:
         """A side was changed: the axis is inside when it is above the low end and below the high one."""

@@ -30,7 +30,7 @@ def record(task: CommandTask, command: Command) -> None:
             task.board.records[axis.number] = (start, min(most, _taken(now - start, most)))
 
 
-def _tell(reading: Callable[[CommandTask, AxisState, float], str]) -> Action:
+def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -> Action:
     def tell(task: CommandTask, command: Command) -> None:
         wanted, now = task.whole(command), task.board.controller.clock.now
         for axis in task.axes(command):
@@ -44,8 +44,9 @@ def _tell(reading: Callable[[CommandTask, AxisState, float], str]) -> Action:
                 continue
             start, most = task.board.records[axis.number]
             taken = _taken(now - start, most)
-            for k in range(min(wanted, taken) if wanted else taken):
-                task.tell(axis.number, reading(task, axis, start + k * PERIOD))
+            count = min(wanted, taken) if wanted else taken
+            for text in reading(task, axis, [start + k * PERIOD for k in range(count)]):
+                task.tell(axis.number, text)
 
     return tell
 
@@ -54,18 +55,22 @@ def _taken(elapsed: float, most: int) -> int:
     return min(most, int(elapsed / PERIOD + 1e-9) + 1)
 
 
-def _optimal(task: CommandTask, axis: AxisState, time: float) -> str:
-    return axis.say(task.board.controller.axes[axis.number].position(time))
+def _optimal(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
+    a = task.board.controller.axes[axis.number]
+    return [axis.say(a.position(time)) for time in times]
 
 
-def _torque(task: CommandTask, axis: AxisState, time: float) -> str:
-    return real(0.0)
+def _actual(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
+    return [axis.say(counts) for counts in task.board.controller.recall(axis.number, "actual", times)]
+
+
+def _torque(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
+    return [real(volts) for volts in task.board.controller.recall(axis.number, "output", times)]
 
 
 ACTIONS: dict[str, Action] = {
     "record": record,
     "tell_recorded_optimal": _tell(_optimal),
-    # Without a simulated motor the actual position is the optimal one.
-    "tell_recorded_actual": _tell(_optimal),
+    "tell_recorded_actual": _tell(_actual),
     "tell_recorded_torque": _tell(_torque),
 }
