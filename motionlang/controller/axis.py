@@ -177,6 +177,11 @@ class Axis:
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
+    @property
+    def limited(self) -> bool:
+        """Whether moves keep a limit of speed or rate, whatever they ask for."""
+        return not self.max_speed == self.max_accel == self.max_decel == INFINITY
+
     def rates(self, speed: float) -> tuple[float, float]:
         """Acceleration and deceleration in force, counts/s²; a time stands for `speed` over time."""
         accel = self.accel if self.accel_time is None else speed / self.accel_time
