@@ -36,6 +36,8 @@ CODES: dict[str, str] = {
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",
     "moving": "The command needs the axis at rest.",
     "contour-and-blend": "Paths are either run through or blended into each other, not both.",
+    "stopping": "The axis is coming to rest and takes no move before it stands.",
+    "buffer-in-use": "The size of a move buffer can only be changed while it is empty and the axis at rest.",
     "buffer-full": "The move buffer has no room, and nothing will ever make room.",
     "never": "The program waits for something that can no longer happen.",
     "not-primed": "The error registers were read before an error was read into them.",

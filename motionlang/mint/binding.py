@@ -106,6 +106,10 @@ def _write_buffer_size(environment: Environment, row: Row) -> Operation:
     def write(axis: int, value: int) -> None:
         row.check(value)
         scale_of(environment, axis)
+        a = environment.controller.axes[axis]
+        if a.move is not None or a.buffer:
+            words = f"the move buffer of axis {axis} is in use"
+            raise Refusal("buffer-in-use", words, f"PAUSE IDLE({axis}) waits until it is empty")
         environment.controller.configure(axis, "buffer_size", value)
 
     return write
@@ -270,6 +274,7 @@ def _load_load_by(environment: Environment, row: Row) -> Operation:
     def by(axis: int, value: float, line: int) -> bool:
         scale = scale_of(environment, axis)
         _finite(row, value)
+        refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
         load(axis, value * scale.counts, row.name, line)
@@ -287,6 +292,7 @@ def _load_load_to(environment: Environment, row: Row) -> Operation:
     def to(axis: int, value: float, line: int) -> bool:
         scale = scale_of(environment, axis)
         _finite(row, value)
+        refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
         load(axis, scale.position_to_counts(value + environment.turn(axis)), row.name, line)
@@ -295,6 +301,13 @@ def _load_load_to(environment: Environment, row: Row) -> Operation:
         return False
 
     return to
+
+
+def refuse_stopping(environment: Environment, axis: int) -> None:
+    """An axis that is coming to rest takes no move: Mint's error 236."""
+    move = environment.controller.axes[axis].move
+    if move is not None and move.ended in ("stop", "fault"):
+        raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it stands")
 
 
 def _finite(row: Row, value: float) -> None:

@@ -20,6 +20,8 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "axis-error": (12, "axis has an error"),
     "moving": (10, "axis is moving"),
     "disabled-axis": (40, "drive disabled"),
+    "buffer-in-use": (142, "move buffer must be empty"),
+    "stopping": (236, "axis stopping, move refused"),
     "contour-and-blend": (158, "contour and blend both on"),
     "buffer-full": (59, "move buffer full"),
     "not-simulated": (17, "not supported here"),

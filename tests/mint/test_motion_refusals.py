@@ -32,6 +32,9 @@ RUN = {
     "ACCELTIMEMAX(0) = 100": "ACCELTIMEMAX needs the highest speed of axis 0",
     "FEEDRATEPARAMETER(0, 3) = 1": "FEEDRATEPARAMETER has no parameter 3",
     "JOG(0) = 5\nWAIT = 10\nINCR(0) = 5": "axis 0 is not on a move to a position",
+    "JOG(0) = 5\nWAIT = 10\nDECEL(0) = 1\nSTOP(0)\nMOVER(0) = 5": "axis 0 is stopping",
+    "JOG(0) = 5\nWAIT = 10\nDECEL(0) = 1\nSTOP(0)\nVECTORR(1, 0) = 5, 5": "axis 0 is stopping",
+    "MOVER(0) = 5\nMOVEBUFFERSIZE(0) = 5": "the move buffer of axis 0 is in use",
     "MOVEOUTX(0, 5000) = 1": "there is no output 5000",
 }
 CHECKED = {

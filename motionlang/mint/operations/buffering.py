@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.watch import Watch, arm
-from motionlang.mint.binding import scale_of
+from motionlang.mint.binding import refuse_stopping, scale_of
 from motionlang.mint.operations.inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.operations.limits import axis_of
 
@@ -138,6 +138,7 @@ def loader(environment: Environment, put: Callable[..., None]) -> Operation:
 
     def load(axis: int, *arguments: float) -> bool:
         scale_of(environment, axis)
+        refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
         put(axis, *arguments)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.binding import scale_of
+from motionlang.mint.binding import refuse_stopping, scale_of
 from motionlang.mint.operations.limits import axis_of
 
 TYPE_CHECKING = False
@@ -25,6 +25,7 @@ def _ready(environment: Environment, row: Row, axes: Sequence[int], values: Sequ
         raise Refusal("values", words, f"it takes {wanted} axes and {count} values")
     for axis in axes:
         scale_of(environment, axis)
+        refuse_stopping(environment, axis)
     return all(environment.controller.room(axis) > 0 for axis in axes)
 
 
