@@ -6,7 +6,7 @@ the texts of the tokens; columns are wanted for messages only, and for them the 
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from itertools import accumulate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,15 +17,14 @@ if TYPE_CHECKING:
 class Places:
     """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
 
-    __slots__ = ("_first", "_lines", "_spans", "_tables", "_texts", "source")
+    __slots__ = ("_lines", "_spans", "_tables", "_texts", "source")
 
     def __init__(self, source: Source, tables: Tables, texts: list[str] | None = None) -> None:
         self.source = source
         self._tables = tables
         self._texts = texts
         self._spans: list[tuple[int, int]] | None = None
-        self._first: list[int] = []  # for every stretch of one line: its first token …
-        self._lines: list[int] = []  # … and its line
+        self._lines: list[int] = []  # the line of each token, and of what follows the last one
 
     @property
     def continues(self) -> bool:
@@ -34,9 +33,9 @@ class Places:
 
     def line(self, at: int) -> int:
         """The line of a token."""
-        if not self._first:
+        if not self._lines:
             self._find_lines()
-        return self._lines[bisect_right(self._first, at) - 1]
+        return self._lines[min(at, len(self._lines) - 1)]
 
     def column(self, at: int) -> int:
         """The column of a token."""
@@ -60,24 +59,15 @@ class Places:
         if texts is None or self.continues:
             self._lines_from_spans()
             return
-        line = 1
-        self._first, self._lines = [0], [1]
-        for at, text in enumerate(texts, 1):
-            if "\n" in text:
-                line += text.count("\n")
-                self._first.append(at)
-                self._lines.append(line)
+        ends = {text: text.count("\n") for text in set(texts)}
+        self._lines = list(accumulate(map(ends.__getitem__, texts), initial=1))
 
     def _lines_from_spans(self) -> None:
         """Lines that go on in the next one end inside no token, so the offsets have to tell."""
         self.span(0)
         text, line, before = self.source.text, 1, 0
-        for at, (start, _) in enumerate(self._spans or ()):
-            ends = text.count("\n", before, start)
-            if ends or at == 0:
-                line += ends
-                self._first.append(at)
-                self._lines.append(line)
+        for start, _ in self._spans or ():
+            line += text.count("\n", before, start)
+            self._lines.append(line)
             before = start
-        if not self._first:
-            self._first, self._lines = [0], [1]
+        self._lines.append(line)

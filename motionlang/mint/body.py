@@ -8,7 +8,7 @@ What takes note of time runs at `u = t + dN`, after everything that is due until
 from __future__ import annotations
 
 from motionlang.mint import ranges
-from motionlang.mint.symbols import FLOAT, INTEGER, TIME, Function, Symbol
+from motionlang.mint.symbols import INTEGER, NUMERIC, Function, Symbol
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class Value:
 
     @property
     def is_number(self) -> bool:
-        return self.type in (INTEGER, FLOAT, TIME)
+        return self.type in NUMERIC
 
 
 class Whole:
@@ -46,6 +46,7 @@ class Whole:
     """
 
     __slots__ = (
+        "_operations",
         "axes",
         "costs",
         "guarded",
@@ -65,6 +66,7 @@ class Whole:
         self.typed, self.suffix = names.typed, suffix
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
+        self._operations: dict[tuple[str, Keyword], str] = {}
         self.costs: set[int] = set()
         self.parts = 0  # how many parts there are
         self.line = problems.line
@@ -81,7 +83,11 @@ class Whole:
 
     def operation(self, how: str, row: Keyword) -> str:
         """The name of a keyword's operation: "read", "write", "load" or "do"."""
-        return self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high)
+        name = self._operations.get((how, row))
+        if name is None:
+            name = self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high)
+            self._operations[how, row] = name
+        return name
 
 
 class Body:
@@ -104,6 +110,7 @@ class Body:
         "polls",
         "scope",
         "temps",
+        "values",
         "waits",
         "whole",
     )
@@ -122,6 +129,8 @@ class Body:
         self.polls: list[Poll | None] = []
         self.facts: dict[int, ranges.Range] = {}
         self.analysed: set[Symbol] = set()
+        # Variables that are the same wherever they are read, by their spelling.
+        self.values: dict[str, Value] = {}
         # Of the statement being written: does it take note of time, does it call a sub that may wait?
         self.observes = self.calls = False
         # Of the function so far: was `t` used as an absolute time; does it hold a `yield`?
@@ -174,8 +183,7 @@ class Body:
         self.noted = self.waits = True
         if self.pending:
             cost = self.cost(self.pending)
-            self.emit(f"u = t + {cost}")
-            self.emit(f"if u >= H: u, H = yield u; t = u - {cost}{self.interrupted()}")
+            self.emit(f"if (u := t + {cost}) >= H: u, H = yield u; t = u - {cost}{self.interrupted()}")
         else:
             self.horizon()
         if tell:

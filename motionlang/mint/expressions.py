@@ -18,18 +18,23 @@ if TYPE_CHECKING:
     from motionlang.mint.body import Body
 
 _COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+_SAME = frozenset((INTEGER, FLOAT, STRING))
+_ARITHMETIC = frozenset("+-*")
 _BITS = {"&": "&", "|": "|", "Xor": "^"}
 _NOTHING = Value("0", FLOAT, ranges.ANY)
+# Numbers that have occurred, by class and value; so many are kept.
+_LITERALS: dict[tuple[type, float], Value] = {}
+MOST_LITERALS = 20_000
 
 
 def value(b: Body, node: nodes.Expr) -> Value:
     """The value of any expression; a mistake is noted and something harmless returned."""
-    return _VALUES[type(node)](b, node)
+    return _VALUES[node.__class__](b, node)
 
 
 def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
     """The value of an expression that must be a number."""
-    found = value(b, node)
+    found = _VALUES[node.__class__](b, node)
     if found.type not in NUMERIC:
         b.problem("type", f"{what} is needed here, not {article(found.type)}", node)
         return _NOTHING
@@ -49,6 +54,16 @@ def literal(known: float | str) -> Value:
     """A value that is known beforehand."""
     if isinstance(known, str):
         return Value(repr(known), STRING, ranges.ANY, known)
+    key = known.__class__, known
+    found = _LITERALS.get(key)
+    if found is None:
+        found = _literal(known)
+        if known and len(_LITERALS) < MOST_LITERALS:  # two zeros are equal and not the same
+            _LITERALS[key] = found
+    return found
+
+
+def _literal(known: float) -> Value:
     kind = INTEGER if type(known) is int and ranges.INT_LOW <= known <= ranges.INT_HIGH else FLOAT
     if isnan(known) or known in (ranges.INFINITY, -ranges.INFINITY):
         return Value(f"float('{known}')", FLOAT)
@@ -122,6 +137,10 @@ def _string(b: Body, node: nodes.String) -> Value:
 
 
 def _name(b: Body, node: nodes.Name) -> Value:
+    if node.args is None:
+        found = b.values.get(node.name)
+        if found is not None:
+            return found
     symbol = b.scope.find(node.name)
     result = b.function.result
     if result is not None and node.args is None and result.name.lower() == node.name.lower():
@@ -137,7 +156,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
 
             return call(b, node, symbol, wanted=True)
         if symbol.kind in ("variable", "parameter"):
-            return load(b, node, symbol)
+            return _remembered(b, node, symbol)
         b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
         return _NOTHING
     row = b.whole.table.get(node.name)
@@ -147,6 +166,14 @@ def _name(b: Body, node: nodes.Name) -> Value:
     from motionlang.mint.keyword_use import read
 
     return read(b, node, row)
+
+
+def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
+    """The value of a variable; of one that is the same wherever it stands it is made once."""
+    found = load(b, node, symbol)
+    if node.args is None and symbol.type.name in _SAME and not symbol.is_array and symbol not in b.analysed:
+        b.values[node.name] = found
+    return found
 
 
 def unknown(b: Body, node: nodes.Name) -> None:
@@ -292,31 +319,35 @@ def _unary(b: Body, node: nodes.Unary) -> Value:
 
 def _binary(b: Body, node: nodes.Binary) -> Value:
     op = node.op
-    if op in ("And", "Or"):
-        left, right = condition(b, node.left), condition(b, node.right)
-        return Value(f"(1 if {left} {op.lower()} {right} else 0)", INTEGER, ranges.BOOL)
-    left_value, right_value = value(b, node.left), value(b, node.right)
-    if STRING in (left_value.type, right_value.type):
-        return _text(b, node, left_value, right_value)
-    for side, found in ((node.left, left_value), (node.right, right_value)):
-        if not found.is_number:
-            b.problem("type", f"{op} needs numbers, not {article(found.type)}", side)
-            return _NOTHING
-    if left_value.const is not None and right_value.const is not None:
-        known = fold_binary(op, left_value.const, right_value.const)
+    if op == "And" or op == "Or":  # noqa: PLR1714 - quicker
+        return Value(f"(1 if {condition(b, node)} else 0)", INTEGER, ranges.BOOL)
+    left_node, right_node = node.left, node.right
+    left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)
+    if left.type not in NUMERIC or right.type not in NUMERIC:
+        return _other_than_numbers(b, node, left, right)
+    if left.const is not None and right.const is not None:
+        known = fold_binary(op, left.const, right.const)
         if known is not None:
             return literal(known)
-        if op in ("/", "\\", "Mod") and right_value.const == 0:
+        if op in ("/", "\\", "Mod") and right.const == 0:
             b.problem(
                 "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
             )
             return _NOTHING
-    return _operate(b, op, left_value, right_value)
+    if op in _ARITHMETIC:
+        return arithmetic(b, op, left, right)
+    return _operate(b, op, left, right)
+
+
+def _other_than_numbers(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    if STRING in (left.type, right.type):
+        return _text(b, node, left, right)
+    side, found = (node.right, right) if left.is_number else (node.left, left)
+    b.problem("type", f"{node.op} needs numbers, not {article(found.type)}", side)
+    return _NOTHING
 
 
 def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
-    if op in ("+", "-", "*"):
-        return arithmetic(b, op, left, right)
     if op in _COMPARISONS:
         return Value(f"({left.text} {_COMPARISONS[op]} {right.text})", INTEGER, ranges.BOOL)
     if op == "/":
@@ -338,7 +369,9 @@ def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
 
 def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
     """`left op right` for + - *, with a check where the result may not fit."""
-    integer = FLOAT not in (left.type, right.type)
+    integer = left.type != FLOAT != right.type
+    if left.range[2] == "f" or right.range[2] == "f":
+        return Value(f"({left.text} {op} {right.text})", INTEGER if integer else FLOAT)
     known, how = ranges.arithmetic(op, integer, left.range, right.range)
     kind = INTEGER if integer else FLOAT
     if how == ranges.COERCED:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 # Units of keywords whose values are whole numbers; "text" is a String, every other one a Float.
 WHOLE = frozenset(("bool", "bits", "integer", "ms", "counts"))
+_OTHERS = WHOLE | {"text"}
 _NOTHING = Value("0", FLOAT, ranges.ANY)
 
 
@@ -143,11 +144,14 @@ def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
 def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     """The texts of what stands in a keyword's brackets: its axes, channels, or nothing."""
     args = node.args
-    if row.index == "none":
+    kind = row.index
+    if args and len(args) == 1 and kind in _ONE:
+        return [_index(b, args[0], kind)]
+    if kind == "none":
         if args:
             b.problem("values", f"{row.name} takes nothing in brackets", node)
         return []
-    names = row.index.split(", ")
+    names = kind.split(", ")
     if names[-1] == "array":
         from motionlang.mint.path_use import with_arrays
 
@@ -166,7 +170,13 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]
 
 
+# What can stand alone in brackets.
+_ONE = frozenset(("axis", "axes", "channel"))
+
+
 def _index(b: Body, node: nodes.Expr, kind: str) -> str:
+    if node.__class__ is nodes.Number and node.value in b.whole.axes and node.value.__class__ is int:
+        return str(node.value)
     if kind == "task":
         return _task(b, node)
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
@@ -289,6 +299,8 @@ def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] 
 
 def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
     found = value(b, node)
+    if found.type == FLOAT and found.const is None and found.range[2] == "f" and row.unit not in _OTHERS:
+        return found.text
     if row.unit == "text":
         if found.type != STRING:
             b.problem("type", f"{row.name} takes a text, not a number", node)

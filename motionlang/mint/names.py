@@ -48,7 +48,8 @@ class Names:
         # Whether AXES says which axes a keyword without brackets means.
         self.uses_axes = self.typed
         self._surveys: dict[Function, Survey] = {}
-        self._taken: set[str] = {s.python for s in self.module.names.values()}
+        # Names in Python, with the number of the last one that was made of each.
+        self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
 
     # ------------------------------------------------------------------------------------- declarations
 
@@ -226,11 +227,12 @@ class Names:
 
     def _python(self, prefix: str, name: str) -> str:
         spelling = wanted = prefix + name.lower()
-        number = 1
+        number = self._taken.get(wanted, 0)
         while spelling in self._taken:
             number += 1
-            spelling = f"{wanted}_{number}"
-        self._taken.add(spelling)
+            spelling = f"{wanted}_{number + 1}"
+        self._taken[wanted] = number
+        self._taken.setdefault(spelling, 0)
         return spelling
 
     # ---------------------------------------------------------------------------------------------- uses

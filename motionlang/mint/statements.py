@@ -87,7 +87,7 @@ def _assign(b: Body, node: nodes.Assign) -> None:
                 return
             symbol = b.scope.find(target.name)
         result = b.function.result
-        if result is not None and target.name.lower() == result.name.lower() and target.args is None:
+        if result is not None and target.args is None and target.name.lower() == result.name.lower():
             b.use_outside(result)
             _give(b, node, result.python, result.type, result)
             return
@@ -113,11 +113,8 @@ def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
 
 def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
     text, kind, scalar = place(b, target)
-    if type(target) is nodes.Name:
-        symbol = b.scope.find(target.name)
-        assert symbol is not None
-        if not (symbol.is_array or symbol.boxed or symbol.by_ref):
-            b.use_outside(symbol)
+    if scalar is not None and not (scalar.boxed or scalar.by_ref):
+        b.use_outside(scalar)
     _give(b, node, text, kind, scalar)
 
 
