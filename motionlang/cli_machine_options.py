@@ -18,7 +18,7 @@ def add_machine(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--machine",
         metavar="M.toml",
-        help="the machine the program is to run on; without it run takes pick.machine.toml beside pick.mnt, if there "
+        help="the machine the program is to run on; without it pick.machine.toml beside pick.mnt, if there "
         "is one",
     )
     parser.add_argument(

@@ -13,6 +13,7 @@ from motionlang.cli_parser import Parser, add_command
 from motionlang.cli_run import Options
 from motionlang.cli_run_options import add_run
 from motionlang.errors import nearest
+from motionlang.execution import machine_beside
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -166,8 +167,8 @@ def _repl(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int
     overrides: dict[str, float | str] = {}
     set_values(arguments.set, settings, overrides, parser)
     options = Options(arguments.machine or "")
-    options.machine = arguments.machine
-    if arguments.machine is not None:
+    options.machine = arguments.machine or (machine_beside(arguments.file) if arguments.file else None)
+    if options.machine is not None:
         status = read_machine_file(options, settings)
         if status:
             return status

@@ -1,0 +1,63 @@
+"""`pick.machine.toml` beside `pick.mnt` is the program's machine, for every command and for Python."""
+
+from __future__ import annotations
+
+import io
+import sys
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.errors import ProgramError
+from tests.cli.programs import Cell
+
+WAITS = "PAUSE INX(3)\nPRINT TIME\n"
+ORDERS = "Loop\n  PAUSE INX(3)\n  PRINT TIME\n  PAUSE Not INX(3)\nEnd Loop\n"
+PULSE = "[[input]]\nchannel = 3\nat = 0.25\nfor = 0.1\n"
+
+
+def test_run_takes_it(cell: Cell) -> None:
+    cell.write("pick.mnt", WAITS)
+    cell.write("pick.machine.toml", PULSE)
+    assert cell("run", "pick.mnt", "--report", "none").out == "250\n"
+    assert cell("run", "pick.mnt", "--report", "none").out == "250\n"  # from the cache, too
+
+
+def test_a_machine_that_is_given_takes_its_place(cell: Cell) -> None:
+    cell.write("pick.mnt", WAITS)
+    cell.write("pick.machine.toml", PULSE)
+    cell.write("late.toml", PULSE.replace("0.25", "0.5"))
+    assert cell("run", "pick.mnt", "--machine", "late.toml", "--report", "none").out == "500\n"
+
+
+def test_python_takes_it(tmp_path: Path) -> None:
+    program = tmp_path / "pick.mnt"
+    program.write_text(WAITS)
+    (tmp_path / "pick.machine.toml").write_text(PULSE)
+    assert run(program).output == ["250"]
+    assert run(program, machine={}, until=1.0).diagnostics[0].code == "never"
+    (tmp_path / "pick.machine.toml").write_text("axis.0.travle = 1\n")
+    with pytest.raises(ProgramError, match="travle"):
+        run(program)
+
+
+def test_the_prompt_takes_it(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    cell.write("pick.mnt", WAITS)
+    cell.write("pick.machine.toml", PULSE)
+    monkeypatch.setattr(sys, "stdin", io.StringIO("PRINT 7\n"))
+    assert cell("repl", "pick.mnt").out.split() == ["250", "7"]
+
+
+def test_the_scenario_has_an_end(cell: Cell) -> None:
+    """A program that waits for its next order when the scenario is over has made no mistake."""
+    cell.write("orders.mnt", ORDERS)
+    cell.write("orders.machine.toml", PULSE)
+    ran = cell("run", "orders.mnt", "--report", "none")
+    assert (ran.status, ran.out) == (1, "250\n")
+    assert "error[never]: the program waits until INX(3), and nothing can end the wait" in ran.err
+    cell.write("orders.machine.toml", f"run.until = 2.0\n{PULSE}")
+    ran = cell("run", "orders.mnt")
+    assert (ran.status, ran.err) == (0, "")
+    assert "still running at 2 s" in ran.out
+    assert "line 2: the program waits" in ran.out
