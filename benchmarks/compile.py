@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from motionlang.mint.runtime import MintProgram
 
-ROUNDS = 7
+ROUNDS = 11
 LINES = (10_000, 40_000)
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from motionlang.mint.parts import Part
     from motionlang.mint.polling import Poll
     from motionlang.mint.problems import Problems
+    from motionlang.mint.symbols import Type
 
 Spec = tuple[object, ...]
 Line = tuple[str, int]
@@ -109,6 +110,7 @@ class Body:
         "pending",
         "polls",
         "scope",
+        "targets",
         "temps",
         "values",
         "waits",
@@ -131,6 +133,8 @@ class Body:
         self.analysed: set[Symbol] = set()
         # Variables that are the same wherever they are read, by their spelling.
         self.values: dict[str, Value] = {}
+        # Variables that were given a value, by their spelling.
+        self.targets: dict[str, tuple[str, Type, Symbol]] = {}
         # Of the statement being written: does it take note of time, does it call a sub that may wait?
         self.observes = self.calls = False
         # Of the function so far: was `t` used as an absolute time; does it hold a `yield`?

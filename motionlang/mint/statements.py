@@ -78,6 +78,9 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
 
 def _assign(b: Body, node: nodes.Assign) -> None:
     target: nodes.Expr = node.target
+    if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:  # type: ignore[union-attr]
+        _give(b, node, *b.targets[target.name])  # type: ignore[union-attr]
+        return
     if type(target) is nodes.Name:
         symbol = b.scope.find(target.name)
         while symbol is not None and symbol.kind == "define" and target.args is None:
@@ -113,8 +116,11 @@ def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
 
 def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
     text, kind, scalar = place(b, target)
-    if scalar is not None and not (scalar.boxed or scalar.by_ref):
-        b.use_outside(scalar)
+    if scalar is not None:
+        if not (scalar.boxed or scalar.by_ref):
+            b.use_outside(scalar)
+        if type(target) is nodes.Name and target.args is None:
+            b.targets[target.name] = text, kind, scalar
     _give(b, node, text, kind, scalar)
 
 
