@@ -28,6 +28,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "axis.N.home_switch": ("pair", "From where to where the home switch is active, in user units."),
     "axis.N.home_input": ("channel", "The input that shows the home switch."),
     "axis.N.index_every": ("positive", "The distance between index marks of the encoder, in user units."),
+    "axis.N.motor": ("motor", "servo or stepper: on a MultiFlex a stepper has other settings at power-up."),
     "axis.N.start": (
         "number",
         "Where the machine stands at power-up, measured from its own zero, in user units.",
@@ -118,6 +119,7 @@ REQUIRED = {
     "netdata": ("element",),
 }
 VIEWS = ("integer", "float")
+MOTORS = ("servo", "stepper")
 FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit")
 
 
@@ -242,6 +244,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
         "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
         "view": (value in VIEWS, f"must be one of {', '.join(VIEWS)}"),
+        "motor": (value in MOTORS, f"must be {' or '.join(MOTORS)}"),
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }
     fits, words = tests[kind]

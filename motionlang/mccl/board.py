@@ -103,6 +103,10 @@ class Board:
         controller.clear_faults(number)
         for name, value in AXIS_SETTINGS.items():
             controller.configure(number, name, value)
+        if self.machine.settings.get(f"axis.{number}.motor") == "stepper":
+            speed, accel, axis.minimum = self.model.stepper
+            for name, value in (("speed", speed), ("accel", accel), ("decel", accel)):
+                controller.configure(number, name, value)
         axis.apply_units()
         controller.set_scale(number, 1.0)
         motor.power_up(self, axis)

@@ -7,7 +7,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.decode import problem
 from motionlang.mccl.line import Line, lines_of
-from motionlang.mccl.models import DEFAULT, MODELS
+from motionlang.mccl.models import DEFAULT, MODELS, missing
 from motionlang.mccl.program import locate
 
 TYPE_CHECKING = False
@@ -54,7 +54,7 @@ def _lint(source: Source, lines: list[Line]) -> list[Diagnostic]:
 
 def _line(source: Source, line: Line, model: Model) -> Iterator[Diagnostic]:
     for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
-        fault = problem(command) or _wrong_here(line, k, command, model) or _unknown_to(model, command)
+        fault = _unknown_to(model, command) or problem(command) or _wrong_here(line, k, command, model)
         if fault is not None:
             yield _diagnostic(source, at, fault)
         elif command.row is not None and not command.row.simulated:
@@ -64,16 +64,7 @@ def _line(source: Source, line: Line, model: Model) -> Iterator[Diagnostic]:
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
     """What this board does not have."""
-    assert command.row is not None
-    missing = {
-        "shape_scurve": not model.shapes,
-        "shape_parabolic": not model.shapes,
-        "start_task": not model.tasks,
-        "decel": not model.separate_decel,
-    }
-    if not missing.get(command.row.verb):
-        return None
-    return Fault(codes.INVALID, f"the {model.title} has no {command.name}", command.row.help, "model")
+    return missing(model, command.name) if command.name in model.lacks else None
 
 
 def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:

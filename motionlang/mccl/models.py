@@ -5,20 +5,36 @@ Facts are those of docs/fidelity.md; where nothing is known, an older board beha
 
 from __future__ import annotations
 
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+
+# What boards lack, by family of commands. MCAPI has a flag for each family; which board is without what is remembered,
+# or inferred from the LM628 chip of the basic modules, which has one profile, one rate and no feed-forward.
+_PROFILES = ("PS", "PP")
+_RAMPS = ("DS",)
+_RATES = ("HS", "MS", "LS")
+_FEED_FORWARD = ("VG", "AG", "DG")
+_OUTPUT_CONTROL = ("OB", "OO")
+_TASKS = ("GT", "ET")
+_SCALES = ("US", "UR", "UT", "UK", "UO", "UZ")
+_CONTOURS = ("CM", "CP", "CA", "CR", "EA", "ER", "RR", "CD", "TX", "CX", "VV", "VA", "VD", "VO", "SN", "NS")
+_BASIC = (*_PROFILES, *_RAMPS, *_RATES, *_FEED_FORWARD, *_OUTPUT_CONTROL)
+
 
 class Model:
     """One board.
 
     `prompt`, `echo` and `line_end` are how it talks; `rounds` whether parameters become whole counts before a scale
-    is set; `separate_decel` whether DS is its own setting; `shapes` whether PS and PP exist; `tasks` whether GT does;
-    `macros` the highest macro number; `registers` how many there are; `words` whether TS has its four status words;
-    `at_target` whether status bit 2 means that; `outputs` the channels that are outputs at power-up;
-    `whole_gains` whether gains are integers; `update` the servo period in seconds.
+    is set; `lacks` the commands that it has not; `macros` the highest macro number; `registers` how many there are;
+    `words` whether TS has its four status words; `at_target` whether status bit 2 means that; `outputs` the channels
+    that are outputs at power-up; `whole_gains` whether gains are integers; `update` the servo period in seconds;
+    `stepper` velocity, acceleration and minimum velocity of a stepper at power-up.
     """
 
     __slots__ = (
         "at_target",
         "echo",
+        "lacks",
         "line_end",
         "macros",
         "name",
@@ -26,9 +42,7 @@ class Model:
         "prompt",
         "registers",
         "rounds",
-        "separate_decel",
-        "shapes",
-        "tasks",
+        "stepper",
         "title",
         "update",
         "whole_gains",
@@ -44,9 +58,7 @@ class Model:
         echo: bool = True,
         line_end: str = "\n",
         rounds: bool = True,
-        separate_decel: bool = True,
-        shapes: bool = True,
-        tasks: bool = True,
+        lacks: tuple[str, ...] = (),
         macros: int = 1000,
         registers: int = 256,
         words: bool = True,
@@ -54,24 +66,37 @@ class Model:
         outputs: range = range(9, 17),
         whole_gains: bool = False,
         update: float = 0.00025,
+        stepper: tuple[float, float, float] = (40_000.0, 100_000.0, 0.0),
     ) -> None:
         self.name, self.title, self.prompt, self.echo, self.line_end = name, title, prompt, echo, line_end
-        self.rounds, self.separate_decel, self.shapes, self.tasks = rounds, separate_decel, shapes, tasks
+        self.rounds, self.lacks = rounds, frozenset(lacks)
         self.macros, self.registers, self.words = macros, registers, words
         self.whole_gains, self.update = whole_gains, update
-        self.at_target, self.outputs = at_target, outputs
+        self.at_target, self.outputs, self.stepper = at_target, outputs, stepper
+
+    @property
+    def separate_decel(self) -> bool:
+        """Whether DS is a setting of its own; without it SA sets both."""
+        return "DS" not in self.lacks
 
 
 _MODELS = (
-    Model("multiflex", "MultiFlex PCI 1000 series", outputs=range(33, 49)),
-    Model("dcx-pci300", "DCX-PCI300, DSP based modular controller", words=False, update=0.00025),
-    Model("dcx-pci100", "DCX-PCI100 modular controller", shapes=False, separate_decel=False, words=False,
-          at_target=False, whole_gains=True, update=0.000341),
+    Model("multiflex", "MultiFlex PCI 1000 series", outputs=range(33, 49), stepper=(10_000.0, 10_000.0, 1000.0)),
+    Model("dcx-pci300", "DCX-PCI300, DSP based modular controller", words=False, lacks=_OUTPUT_CONTROL),
+    Model("dcx-pci100", "DCX-PCI100 modular controller", words=False, at_target=False, whole_gains=True,
+          lacks=_BASIC, update=0.000341),
     Model("dcx-at200", "DCX-AT200 advanced modular controller", line_end="\r", words=False,
-          at_target=False, update=0.001),
-    Model("dcx-pc100", "DCX-PC100 modular controller", prompt="", echo=False, line_end="\r", shapes=False,
-          separate_decel=False, tasks=False, macros=255, words=False, at_target=False, whole_gains=True, update=0.001),
+          at_target=False, lacks=_OUTPUT_CONTROL, update=0.001),
+    Model("dcx-pc100", "DCX-PC100 modular controller", prompt="", echo=False, line_end="\r", macros=255, words=False,
+          at_target=False, whole_gains=True, lacks=(*_BASIC, *_TASKS, *_SCALES, *_CONTOURS), update=0.001),
 )  # fmt: skip
 
 MODELS: dict[str, Model] = {model.name: model for model in _MODELS}
 DEFAULT = "multiflex"
+
+
+def missing(model: Model, name: str) -> Fault:
+    """The answer of a board to a command that it has not."""
+    have = [each.name for each in _MODELS if name not in each.lacks]
+    hint = f"{', '.join(have)} {'has' if len(have) == 1 else 'have'} it: controller.model in the machine file"
+    return Fault(codes.INVALID, f"the {model.title} has no {name}", hint, "model")

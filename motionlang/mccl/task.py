@@ -11,6 +11,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.command import NONE, REGISTER, TEXT
 from motionlang.mccl.decode import checked
+from motionlang.mccl.models import missing
 from motionlang.mccl.path import DESCRIBES
 from motionlang.mccl.poll import Poll
 
@@ -50,6 +51,7 @@ class CommandTask(Task):
         "cost",
         "count",
         "here",
+        "lacks",
         "line",
         "paid",
         "path_open",
@@ -65,6 +67,7 @@ class CommandTask(Task):
         super().__init__(name)
         self.board = board
         self.cost = board.cost
+        self.lacks = board.model.lacks
         self.write = board.write
         self.registers: list[float | int] = [0] * PRIVATE
         self.line: Line | None = None
@@ -273,6 +276,8 @@ class CommandTask(Task):
         try:
             if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
                 self.close_path()
+            if command.name in self.lacks:
+                raise missing(self.board.model, command.name)
             return command.action(self, command)
         except (Fault, Refusal) as trouble:
             self._refused(trouble)

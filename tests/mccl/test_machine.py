@@ -135,24 +135,6 @@ def test_a_wait_that_no_input_can_end(mccl: Runner) -> None:
     assert result.diagnostics[0].line == 2
 
 
-@pytest.mark.parametrize(
-    ("model", "text", "reply"),
-    [
-        ("multiflex", "1PS,1TS1", ["01 1"]),
-        ("dcx-pci300", "1TS1", ["?-1"]),
-        ("dcx-pci100", "1PS", ["?-2"]),
-        ("dcx-pci100", "1DS5", ["?-2"]),
-        ("dcx-pc100", "MD1,WA1\nGT1", ["?-2"]),
-        ("dcx-pc100", "MD256,WA1", ["?-5"]),
-        ("dcx-pci100", "1SG2210.6,1TG", ["01 2211"]),
-        ("multiflex", "1SG0.01,1TG", ["01 0.010000"]),
-        ("dcx-at200", "1VM,1TS", ["01 12"]),
-    ],
-)
-def test_models_differ(model: str, text: str, reply: list[str], mccl: Runner) -> None:
-    assert mccl(text, machine={"controller.model": model}).output == reply
-
-
 def test_an_unknown_model(mccl: Runner) -> None:
     result = mccl("1TP", machine={"controller.model": "mintmt"})
     assert [each.code for each in result.diagnostics] == ["machine-file"]

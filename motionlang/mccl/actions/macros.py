@@ -52,8 +52,6 @@ def leave(task: CommandTask, command: Command) -> None:
 def start_task(task: CommandTask, command: Command) -> None:
     """A background task with registers 0 to 9 of its own; its number comes into the accumulator."""
     board = task.board
-    if not board.model.tasks:
-        raise Fault(codes.INVALID, f"the {board.model.title} has no background tasks", kind="not-simulated")
     macro = _macro(task, command)
     if len(board.background) >= MOST_TASKS:
         raise Fault(

@@ -46,7 +46,8 @@ def tell_version(task: CommandTask, command: Command) -> None:
 
 def tell_help(task: CommandTask, command: Command) -> None:
     for row in TABLE:
-        task.reply(f"{row.name} {row.help}")
+        if row.name not in task.lacks:
+            task.reply(f"{row.name} {row.help}")
 
 
 ACTIONS: dict[str, Action] = {

@@ -21,7 +21,6 @@ def accel(task: CommandTask, command: Command) -> None:
 
 
 def decel(task: CommandTask, command: Command) -> None:
-    _only_where(task, command, task.board.model.separate_decel)
     _configure(task, command, "decel", "uu/s2")
 
 
@@ -43,13 +42,11 @@ def shape_trapezoid(task: CommandTask, command: Command) -> None:
 
 
 def shape_parabolic(task: CommandTask, command: Command) -> None:
-    _only_where(task, command, task.board.model.shapes)
     _shape(task, command, "parabolic")
 
 
 def shape_scurve(task: CommandTask, command: Command) -> None:
     """Without a number the sinusoidal S-curve, with n the one of ramp ratio n (TN1069: 0 < n < 0.5)."""
-    _only_where(task, command, task.board.model.shapes)
     ramp = float(task.value(command))
     if ramp == 0.0:
         _shape(task, command, "sinusoidal")
@@ -89,17 +86,6 @@ def _configure(task: CommandTask, command: Command, name: str, unit: str) -> lis
 def _shape(task: CommandTask, command: Command, shape: str) -> None:
     for axis in task.axes(command):
         task.board.controller.configure(axis.number, "shape", shape)
-
-
-def _only_where(task: CommandTask, command: Command, there: bool) -> None:
-    if not there:
-        title = task.board.model.title
-        raise Fault(
-            codes.INVALID,
-            f"the {title} has no {command.name}",
-            "another model in the machine file has",
-            "not-simulated",
-        )
 
 
 ACTIONS: dict[str, Action] = {
