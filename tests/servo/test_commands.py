@@ -126,7 +126,7 @@ def test_every_picture_is_drawn(
         (("step", "--plant", "inertia"), 2, "'inertia' is not NAME=VALUE"),
         (("step", "--mint", "KPROP=1", "--mccl", "SG=1"), 2, "gains are Mint's or MCCL's, not both"),
         (("step", "--loop", "proportional=nan"), 2, "proportional must be a finite number"),
-        (("figure", "12.12"), 2, "invalid choice"),
+        (("figure", "12.12"), 2, "is not one of"),
         (("run", "missing.mnt"), 1, "missing.mnt: No such file or directory"),
         (("step", "--machine", "missing.toml"), 1, "missing.toml: No such file or directory"),
     ],

@@ -8,7 +8,7 @@ loop interpolates between the points in straight lines (TN1069).
 from __future__ import annotations
 
 from bisect import bisect_right
-from math import ceil
+from math import floor
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -82,12 +82,15 @@ class Generator:
         return self.offsets[profile]
 
     def shifts(self, first: int, until: int, rate: float) -> list[tuple[int, float]]:
-        """The samples from `first` to `until` (not included) at which the offset changes, and what it is then."""
+        """The samples from `first` to `until` (not included) at which the offset changes, and what it is then.
+
+        A sample at the very moment of a change comes before it.
+        """
         starts = self.track.starts
-        now = max(bisect_right(starts, (first + _AT_ONCE) / rate) - 1, 0)
+        now = max(bisect_right(starts, (first - _AT_ONCE) / rate) - 1, 0)
         found = [(first, self.offset(now))]
         for k in range(now + 1, len(starts)):
-            sample = ceil(starts[k] * rate - _AT_ONCE)
+            sample = floor(starts[k] * rate + _AT_ONCE) + 1
             if sample >= until:
                 break
             if self.offset(k) != found[-1][1]:
