@@ -10,7 +10,7 @@ import sys
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.cli_servo_input import loop_of, pairs, plant_of
+from motionlang.cli_servo_input import loop_of, machine_of, pairs, plant_of
 from motionlang.cli_servo_options import (
     SECONDS,
     compare_options,
@@ -231,20 +231,24 @@ def listing(args: argparse.Namespace) -> int:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Run a program and send what its axes were told to do through a servo and a motor."""
+    """Run a program on its machine and show what the motors made of it: the machine's own, or those of the options."""
     from motionlang import run as run_program
+    from motionlang.controller.history import servo_trace
     from motionlang.controller.servo import simulate
     from motionlang.views import servo as view
 
-    result = run_program(args.file, dialect=args.dialect, until=args.until)
+    settings = machine_of(args)
+    result = run_program(args.file, dialect=args.dialect, until=args.until, machine=settings)
     if any(found.severity == "error" for found in result.diagnostics):
         return _complain("run", f"{args.file} does not run: {result.diagnostics[0].message}", WRONG)
     rows = []
     for args.axis, axis in result.controller.axes.items():
         if len(axis.starts) > 1:
-            plant = plant_of(args)
-            loop = loop_of(args, plant, axis.scale.counts)
-            trace = simulate(axis, loop, plant, until=min(result.time + args.rest, args.until))
+            end = min(result.time + args.rest, args.until)
+            trace = servo_trace(axis, end)
+            if trace is None:
+                plant = plant_of(args)
+                trace = simulate(axis, loop_of(args, plant, axis.scale.counts), plant, until=end)
             rows.append((args.axis, trace, trace.settled_at(args.window, axis.end_of_motion())))
     if args.report == "json":
         _print_json({"axes": [view.run_figures(*row) for row in rows], "time": result.time})

@@ -94,6 +94,29 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
     return replace(tuned, **kept)
 
 
+def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
+    """The settings of --machine, or of the machine file beside the program; without motors where options describe one.
+
+    None where there is no file. ValueError names what is wrong in it.
+    """
+    from motionlang.errors import ProgramError
+    from motionlang.execution import machine_beside
+    from motionlang.lang.machine_file import read_machine
+    from motionlang.source import Source
+
+    path = args.machine or machine_beside(args.file)
+    if path is None:
+        return None
+    try:
+        settings = read_machine(Source.read(path))
+    except ProgramError as error:
+        first = error.diagnostics[0]
+        raise ValueError(f"{path}:{first.line}: {first.message}; {first.hint}") from None
+    if args.plant or args.loop or args.mint or args.mccl or args.bandwidth:
+        return {key: value for key, value in settings.items() if ".plant." not in key}
+    return settings
+
+
 def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
     """NAME=VALUE texts as values of the kinds that the keys ask for."""
     found: dict[str, object] = {}
