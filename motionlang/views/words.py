@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 _OUTCOMES = {
     "ended": "ended after {}",
-    "until": "still running at {}, where --until ended it",
+    "until": "still running at {}, where its time was up",
     "fault": "stopped by an error at {}",
     "interrupted": "interrupted at {}",
     "open": "{} so far",  # a session, which has no end before its user leaves

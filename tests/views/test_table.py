@@ -29,7 +29,7 @@ axis  position  counts      scale  feedback  state
 """
 
 PICK = """\
-pick.mnt · Mint · still running at 3 s, where --until ended it · 5 moves
+pick.mnt · Mint · still running at 3 s, where its time was up · 5 moves
 
 axis  command  line  profile     start      time      from         to   distance      peak  ended by
                                      s         s        uu         uu         uu      uu/s
