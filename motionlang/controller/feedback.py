@@ -41,6 +41,8 @@ SHORT, LONG = 64, 0.5
 # What two blocks of a motor at rest may differ by: counts, and volts.
 _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 _NEVER = 1 << 62
+# Counts: an error below this is none.
+_ROUNDING = 1e-9
 
 
 class Feedback:
@@ -125,7 +127,8 @@ class Feedback:
     @property
     def error(self) -> float:
         """Following error: demand minus measured position, counts."""
-        return self._read("error")
+        error = self._read("error")
+        return error if abs(error) > _ROUNDING else 0.0
 
     @property
     def output(self) -> float:
