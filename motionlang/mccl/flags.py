@@ -21,6 +21,7 @@ HARD_PLUS_ENABLED, HARD_PLUS_TRIPPED = 1 << 14, 1 << 15
 HARD_MINUS_ENABLED, HARD_MINUS_TRIPPED = 1 << 16, 1 << 17
 SOFT_HIGH_ENABLED, SOFT_HIGH_TRIPPED = 1 << 18, 1 << 19
 SOFT_LOW_ENABLED, SOFT_LOW_TRIPPED = 1 << 20, 1 << 21
+INDEX_INPUT = 1 << 22
 PHASE = 1 << 30
 
 # What MN forgets.
@@ -38,6 +39,9 @@ FAULTS = (
 INPUTS: dict[str, int] = {
     "home": 1 << 23,
     "amplifier_fault": 1 << 24,
+    "auxiliary": 1 << 25,
     "limit_plus": 1 << 26,
     "limit_minus": 1 << 27,
+    "user_1": 1 << 28,
+    "user_2": 1 << 29,
 }

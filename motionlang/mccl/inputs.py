@@ -1,9 +1,9 @@
-"""The inputs of an axis: home switch, limit switches, amplifier fault.
+"""The inputs of an axis: home switch, limit switches, amplifier fault, index, auxiliary and user inputs.
 
 They are digital channels. A MultiFlex has four an axis from channel 17 on, the limits second and third (two telescope
-axes are wired so); that home is the first and the amplifier fault the fourth is inferred. Axes beyond the fourth have
-no channels of their own there; theirs count on from 1000. The home switch of the machine file is seen without a
-channel too.
+axes are wired so); that home is the first and the amplifier fault the fourth is inferred. Where the inputs of axes
+beyond the fourth are, behind the outputs, and the auxiliary and user inputs, is our choice. The home switch of the
+machine file is seen without a channel too, and the index input is where the encoder has a mark.
 """
 
 from __future__ import annotations
@@ -13,16 +13,23 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis import AxisState
     from motionlang.mccl.board import Board
 
-FIRST, PER_AXIS, LAST_AXIS, BEYOND = 17, 4, 4, 1000
+FIRST, PER_AXIS, LAST_AXIS, BEYOND = 17, 4, 4, 49
 ORDER = ("home", "limit_plus", "limit_minus", "amplifier_fault")
+# Inputs that have one channel an axis, counted from here.
+SINGLE = {"auxiliary": 200, "user_1": 216, "user_2": 232}
+# Half the width of an index mark, counts.
+MARK = 0.5
+INFINITY = float("inf")
 # Bit of LM that says the limit switches are closed until tripped.
 INVERTED = 128
 
 
 def channel_of(axis: int, name: str) -> int:
     """The channel of an axis's input."""
-    first = FIRST if axis <= LAST_AXIS else BEYOND
-    return first + PER_AXIS * (axis - 1) + ORDER.index(name)
+    if name in SINGLE:
+        return SINGLE[name] + axis
+    first = FIRST + PER_AXIS * (axis - 1) if axis <= LAST_AXIS else BEYOND + PER_AXIS * (axis - LAST_AXIS - 1)
+    return first + ORDER.index(name)
 
 
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
@@ -36,3 +43,26 @@ def is_active(board: Board, axis: AxisState, name: str) -> bool:
     if name.startswith("limit"):
         return on is not bool(axis.limit_mode & INVERTED)
     return on
+
+
+def index_input(board: Board, axis: AxisState) -> tuple[bool, float]:
+    """Whether the encoder is on one of its marks, and until when that is so if nothing else happens."""
+    controller, number = board.controller, axis.number
+    a = controller.axes[number]
+    every = a.index_every * abs(a.scale.counts)
+    if every <= 0.0:
+        return False, INFINITY
+    zero = a.datum + a.index_origin
+    here = controller.position(number) - zero
+    mark = round(here / every) * every
+    on = abs(here - mark) <= MARK
+    edges = (mark - MARK, mark + MARK) if on else _between(here, mark, every)
+    if controller.is_still(number):
+        return on, INFINITY
+    return on, min(controller.crossing_time(number, zero + edge) for edge in edges)
+
+
+def _between(here: float, mark: float, every: float) -> tuple[float, float]:
+    """The edges of the marks on either side of a place on none; `mark` is the nearer one."""
+    low = mark if mark < here else mark - every
+    return low + MARK, low + every - MARK

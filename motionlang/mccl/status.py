@@ -13,6 +13,7 @@ from motionlang.mccl.flags import (
     AMPLIFIER_ON,
     AT_TARGET,
     DIRECTION,
+    INDEX_INPUT,
     INPUTS,
     MOTOR_ON,
     PHASE,
@@ -20,7 +21,7 @@ from motionlang.mccl.flags import (
     TRAJECTORY_COMPLETE,
     VELOCITY_MODE,
 )
-from motionlang.mccl.inputs import is_active
+from motionlang.mccl.inputs import index_input, is_active
 from motionlang.mccl.track import at_target_time, heading, next_turn, phase
 
 TYPE_CHECKING = False
@@ -78,6 +79,11 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
     for name, bit in INPUTS.items():
         if is_active(board, axis, name):
             bits |= bit
+    if controller.axes[number].index_every:
+        on, leaves = index_input(board, axis)
+        until = min(until, leaves)
+        if on:
+            bits |= INDEX_INPUT
     return bits, until
 
 
