@@ -193,6 +193,16 @@ class Body:
         if tell:
             self.emit(f"C.now = {self.now()}")
 
+    def act(self, text: str) -> None:
+        """A statement of one line that may take note of time."""
+        if self.observes:
+            self.settle(False)
+            self.emit(f"C.now = {self.now()}; {text}")
+        else:
+            self.settle()
+            self.emit(text)
+        self.pending += 1
+
     def interrupted(self) -> str:
         """After others have run: a loop that polls must look again."""
         poll = self.polls[-1] if self.polls else None
@@ -203,10 +213,6 @@ class Body:
         self.flush()
         self.emit(f"t, H = yield {expression}")
         self.waits = self.noted = True
-
-    def events(self) -> None:
-        """After something that may have made an event: it may be nearer than the horizon."""
-        self.emit("if C.horizon < H: H = C.horizon")
 
     # ------------------------------------------------------------------------------------------- labels
 

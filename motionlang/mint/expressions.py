@@ -22,9 +22,6 @@ _SAME = frozenset((INTEGER, FLOAT, STRING))
 _ARITHMETIC = frozenset("+-*")
 _BITS = {"&": "&", "|": "|", "Xor": "^"}
 _NOTHING = Value("0", FLOAT, ranges.ANY)
-# Numbers that have occurred, by class and value; so many are kept.
-_LITERALS: dict[tuple[type, float], Value] = {}
-MOST_LITERALS = 20_000
 
 
 def value(b: Body, node: nodes.Expr) -> Value:
@@ -54,16 +51,6 @@ def literal(known: float | str) -> Value:
     """A value that is known beforehand."""
     if isinstance(known, str):
         return Value(repr(known), STRING, ranges.ANY, known)
-    key = known.__class__, known
-    found = _LITERALS.get(key)
-    if found is None:
-        found = _literal(known)
-        if known and len(_LITERALS) < MOST_LITERALS:  # two zeros are equal and not the same
-            _LITERALS[key] = found
-    return found
-
-
-def _literal(known: float) -> Value:
     kind = INTEGER if type(known) is int and ranges.INT_LOW <= known <= ranges.INT_HIGH else FLOAT
     if isnan(known) or known in (ranges.INFINITY, -ranges.INFINITY):
         return Value(f"float('{known}')", FLOAT)
@@ -75,8 +62,9 @@ def _literal(known: float) -> Value:
 
 def as_float(found: Value) -> str:
     """The text of a number that must be a Python float."""
-    if type(found.const) is int:
-        return literal(float(found.const)).text
+    known = found.const
+    if known.__class__ is int:
+        return f"{found.text}.0" if 0 <= known <= ranges.INT_HIGH else literal(float(known)).text  # type: ignore[arg-type,operator]
     return found.text if found.range[2] == "f" else f"({found.text} + 0.0)"
 
 
@@ -120,13 +108,17 @@ def article(type: str) -> str:
 
 
 def _number(b: Body, node: nodes.Number) -> Value:
-    if node.value in (ranges.INFINITY, -ranges.INFINITY):
+    known = node.value
+    if known.__class__ is int and 0 <= known <= ranges.INT_HIGH:
+        return Value(repr(known), INTEGER, (known, known, "i"), known)
+    if known.__class__ is float and 0 <= known < ranges.INFINITY:
+        return Value(repr(known), FLOAT, ranges.FLOAT, known)
+    if known in (ranges.INFINITY, -ranges.INFINITY):
         b.problem("overflow", "the number is too large", node)
         return _NOTHING
-    value = node.value
-    if ranges.INT_HIGH < value < 1 << 32 and type(value) is int and b.whole.problems.is_pattern(node.at):
-        value -= 1 << 32  # a pattern of 32 bits is an Integer, whatever its highest bit
-    return literal(value)
+    if ranges.INT_HIGH < known < 1 << 32 and type(known) is int and b.whole.problems.is_pattern(node.at):
+        known -= 1 << 32  # a pattern of 32 bits is an Integer, whatever its highest bit
+    return literal(known)
 
 
 def _string(b: Body, node: nodes.String) -> Value:

@@ -245,8 +245,8 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
 
 
 def _settle_for(b: Body, row: Keyword) -> None:
-    """Operations tell the clock themselves; readings in their values, and moves that may wait, need it before."""
-    tell = b.observes or row.kind == "move"
+    """Operations tell the clock themselves; readings in their values need it before."""
+    tell = b.observes
     b.observes = True
     b.settle(tell)
 
@@ -322,22 +322,18 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
 
 def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
     if row.kind == "move":
-        load = b.whole.operation("load", row)
-        arguments = ", ".join([*where, text, str(b.whole.line(node.at))])
-        room = b.whole.use("env", "room")
-        b.emit(f"while {load}({arguments}):")
-        b.indent += 1
-        if b.pending:
-            cost = b.cost(b.pending)
-            b.emit(f"u, H = yield {room}(u, {where[0]})")
-            b.emit(f"t = u - {cost}")
-        else:
-            b.emit(f"t, H = yield {room}(t, {where[0]})")
-        b.indent -= 1
-        b.events()
+        load(b, row, [*where, text, str(b.whole.line(node.at))], "room", where[0])
         return
     line = [str(b.whole.line(node.at))] if row.group == "motion" else []
     _operate(b, "write", row, [*where, text, *line])
+
+
+def load(b: Body, row: Keyword, arguments: list[str], room: str, axis: str) -> None:
+    """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
+    now, wait = b.now(), b.whole.use("env", room)
+    back = f"; t = u - {b.cost(b.pending)}" if b.pending else ""
+    call = f"{b.whole.operation('load', row)}({', '.join([now, 'H', *arguments])})"
+    b.emit(f"while (H := {call}) is None: {now}, H = yield {wait}({now}, {axis}){back}")
 
 
 def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:

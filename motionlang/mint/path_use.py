@@ -24,18 +24,8 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
         _check(b, node, target, row, len(found))
         axes = f"({', '.join(found)},)"
     keyword_use._settle_for(b, row)
-    load = b.whole.operation("load", row)
-    line = b.whole.line(node.at)
-    b.emit(f"while {load}({axes}, ({', '.join(values)},), {line}):")
-    b.indent += 1
-    rooms = b.whole.use("env", "rooms")
-    if b.pending:
-        b.emit(f"u, H = yield {rooms}(u, {axes})")
-        b.emit(f"t = u - {b.cost(b.pending)}")
-    else:
-        b.emit(f"t, H = yield {rooms}(t, {axes})")
-    b.indent -= 1
-    b.events()
+    line = str(b.whole.line(node.at))
+    keyword_use.load(b, row, [axes, f"({', '.join(values)},)", line], "rooms", axes)
     b.pending += 1
 
 

@@ -141,18 +141,14 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
     source = converted(b, found, kind, node.values[0], exact=symbol not in b.analysed)
     if kind.name == TIME:
         b.observes = True
-    b.settle()
-    b.emit(f"{text} = {source}")
-    b.pending += 1
+    b.act(f"{text} = {source}")
 
 
 def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Value) -> None:
     if found.type != str(kind):
         b.problem("type", f"{article(found.type)} cannot be given to {article(str(kind))}", node)
         return
-    b.settle()
-    b.emit(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
-    b.pending += 1
+    b.act(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
 
 
 def _take_or_give(b: Body, text: str, wanted: str) -> None:
@@ -187,6 +183,16 @@ def fresh(kind: Type, sizes: tuple[int, ...]) -> str:
 
 
 def _dim(b: Body, node: nodes.Dim) -> None:
+    _initialise(b, node)
+    if node.nv:
+        for variable in node.variables:
+            symbol = b.scope.find(variable.name)
+            if symbol is not None and symbol.kind == "variable":
+                where = "" if b.function.kind == "main" else f"{b.function.name.lower()}."
+                b.emit(f"{b.whole.use('env', 'keep')}({where + symbol.name.lower()!r}, {symbol.python})")
+
+
+def _initialise(b: Body, node: nodes.Dim) -> None:
     for variable in node.variables:
         if not variable.values:
             continue
@@ -235,9 +241,7 @@ def _call(b: Body, node: nodes.Call) -> None:
     symbol = b.scope.find(target.name)
     if symbol is not None and symbol.kind == "sub":
         found = call(b, target, symbol, wanted=False)
-        b.settle()
-        b.emit(found.text)
-        b.pending += 1
+        b.act(found.text)
     elif symbol is not None:
         b.problem("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target,
                   f"write {symbol.name} = value to give it one" if symbol.kind == "variable" else "")  # fmt: skip
@@ -354,9 +358,7 @@ def _end(b: Body, node: nodes.End) -> None:
             b.whole.problems.unknown(f"there is no task {node.name}", node.name, tasks, node.at)
             return
         b.observes = True
-        b.settle()
-        b.emit(f"{b.whole.use('env', 'end_task')}({symbol.name.lower()!r})")
-        b.pending += 1
+        b.act(f"{b.whole.use('env', 'end_task')}({symbol.name.lower()!r})")
         return
     b.flush()
     b.noted = True

@@ -20,9 +20,7 @@ def print_(b: Body, node: nodes.Print) -> None:
     if not node.items or not node.items[-1].separator:
         texts.append("'\\n'")
     b.observes = True
-    b.settle()
-    b.emit(f"P({' + '.join(_joined(texts))})")
-    b.pending += 1
+    b.act(f"P({' + '.join(_joined(texts))})")
 
 
 def _joined(texts: list[str]) -> list[str]:
@@ -72,10 +70,8 @@ def line(b: Body, node: nodes.Call) -> None:
     row = converted(b, number(b, args[0], "the number of a row"), Type(INTEGER), args[0])
     texts = [_shown(b, nodes.PrintItem(each.at, each, [], "")) for each in args[1:]]
     b.observes = True
-    b.settle()
     start = f"{b.whole.use('env', 'row')}({row})"
-    b.emit(f"P({' + '.join([start, *_joined(texts)])})")
-    b.pending += 1
+    b.act(f"P({' + '.join([start, *_joined(texts)])})")
 
 
 def input_(b: Body, node: nodes.Input) -> None:
