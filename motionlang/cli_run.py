@@ -35,6 +35,7 @@ class Options:
         "dialect",
         "file",
         "machine",
+        "nv",
         "overrides",
         "plot",
         "points",
@@ -61,6 +62,7 @@ class Options:
         # `--set` by what it names: keys of the machine file, and names of the program.
         self.settings: dict[str, object] = {}
         self.overrides: dict[str, float | str] = {}
+        self.nv: str | None = None
         self.cache = True
 
     def __eq__(self, other: object) -> bool:
@@ -129,6 +131,7 @@ def _run_unwatched(
         pace=None if options.realtime is None else pacer(options.realtime),
         outside=outside,
         begun=begun,
+        nv=options.nv,
         cache=options.cache,
     )
 

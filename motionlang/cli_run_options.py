@@ -78,13 +78,18 @@ def add_run(commands: Commands) -> None:
         help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
     )
     parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
+    parser.add_argument(
+        "--nv",
+        metavar="FILE",
+        help="keep what the program declares nv, and NVLONG and NVFLOAT, in FILE from one run to the next",
+    )
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
     """The options of a `run` line."""
     options = Options(arguments.file)
-    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot"):
+    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot", "nv"):
         setattr(options, name, getattr(arguments, name))
     options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
     options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)

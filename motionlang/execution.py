@@ -108,6 +108,7 @@ def run(
     pace: Callable[[float], None] | None = None,
     outside: Outside | None = None,
     begun: Callable[[Machine], None] | None = None,
+    nv: str | None = None,
     cache: bool = True,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
@@ -117,7 +118,8 @@ def run(
     ends at the latest, without it the file's `run.until`, or one shift. `overrides` are values for the program's own
     names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
     `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
-    with the machine when the program begins, for whoever wants to look on.
+    with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
+    data outlives the run.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name.
     """
@@ -130,6 +132,8 @@ def run(
         Machine(settings, first_axis=language.first_axis, show=show, overrides=overrides),
     )
     compiled = _compile(source, language, settings, result, cache)
+    if nv is not None and not _open_kept(result, nv):
+        compiled = None
     if compiled is not None:
         if begun is not None:
             begun(result.machine)
@@ -142,9 +146,45 @@ def run(
         if result.machine.without_effect:
             words = ", ".join(result.machine.without_effect)
             result.not_counted.append(f"settings that have no effect here: {words}")
+        if result.machine.nv is not None:
+            _save_kept(result)
     result.machine.terminal.close()
     result.time = result.machine.clock.now
     return result
+
+
+def _open_kept(result: Run, path: str) -> bool:
+    """Read the file of nv data; false where it cannot be read, and the program is not run."""
+    from motionlang.lang.nonvolatile import NonVolatile
+
+    try:
+        result.machine.nv = NonVolatile(path)
+    except (OSError, ValueError) as problem:
+        _no_kept(result, f"the nv data of {path} cannot be read", problem)
+        return False
+    return True
+
+
+def _save_kept(result: Run) -> None:
+    """Write the file of nv data, or say which data last no longer than the run."""
+    kept = result.machine.kept
+    if kept.path is None:
+        if kept.names:
+            words = ", ".join(kept.names)
+            result.not_counted.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
+        return
+    try:
+        kept.save()
+    except OSError as problem:
+        _no_kept(result, f"the nv data cannot be written to {kept.path}", problem)
+
+
+def _no_kept(result: Run, message: str, problem: Exception) -> None:
+    from motionlang.errors import Diagnostic
+
+    why = getattr(problem, "strerror", None) or str(problem)
+    result.diagnostics.append(Diagnostic("file", f"{message}: {why}"))
+    result.status = "fault"
 
 
 def end_of(settings: Mapping[str, object]) -> float:
@@ -281,4 +321,14 @@ def _interrupted(result: Run, scheduler: Scheduler | None, error: BaseException)
     return Diagnostic("interrupted", message, line, column, length=length)
 
 
-__all__ = ["ONE_SHIFT", "Refusal", "Run", "dialect", "dialect_of", "dialects", "end_of", "machine_beside", "run"]
+__all__ = [
+    "ONE_SHIFT",
+    "Refusal",
+    "Run",
+    "dialect",
+    "dialect_of",
+    "dialects",
+    "end_of",
+    "machine_beside",
+    "run",
+]

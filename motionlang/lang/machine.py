@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from motionlang.controller.host import HostMemory
     from motionlang.controller.world import World
     from motionlang.errors import Diagnostic
+    from motionlang.lang.nonvolatile import NonVolatile
     from motionlang.lang.operator import Operator
     from motionlang.lang.scheduler import Scheduler
 
@@ -38,6 +39,7 @@ class Machine:
         "diagnostics",
         "instruction_time",
         "model",
+        "nv",
         "overrides",
         "scheduler",
         "settings",
@@ -69,6 +71,8 @@ class Machine:
         self.overrides = dict(overrides or {})
         # The settings that the program wrote and that change nothing here, in the order of their writing.
         self.without_effect: dict[str, None] = {}
+        # Data that outlives the run, where somebody says in which file.
+        self.nv: NonVolatile | None = None
         # What the program did wrong without ending: MCCL answers with a code and goes on.
         self.diagnostics: list[Diagnostic] = []
         # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
@@ -139,6 +143,15 @@ class Machine:
                 for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
                     self._host.schedule(self.clock, area, entry)
         return self._host
+
+    @property
+    def kept(self) -> NonVolatile:
+        """Data that outlives the run, or lasts as long as it does."""
+        if self.nv is None:
+            from motionlang.lang.nonvolatile import NonVolatile
+
+            self.nv = NonVolatile()
+        return self.nv
 
     @property
     def has_operator(self) -> bool:

@@ -175,6 +175,10 @@ class Environment:
         a = self.controller.axes[axis]
         return a.scale.position_to_user(end(a)) // wrap * wrap
 
+    def keep(self, name: str, place: list[object]) -> None:
+        """`Dim nv`: the variable has what the run before left in it."""
+        self.machine.kept.keep(name, place)
+
     def row(self, number: int) -> str:
         """What places the cursor at the begin of a row of the screen."""
         return f"\x1b[{max(number, 1)};1H"

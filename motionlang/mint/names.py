@@ -158,11 +158,10 @@ class Names:
         survey = self._surveys[function] = Survey(function.body)
         for node in survey.of(nodes.Const, nodes.Define, nodes.Dim):
             if type(node) is nodes.Dim:
-                if node.nv:
-                    self.problems.add("not-simulated", "nv data lasts as long as the run", node.at,
-                                      "nothing is kept from one run to the next", "warning")  # fmt: skip
                 for variable in node.variables:
-                    self._declare_variable(function, variable)
+                    symbol = self._declare_variable(function, variable)
+                    if node.nv:
+                        self._make_lasting(symbol, variable)
             elif type(node) is nodes.Const:
                 self._declare_const(function, node)
             elif type(node) is nodes.Define:
@@ -170,13 +169,21 @@ class Names:
                 symbol.node = node.value
                 self.add(function.scope, symbol)
 
-    def _declare_variable(self, function: Function, node: nodes.Variable) -> None:
+    def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
+        """An nv variable lives in a list, into which the value of the run before is put."""
+        if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
+            self.problems.add("type", f"nv data cannot be {symbol.type}", node.at,
+                              hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
+        symbol.boxed = not (symbol.is_array or symbol.type.record)
+
+    def _declare_variable(self, function: Function, node: nodes.Variable) -> Symbol:
         if node.type is not None and node.type.name.lower() == "controller":
             self.problems.add("not-simulated", "there is no network of controllers here", node.type.at)
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
                         self._python("v_", node.name), node.at, function)  # fmt: skip
         symbol.dimensions = self._dimensions(node, function.scope)
         self.add(function.scope, symbol)
+        return symbol
 
     def _declare_const(self, function: Function, node: nodes.Const) -> None:
         value = fold(function.scope, node.value, self.table)

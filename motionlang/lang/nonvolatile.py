@@ -1,0 +1,123 @@
+"""Data that outlives a run: variables declared `nv`, and numbered words, in a file beside the program.
+
+The file is JSON: the values by the names of the variables, and the words, 32 bits each, by their addresses. Without a
+file everything lasts as long as the run.
+"""
+
+from __future__ import annotations
+
+from struct import pack, unpack
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+SCHEMA = "motionlang.nv/1"
+LAST_WORD = 1023
+_LOW, _HIGH = -2147483648, 2147483647
+_LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
+
+
+class NonVolatile:
+    """What was kept so far, and the places in which the program that runs holds its own."""
+
+    __slots__ = ("_live", "_values", "_words", "path")
+
+    def __init__(self, path: str | None = None) -> None:
+        """Read the file, if there is one; OSError or ValueError where it cannot be read."""
+        self.path = path
+        self._values: dict[str, object] = {}
+        self._words: dict[int, int] = {}
+        self._live: dict[str, list[object]] = {}
+        if path is not None:
+            self._read(path)
+
+    def _read(self, path: str) -> None:
+        from json import loads
+
+        try:
+            with open(path, encoding="utf-8") as file:
+                tree: Any = loads(file.read())
+        except FileNotFoundError:
+            return
+        if not isinstance(tree, dict) or tree.get("schema") != SCHEMA:
+            raise ValueError(f"it is no file of nv data, which begins with the schema {SCHEMA}")
+        values, words = tree.get("values", {}), tree.get("words", {})
+        if not isinstance(values, dict) or not isinstance(words, dict):
+            raise ValueError("its values and its words must be objects")
+        self._values = values
+        for address, word in words.items():
+            if isinstance(word, int) and _LOW <= word <= _HIGH and 0 <= int(address) <= LAST_WORD:
+                self._words[int(address)] = word
+
+    def keep(self, key: str, place: list[object]) -> None:
+        """Put the value kept under a name into a variable, and take it from there when the run is over.
+
+        What no longer fits the variable, as its type or its size has changed, is forgotten.
+        """
+        before = self._live.get(key)
+        stored = self._values.get(key) if before is None else list(before)
+        fitting = _fitted(stored, place)
+        if fitting is not None:
+            place[:] = fitting
+        self._live[key] = place
+
+    @property
+    def names(self) -> list[str]:
+        """The variables of the program that outlive it."""
+        return [*self._live, *(["NVLONG"] if self._words else [])]
+
+    def word(self, address: int) -> int:
+        return self._words.get(address, 0)
+
+    def set_word(self, address: int, word: int) -> None:
+        self._words[address] = word
+
+    def real(self, address: int) -> float:
+        """A word as the float that has its bits."""
+        found: float = unpack("<f", pack("<i", self.word(address)))[0]
+        return found
+
+    def set_real(self, address: int, value: float) -> None:
+        if not abs(value) < _LARGEST_FLOAT:
+            value = float("inf") if value > 0 else float("-inf") if value < 0 else value
+        self.set_word(address, unpack("<i", pack("<f", value))[0])
+
+    def save(self) -> None:
+        """Write the file; OSError where that cannot be done."""
+        if self.path is None:
+            return
+        from json import dumps
+        from os import replace
+
+        values = {**self._values, **self._live}
+        words = {str(address): word for address, word in sorted(self._words.items())}
+        tree = {"schema": SCHEMA, "values": dict(sorted(values.items())), "words": words}
+        temporary = f"{self.path}.new"
+        with open(temporary, "w", encoding="utf-8") as file:
+            file.write(dumps(tree, indent=1, ensure_ascii=False) + "\n")
+        replace(temporary, self.path)
+
+
+def _fitted(stored: object, place: list[object]) -> list[object] | None:
+    """What was stored, as the values of a variable; None where it does not fit."""
+    if not isinstance(stored, list) or len(stored) != len(place):
+        return None
+    found: list[object] = []
+    for value, present in zip(stored, place, strict=True):
+        fitting = _fitted(value, present) if isinstance(present, list) else _plain(value, present)
+        if fitting is None and present is not None:
+            return None
+        found.append(fitting)
+    return found
+
+
+def _plain(value: object, present: object) -> object:
+    """A number or a text of the same type, None for anything else."""
+    if isinstance(present, str):
+        return value if isinstance(value, str) else None
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return None
+    if isinstance(present, float):
+        return float(value)
+    return value if isinstance(value, int) and _LOW <= value <= _HIGH else None
