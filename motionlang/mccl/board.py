@@ -132,6 +132,7 @@ class Board:
         contour = self.contour_of(axis)
         if contour is not None:
             contour.stop()
+        self._forget_paths(axis)
         axis.controlling = None
 
     def ungear(self, axis: AxisState) -> None:
@@ -150,6 +151,23 @@ class Board:
         contour = self.contour_of(axis)
         if contour is not None:
             contour.abort()
+        self._forget_paths(axis)
+
+    def _forget_paths(self, axis: AxisState) -> None:
+        """What waits for the axis has no start any more."""
+        if axis.controlling in self.contours:
+            self.contours[axis.controlling].forget(axis.number)
+
+    def define_position(self, axis: AxisState, position: float) -> None:
+        """The axis is at `position`, counts, from now on: what is remembered of its motion shifts with it."""
+        number, controller = axis.number, self.controller
+        shift = position - controller.position(number)
+        controller.define_position(number, position)
+        for contour in self.contours.values():
+            contour.shift(number, shift)
+        seek = self.seeks.get(number)
+        if seek is not None and seek.caught is not None:
+            seek.caught += shift
 
     def home_changed(self, number: int) -> None:
         """The home input of an axis has another level."""

@@ -46,7 +46,7 @@ class Contour:
         """Where the axis will be after all paths so far, user units."""
         last = self._queue[-1][0] if self._queue else self._course.segments[-1] if self._course else None
         if last is not None and axis.number in last.end:
-            return last.end[axis.number]
+            return axis.scale.position_to_user(last.end_counts(axis.number))
         return axis.scale.position_to_user(self._board.controller.target(axis.number))
 
     def add(self, segment: Segment, line: int) -> None:
@@ -102,6 +102,16 @@ class Contour:
         if motion.shape == "trapezoid":
             self._redirect(self._planned_from_here(), "")
 
+    def shift(self, number: int, by: float) -> None:
+        """An axis counts from another zero: the paths stay where they are, `by` counts higher."""
+        for segment in (*(self._course.segments if self._course else ()), *(each for each, _ in self._queue)):
+            segment.shift(number, by)
+
+    def forget(self, number: int) -> None:
+        """An axis leaves: paths that wait, if it has a part in one of them, have lost their start."""
+        if any(number in segment.end for segment, _ in self._queue):
+            self._queue.clear()
+
     def rested(self, number: int) -> None:
         """An axis has come to rest: when all have, the next paths may start."""
         if number not in self.members:
@@ -153,14 +163,14 @@ class Contour:
         controller = self._board.controller
         self._path, self._start = path, controller.clock.now
         for number in self.members:
-            here = controller.position(number), controller.velocity(number)
+            here = controller.demand(number), controller.demand_velocity(number)
             controller.redirect(number, self._of(number, here), ended)
         self._announce()
 
     def _of(self, number: int, here: tuple[float, float] | None = None) -> Profile:
         assert self._course is not None
         assert self._path is not None
-        return self._course.profile(self._path, number, self._board.axes[number].scale, here)
+        return self._course.profile(self._path, number, here)
 
     def _announce(self) -> None:
         """Count every path at the moment it has been carried out."""

@@ -59,17 +59,16 @@ class Course:
         """The path that length s lies on."""
         return min(max(bisect_right(self.marks, s) - 1, 0), len(self.segments) - 1)
 
-    def profile(
-        self, path: Profile, axis: int, scale: Scale, here: tuple[float, float] | None = None
-    ) -> Profile:
+    def profile(self, path: Profile, axis: int, here: tuple[float, float] | None = None) -> Profile:
         """What the axis does while the path is run as `path` says, in counts.
 
         `here` is position and velocity of an axis that is on its way: within a stray of where the path has it.
         """
-        knots, pieces, marks = _divided(path, self, axis, abs(scale.counts))
+        knots, pieces, marks = _divided(path, self, axis)
         made: list[Piece] = []
         for begin, finish, piece, index in pieces:
             segment, offset = self.segments[index], self.marks[index]
+            scale = segment.frame[axis]
             if segment.turns(axis):
                 ends = [_state(segment, axis, piece, x, offset, scale) for x in (0.0, finish - begin)]
                 if here is not None and not made:
@@ -80,19 +79,19 @@ class Course:
                 zero = scale.position_to_counts(segment.start[axis] - factor * offset)
                 made.append(transformed(piece, factor * scale.counts, zero))
         curve: Curve = (tuple(knots), tuple(made), marks)
-        return _ends(path, self, axis, scale, curve, here)
+        return _ends(path, self, axis, curve, here)
 
 
 def _ends(
     path: Profile,
     course: Course,
     axis: int,
-    scale: Scale,
     curve: Curve,
     here: tuple[float, float] | None,
 ) -> Profile:
     def at(s: float, velocity: float) -> tuple[float, float]:
         index = course.index(s)
+        scale = course.segments[index].frame[axis]
         position, factor = course.segments[index].at(axis, s - course.marks[index])
         return scale.position_to_counts(position), velocity * factor * scale.counts
 
@@ -101,14 +100,14 @@ def _ends(
     if here is not None:
         start, first = here
     elif path.start == 0.0:
-        start = scale.position_to_counts(course.segments[0].start[axis])
+        start = course.segments[0].frame[axis].position_to_counts(course.segments[0].start[axis])
     if path.end == course.length:
-        end = scale.position_to_counts(course.segments[-1].end[axis])
+        end = course.segments[-1].end_counts(axis)
     return from_curve(path.shape, start, end, curve, first, last)
 
 
 def _divided(
-    path: Profile, course: Course, axis: int, counts: float
+    path: Profile, course: Course, axis: int
 ) -> tuple[list[float], list[tuple[float, float, Piece, int]], tuple[tuple[str, int], ...]]:
     """The path's pieces, cut where one path ends and the next begins, and finely on arcs."""
     knots, pieces, marks = path.curve
@@ -122,7 +121,7 @@ def _divided(
         for a, b in zip([begin, *inner], [*inner, finish], strict=True):
             middle = position_in(piece, 0.5 * (a + b) - begin)
             index = course.index(middle)
-            count = _steps(course.segments[index], axis, piece, (a - begin, b - begin), counts)
+            count = _steps(course.segments[index], axis, piece, (a - begin, b - begin))
             for j in range(count):
                 low, high = a + (b - a) * j / count, b if j + 1 == count else a + (b - a) * (j + 1) / count
                 found.append((low, high, recentred(piece, low - begin), index))
@@ -130,7 +129,7 @@ def _divided(
     return times, found, tuple((name, firsts[first]) for name, first in marks)
 
 
-def _steps(segment: Segment, axis: int, piece: Piece, span: tuple[float, float], counts: float) -> int:
+def _steps(segment: Segment, axis: int, piece: Piece, span: tuple[float, float]) -> int:
     """How many cubics one piece of the path needs on this axis.
 
     A cubic strays from x(t) by at most h^4/384 times the largest fourth derivative; for x = r cos(q(t)) that is at
@@ -145,7 +144,11 @@ def _steps(segment: Segment, axis: int, piece: Piece, span: tuple[float, float],
         for value in (velocity_in, acceleration_in, jerk_in)
     )
     q4 = abs(piece[4]) * piece[5] ** 4 / radius
-    bend = radius * counts * (q1**4 + 6.0 * q1 * q1 * q2 + 3.0 * q2 * q2 + 4.0 * q1 * q3 + q4)
+    bend = (
+        radius
+        * abs(segment.frame[axis].counts)
+        * (q1**4 + 6.0 * q1 * q1 * q2 + 3.0 * q2 * q2 + 4.0 * q1 * q3 + q4)
+    )
     steps = (span[1] - span[0]) * max(sqrt(sqrt(bend / (384.0 * _STRAY))), q1 / _WIDEST)
     return min(max(1, ceil(steps)), _MOST_STEPS)
 

@@ -119,7 +119,9 @@ class Path:
         start = {axis.number: self._contour.end(axis) for axis in axes}
         end = {**start, **self.targets}
         try:
-            self._contour.add(self._segment(start, end, self._motion(task)), self._line)
+            segment = self._segment(start, end, self._motion(task))
+            segment.fix({axis.number: axis.scale for axis in axes})
+            self._contour.add(segment, self._line)
         except ValueError as problem:
             raise Fault(codes.PARAMETER, f"the contour path cannot be run: {problem}", kind="range") from None
 

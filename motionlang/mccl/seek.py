@@ -60,8 +60,8 @@ class Seek:
     def apply(self) -> None:
         """Give the place where it was caught its value; everything else shifts with it. The axis is homed then."""
         assert self.caught is not None
-        controller, number = self._board.controller, self._axis.number
-        controller.define_position(number, controller.position(number) + self.value - self.caught)
+        here = self._board.controller.position(self._axis.number)
+        self._board.define_position(self._axis, here + self.value - self.caught)
         self.caught = self.value
         if self.kind == "index":
             self._axis.index_position = self.value

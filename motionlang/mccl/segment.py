@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from math import atan2, cos, degrees, hypot, pi, radians, sin, sqrt
 
+from motionlang.controller.scale import Scale
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -28,12 +30,30 @@ class VectorMotion:
 
 
 class Segment:
-    """From `start` to `end`, points by axis number. `length` is what the vector velocity counts."""
+    """From `start` to `end`, points by axis number. `length` is what the vector velocity counts.
 
-    __slots__ = ("end", "length", "motion", "start")
+    `frame` is what turned user units into counts, by axis, when the path was described: units that change later
+    leave the path where it is.
+    """
+
+    __slots__ = ("end", "frame", "length", "motion", "start")
 
     def __init__(self, start: Point, end: Point, length: float, motion: VectorMotion) -> None:
         self.start, self.end, self.length, self.motion = start, end, length, motion
+        self.frame: dict[int, Scale] = {}
+
+    def fix(self, scales: Mapping[int, Scale]) -> None:
+        """The path is described in these units."""
+        self.frame = {axis: Scale(scales[axis].counts, zero=scales[axis].zero) for axis in self.end}
+
+    def end_counts(self, axis: int) -> float:
+        """Where the axis is at the end, counts."""
+        return self.frame[axis].position_to_counts(self.end[axis])
+
+    def shift(self, axis: int, by: float) -> None:
+        """The axis counts from another zero: the same place has another position, `by` counts higher."""
+        if axis in self.frame:
+            self.frame[axis].zero += by
 
     is_arc = False
     radius = 0.0
@@ -173,6 +193,8 @@ def sweep_to_angle(
 def join_smoothly(first: Segment, second: Segment) -> bool:
     """Whether one path goes on in the direction of the other, so that it can be run through."""
     if first.motion.key() != second.motion.key() or first.end.keys() != second.end.keys():
+        return False
+    if any(first.frame[axis].counts != second.frame[axis].counts for axis in first.end):
         return False
     before, after = first.direction(first.length), second.direction(0.0)
     return all(abs(before[axis] - after[axis]) <= 1e-6 for axis in before)

@@ -129,7 +129,7 @@ def _write_deadband(board: Board, axis: AxisState, value: float) -> None:
 
 
 def _write_position(board: Board, axis: AxisState, value: float) -> None:
-    board.controller.define_position(axis.number, value)
+    board.define_position(axis, value)
 
 
 def _write_auxiliary(board: Board, axis: AxisState, value: float) -> None:

@@ -96,3 +96,50 @@ def test_a_fault_of_one_axis_stops_the_others(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP1,1MA30000,2MA40000\n1WS,1TV,2TV", machine=machine)
     assert result.output == ["01 0", "02 0"]
     assert result.time < 0.31
+
+
+@pytest.mark.parametrize("then", ["1VO0.5", "1CP1,1MR20000,2MR20000", "NO"])
+def test_a_new_zero_in_a_running_path_shifts_the_path_with_it(then: str, mccl: Runner) -> None:
+    """The place where the path ends stays the same, whatever the counting starts from."""
+    start = f"{HEAD}1CP1,1MA20000,2MA20000\nWA0.5\n"
+    plain = mccl(f"{start}1VO1\n{then}\n1WS,1TP,2TP")
+    shifted = mccl(f"{start}1TP,1DH500000\n{then}\n1WS,1TP,2TP")
+    assert shifted.diagnostics == []
+    here, x, y = (int(line.split()[1]) for line in shifted.output)
+    end = int(plain.output[0].split()[1])
+    assert x == pytest.approx(end + 500000 - here, abs=1)
+    assert y == end
+    times = [shifted.time * k / 400 for k in range(401)]
+    speeds = [hypot(*state(shifted, time)[2:]) for time in times]
+    assert max(speeds) <= 20000.5
+
+
+def test_paths_that_wait_shift_with_a_new_zero(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1SN,1CP1,1MA20000,2MA0\n1CP3,1CA20000,2CA5000,1EA90\n1DH-7000,1GO,1WS,1TP,2TP")
+    assert result.output == ["01 13000", "02 10000"]
+
+
+def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA0.3,1DH0,2DH0,1VO0.4,1WS")
+    moves = result.controller.moves
+    assert result.diagnostics == []
+    assert moves[0].profile is not None
+    assert moves[1].profile is not None
+    # The log keeps the coordinates in which the path began.
+    for k in range(200):
+        x, y = (
+            move.profile.position(move.profile.duration * k / 200)  # type: ignore[union-attr]
+            for move in moves[:2]
+        )
+        assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
+
+
+def test_units_that_change_in_a_running_path_leave_it_where_it_is(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP1,1MA20000,2MA20000\nWA0.5,1US100,1MN,1VO0.5\n1WS,1TP,2TP")
+    assert result.output == ["01 200.000000", "02 20000"]
+
+
+@pytest.mark.parametrize("leave", ["1MF,1MN", "1AB", "1PM,1MA500,1WS,1CM1", "1RT,1MN,1CM1"])
+def test_paths_that_wait_are_forgotten_when_an_axis_leaves(leave: str, mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1SN,1CP1,1MA20000,2MA0\n{leave},1TP,1GO,1WS,1TP")
+    assert result.output[0] == result.output[1]

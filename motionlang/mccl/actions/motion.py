@@ -108,7 +108,7 @@ def direction(task: CommandTask, command: Command) -> None:
 def define_home(task: CommandTask, command: Command) -> None:
     value = float(task.value(command))
     for axis in task.axes(command):
-        task.board.controller.define_position(axis.number, axis.position(value))
+        task.board.define_position(axis, axis.position(value))
 
 
 def position_mode(task: CommandTask, command: Command) -> None:
