@@ -48,7 +48,7 @@ def _filled(text: str, show: Callable[[str, str], str] | None, kinds: str) -> st
         if character == "\\":
             out.append(_escape(text[k : k + 1]))
             k += 1
-        elif character == "%" and text[k : k + 1] == "%":
+        elif character == "%" and text[k : k + 1] == "%" and show is not None:
             out.append("%")
             k += 1
         elif character == "%" and show is not None:
