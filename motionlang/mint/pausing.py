@@ -23,7 +23,7 @@ MOVING = frozenset(
     {
         "position", "velocity", "remaining", "following_error", "time", "demand", "demand_velocity",
         "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
-        "sensing.turns", "following.offset", "path_speed", "paths.angle", "auxiliary.position",
+        "sensing.turns", "following.offset", "path_speed", "paths.angle", "auxiliary.position", "turns.demand",
     }
 )  # fmt: skip
 COUNTING = frozenset({"time", "sensing.seconds"})

@@ -48,11 +48,12 @@ def _rows() -> list[Keyword]:
         state,
         tasks,
         terminal,
+        turns,
     )
 
     groups = (
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        io, comms, remote, limits, homing, latches, sensing, servo, functions, memory, kept, constants, language,
+        io, comms, remote, limits, homing, latches, sensing, servo, functions, memory, turns, kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

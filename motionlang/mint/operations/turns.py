@@ -1,0 +1,72 @@
+"""Turns of wrapped positions, and the motion words of older controllers."""
+
+from __future__ import annotations
+
+from math import floor
+
+from motionlang.controller import buffer
+from motionlang.mint.binding import scale_of
+from motionlang.mint.operations.limits import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.binding import Row
+    from motionlang.mint.environment import Environment
+
+    Operation = Callable[..., object]
+
+NEGATIVE_INDEX = 4
+
+
+def _turns(environment: Environment, counts: Callable[[int], float]) -> Operation:
+    """The number of turns of a position in counts; where that has no end, of the axis as it stands."""
+
+    def read(axis: int) -> int:
+        scale, wrap = scale_of(environment, axis), environment.wraps.get(axis)
+        if not wrap:
+            return 0
+        place = counts(axis)
+        if not abs(place) < 1e300:
+            place = environment.controller.position(axis)
+        return floor(scale.position_to_user(place) / wrap + 1e-12)
+
+    return read
+
+
+def read_demand(environment: Environment, row: Row) -> Operation:
+    controller = environment.controller
+    return _turns(environment, controller.demand)
+
+
+def read_target(environment: Environment, row: Row) -> Operation:
+    return _turns(environment, environment.controller.target)
+
+
+def read_last_target(environment: Environment, row: Row) -> Operation:
+    axes = environment.controller.axes
+    return _turns(environment, lambda axis: buffer.end(axes[axis]))
+
+
+def do_datum(environment: Environment, row: Row) -> Operation:
+    from motionlang.mint.operations.homing import write_home
+
+    home = write_home(environment, row)
+    return lambda axis, line: home(axis_of(environment, axis), NEGATIVE_INDEX, line)
+
+
+def write_frequency(environment: Environment, row: Row) -> Operation:
+    controller = environment.controller
+
+    def write(axis: int, pulses: float, line: int) -> None:
+        row.check(pulses)
+        controller.jog(axis_of(environment, axis), pulses, row.name, line)
+
+    return write
+
+
+def read_frequency(environment: Environment, row: Row) -> Operation:
+    """Pulses a second as they are demanded now."""
+    axes, clock = environment.controller.axes, environment.clock
+    return lambda axis: axes[axis_of(environment, axis)].velocity(clock.now)
