@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from motionlang.controller.servo.settings import PLANT as PLANT_KEYS
+from motionlang.controller.servo.settings import SERVO as SERVO_KEYS
+from motionlang.controller.servo.settings import Key
 from motionlang.lang.machine_file import KEYS, REQUIRED, TABLES
 
 PAGE = Path(__file__).parent.parent / "docs" / "machine-file.md"
@@ -22,17 +25,36 @@ SENTENCES = {
     "netdata": "The same for NetData.",
 }
 
+SERVO = {
+    "plant": (
+        "The motor of an axis. With one key of it the axis is where its motor is: "
+        "[servo.md](servo.md#a-run-with-motors).",
+        PLANT_KEYS,
+    ),
+    "servo": ("The loop of that motor, as far as the program's own gains do not say otherwise.", SERVO_KEYS),
+}
+
 
 def written() -> str:
     """The page as it must be: what was written by hand, and the tables."""
     text = PAGE.read_text(encoding="utf-8")
     parts = [text.partition(FROM)[0] + FROM, _table({key: help for key, (_, help) in KEYS.items()})]
     parts.append("`N` is the number of an axis, as the language numbers them.\n")
+    for section, (sentence, keys) in SERVO.items():
+        parts.append(f"## `[axis.N.{section}]`\n\n{sentence}\n\n{_servo_table(keys)}")
     for name, rows in TABLES.items():
         needed = REQUIRED[name]
         shown = {key: help + (" Needed." if key in needed else "") for key, (_, help) in rows.items()}
         parts.append(f"## `[[{name}]]`\n\n{SENTENCES[name]}\n\n{_table(shown)}")
     return "\n".join(parts)
+
+
+def _servo_table(keys: dict[str, Key]) -> str:
+    rows = {}
+    for name, key in keys.items():
+        default = str(key.default).lower() if key.kind == "flag" else f"{key.default}"
+        rows[name] = f"{key.help} Default {default}."
+    return _table(rows)
 
 
 def _table(rows: dict[str, str]) -> str:

@@ -156,7 +156,9 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
 
         return servo.setting_problem(key, _generic(key), value)
     if row is None:
-        near = nearest(_generic(key), (*KEYS, *TABLES))
+        from motionlang.controller.servo.settings import KEYS as SERVO_KEYS
+
+        near = nearest(_generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
         return f"there is no key {key}", words
     problem = _kind_problem(row[0], value)

@@ -159,7 +159,7 @@ def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:
             try:
                 make(values)
             except ValueError as wrong:
-                found.append((f"axis.{axis}.{name}", str(wrong), "the page on the servo has every key"))
+                found.append((f"axis.{axis}.{name}", str(wrong), "docs/machine-file.md explains every key"))
     return found
 
 
