@@ -35,6 +35,62 @@ def test_the_whole_type_library_is_known() -> None:
     assert all(table().get(line.partition("|")[0]) is not None for line in lines)
 
 
+def test_every_word_of_the_library_is_simulated_kept_or_known() -> None:
+    """How many of each: a word never falls from one into another unnoticed."""
+    names = [line.partition("|")[0] for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines()]
+    rows = [row for row in map(table().get, names) if row is not None]
+    simulated = [row for row in rows if row.simulated]
+    kept = [row for row in rows if not row.simulated and row.verb]
+    known = [row for row in rows if not row.simulated and not row.verb]
+    assert len(names) == len(set(names)) == len(rows) == 908
+    assert len(simulated) + len(kept) + len(known) == 908
+    assert len(simulated) >= 234
+    assert len(kept) >= 260
+    assert all(row.help and row.source for row in known)
+    assert all(row.example and row.source and row.trust for row in simulated)
+
+
+MOTION = """
+ACCELJERKTIME ACCELTIMEMAX BLEND BLENDDISTANCE BLENDMODE CAM CAMAMPLITUDE CAMEND CAMINDEX CAMPHASE CAMSEGMENT CAMSTART
+CAMTABLE CIRCLEA CIRCLER CONTOURANGLE CONTOURMODE DECELJERKTIME DECELTIMEMAX FEEDRATE FEEDRATEMODE FEEDRATEOVERRIDE
+FEEDRATEPARAMETER FLY FOLLOW FOLLOWMODE GEARING GEARINGMODE HELIXA HELIXR INCA INCR JOG MASTERCHANNEL MASTERDISTANCE
+MASTERSOURCE MAXACCEL MAXDECEL MAXSPEED MOVEA MOVEBUFFERFREE MOVEBUFFERID MOVEBUFFERIDLAST MOVEBUFFERLOW MOVEBUFFERSIZE
+MOVEDWELL MOVEOUT MOVEOUTX MOVEPULSEOUTX MOVER NVFLOAT NVLONG OFFSET OFFSETDISTANCE OFFSETMODE OFFSETSTATUS PROFILEMODE
+SPLINE SPLINEEND SPLINEINDEX SPLINESEGMENT SPLINESTART SPLINESUSPENDTIME SPLINETABLE SPLINETIME SRAMP SUSPEND
+TRIGGERMODE VECTORA VECTORR VELDEMANDPATH
+"""
+
+
+@pytest.mark.parametrize("name", MOTION.split())
+def test_the_motion_set_is_simulated(name: str) -> None:
+    row = table().get(name)
+    assert row is not None
+    assert row.simulated
+
+
+@pytest.mark.parametrize(
+    ("short", "name"),
+    [
+        ("MB", "MOVEBUFFERSIZE"),
+        ("FRM", "FEEDRATEMODE"),
+        ("FRO", "FEEDRATEOVERRIDE"),
+        ("OFS", "OFFSETSTATUS"),
+        ("GR", "GEARING"),
+        ("GRM", "GEARINGMODE"),
+        ("SPL", "SPLINE"),
+        ("MA", "MOVEA"),
+        ("ps", "POS"),
+        ("cn", "CANCEL"),
+        ("st", "STOP"),
+        ("de", "DRIVEENABLE"),
+        ("kp", "KPROP"),
+        ("hps", "HOMEPOS"),
+    ],
+)
+def test_documented_short_forms_are_the_words_themselves(short: str, name: str) -> None:
+    assert table().get(short) is table().get(name)
+
+
 def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
     for row in OTHERS:
         source = Source("a.mnt", f"x = {row.name}(0)" if row.access != "C" else f"{row.name}(0)")
