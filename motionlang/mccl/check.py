@@ -7,7 +7,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.decode import problem
 from motionlang.mccl.line import Line, lines_of
-from motionlang.mccl.models import DEFAULT, MODELS, missing
+from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
 from motionlang.mccl.program import locate
 
 TYPE_CHECKING = False
@@ -28,7 +28,8 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
     from motionlang.lang.lint import silence
     from motionlang.mccl.lint import COMMENT
 
-    model = MODELS.get(str((settings or {}).get("controller.model", "")), MODELS[DEFAULT])
+    named = str((settings or {}).get("controller.model", "")) or written_for(source.name)
+    model = MODELS.get(named, MODELS[DEFAULT])
     lines = list(lines_of(source.text))
     whole = [each for each in lines if isinstance(each, Line)]
     found: list[Diagnostic] = []

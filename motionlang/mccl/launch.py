@@ -82,7 +82,7 @@ def _stepped(start: float, target: float, low: float, speed: float, accel: float
     """From rest: `low` at once, the trapezoid, and from `low` to rest at once."""
     size, per_square = abs(target - start), 0.5 / accel + 0.5 / decel
     peak = min(speed, sqrt(low * low + size / per_square))
-    slew = max(0.0, (size - (peak * peak - low * low) * per_square) / peak)
+    slew = (size - (peak * peak - low * low) * per_square) / peak if peak == speed else 0.0
     rise, fall = (peak - low) / accel, (peak - low) / decel
     v = copysign(peak, target - start)
     step = copysign(low, v)

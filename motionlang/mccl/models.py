@@ -93,6 +93,19 @@ _MODELS = (
 
 MODELS: dict[str, Model] = {model.name: model for model in _MODELS}
 DEFAULT = "multiflex"
+# The board that a file is written for, by PMC's suffixes; those of boards that are not among ours say nothing.
+_SUFFIXES = {
+    "pc1": "dcx-pc100",
+    "at2": "dcx-at200",
+    "pci1": "dcx-pci100",
+    "pci3": "dcx-pci300",
+    "mfx1": "multiflex",
+}
+
+
+def written_for(name: str) -> str:
+    """The model that a file's name speaks of, the default where it speaks of none."""
+    return _SUFFIXES.get(name.rpartition(".")[2].lower(), DEFAULT)
 
 
 def missing(model: Model, name: str) -> Fault:

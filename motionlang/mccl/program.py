@@ -7,6 +7,7 @@ from motionlang.lang.task import Wait
 from motionlang.mccl.board import Board
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.line import Line, lines_of
+from motionlang.mccl.models import written_for
 from motionlang.mccl.task import CommandTask
 
 TYPE_CHECKING = False
@@ -36,6 +37,7 @@ class MacroFile(Program):
             diagnostic.line, diagnostic.column, diagnostic.length = place
             machine.diagnostics.append(diagnostic)
 
+        machine.model = machine.model or written_for(self.source.name)
         board = Board(machine, complain)
         task = FileTask(self, board)
         task.override(machine.overrides)

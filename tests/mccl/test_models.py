@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang import run
 from motionlang.mccl import DIALECT
 from motionlang.mccl.keywords import TABLE
 from motionlang.mccl.models import DEFAULT, MODELS
@@ -107,6 +108,28 @@ def test_a_stepper_of_a_multiflex_has_other_settings_at_power_up(mccl: Runner) -
     assert mccl(text, machine=stepper).output == ["10000", "10000", "1000", "1000", "0"]
     other = mccl(text, machine={"controller.model": "dcx-at200", **stepper})
     assert other.output == ["40000", "100000", "0", "0", "0"]
+
+
+@pytest.mark.parametrize(
+    ("name", "model"),
+    [
+        ("a.pc1", "dcx-pc100"),
+        ("a.at2", "dcx-at200"),
+        ("a.PCI1", "dcx-pci100"),
+        ("a.pci3", "dcx-pci300"),
+        ("a.mfx1", "multiflex"),
+        ("a.mcl", "multiflex"),
+        ("a.dc2", "multiflex"),
+    ],
+)
+def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) -> None:
+    """Unless the machine file says another."""
+    text = "VE\n1OB1"
+    result = run(Source(name, text), dialect="mccl")
+    assert result.output[0].startswith(MODELS[model].title)
+    assert bool(DIALECT.check(Source(name, text))) is ("OB" in MODELS[model].lacks)
+    other = run(Source(name, text), dialect="mccl", machine={"controller.model": "dcx-at200"})
+    assert other.output[0].startswith(MODELS["dcx-at200"].title)
 
 
 def test_the_default_is_a_multiflex() -> None:
