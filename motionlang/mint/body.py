@@ -49,6 +49,7 @@ class Whole:
     __slots__ = (
         "_operations",
         "axes",
+        "axis_texts",
         "costs",
         "guarded",
         "line",
@@ -65,6 +66,7 @@ class Whole:
     def __init__(self, table: Table, problems: Problems, names: Names, axes: range, suffix: str) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes
         self.typed, self.suffix = names.typed, suffix
+        self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
         self._operations: dict[tuple[str, Keyword], str] = {}

@@ -130,6 +130,8 @@ class Environment:
         from motionlang.mint.binding import Row, bind
 
         operation = bind(self, how, Row(*details))  # type: ignore[arg-type]
+        if how == "load":
+            return self._loading(operation)
         return self._timed(operation) if how in ("write", "do") else operation
 
     def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
@@ -139,6 +141,18 @@ class Environment:
         def at(time: float, horizon: float, *arguments: object) -> float:
             clock.now = time
             operation(*arguments)
+            return clock.horizon if clock.horizon < horizon else horizon
+
+        return at
+
+    def _loading(self, operation: Callable[..., object]) -> Callable[..., float | None]:
+        """The same for a move, which answers with nothing while there is no room for it."""
+        clock = self.clock
+
+        def at(time: float, horizon: float, *arguments: object) -> float | None:
+            clock.now = time
+            if operation(*arguments):
+                return None
             return clock.horizon if clock.horizon < horizon else horizon
 
         return at

@@ -22,6 +22,9 @@ _SAME = frozenset((INTEGER, FLOAT, STRING))
 _ARITHMETIC = frozenset("+-*")
 _BITS = {"&": "&", "|": "|", "Xor": "^"}
 _NOTHING = Value("0", FLOAT, ranges.ANY)
+# Whole numbers that have been written; so many are kept.
+_SEEN: dict[float, Value] = {}
+MOST_SEEN = 20_000
 
 
 def value(b: Body, node: nodes.Expr) -> Value:
@@ -109,8 +112,14 @@ def article(type: str) -> str:
 
 def _number(b: Body, node: nodes.Number) -> Value:
     known = node.value
+    found = _SEEN.get(known)
+    if found is not None and found.const.__class__ is known.__class__:
+        return found
     if known.__class__ is int and 0 <= known <= ranges.INT_HIGH:
-        return Value(repr(known), INTEGER, (known, known, "i"), known)
+        found = Value(repr(known), INTEGER, (known, known, "i"), known)
+        if len(_SEEN) < MOST_SEEN:
+            _SEEN[known] = found
+        return found
     if known.__class__ is float and 0 <= known < ranges.INFINITY:
         return Value(repr(known), FLOAT, ranges.FLOAT, known)
     if known in (ranges.INFINITY, -ranges.INFINITY):

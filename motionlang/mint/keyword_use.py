@@ -146,7 +146,9 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     args = node.args
     kind = row.index
     if args and len(args) == 1 and kind in _ONE:
-        return [_index(b, args[0], kind)]
+        arg = args[0]
+        text = b.whole.axis_texts.get(arg.value) if arg.__class__ is nodes.Number else None  # type: ignore[union-attr]
+        return [text or _index(b, arg, kind)]
     if kind == "none":
         if args:
             b.problem("values", f"{row.name} takes nothing in brackets", node)
@@ -175,8 +177,8 @@ _ONE = frozenset(("axis", "axes", "channel"))
 
 
 def _index(b: Body, node: nodes.Expr, kind: str) -> str:
-    if node.__class__ is nodes.Number and node.value in b.whole.axes and node.value.__class__ is int:
-        return str(node.value)
+    if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:  # type: ignore[union-attr]
+        return b.whole.axis_texts[node.value]  # type: ignore[union-attr]
     if kind == "task":
         return _task(b, node)
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")

@@ -31,6 +31,8 @@ class Poll:
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
     """The watch on a loop, None where it would never find anything to skip."""
+    if any(_plainly_acts(b, node) for node in body):
+        return None
     look = _Look(b)
     if not all(look.only_looks(test) for test in conditions) or any(look.acts(node) for node in body):
         return None
@@ -40,6 +42,14 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     poll = Poll(b, sorted(look.assigned), look.watches)
     b.emit(f"{poll.dirty} = True; {poll.before} = None; {poll.since} = t")
     return poll
+
+
+def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
+    """What `_Look.acts` says of most statements, at a glance."""
+    if node.__class__ is nodes.Assign:
+        target = node.target  # type: ignore[union-attr]
+        return target.__class__ is nodes.Name and b.scope.find(target.name) is None
+    return node.__class__ not in _MAY_LOOK
 
 
 def mark(b: Body, node: nodes.Stmt) -> None:
@@ -156,6 +166,9 @@ class _Look:
                         self.reads = True
                         return
 
+
+# What may do nothing, or only sometimes.
+_MAY_LOOK = frozenset((nodes.If, nodes.Select, nodes.Exit, nodes.Const, nodes.Define, nodes.Label))
 
 # Words whose reading takes something away.
 _CHANGES_BY_READING = frozenset(
