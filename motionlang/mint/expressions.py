@@ -67,7 +67,7 @@ def as_float(found: Value) -> str:
     """The text of a number that must be a Python float."""
     known = found.const
     if known.__class__ is int:
-        return f"{found.text}.0" if 0 <= known <= ranges.INT_HIGH else literal(float(known)).text  # type: ignore[arg-type,operator]
+        return f"{found.text}.0" if 0 <= known <= ranges.INT_HIGH else literal(float(known)).text
     return found.text if found.range[2] == "f" else f"({found.text} + 0.0)"
 
 

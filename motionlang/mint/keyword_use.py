@@ -147,7 +147,7 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     kind = row.index
     if args and len(args) == 1 and kind in _ONE:
         arg = args[0]
-        text = b.whole.axis_texts.get(arg.value) if arg.__class__ is nodes.Number else None  # type: ignore[union-attr]
+        text = b.whole.axis_texts.get(arg.value) if arg.__class__ is nodes.Number else None
         return [text or _index(b, arg, kind)]
     if kind == "none":
         if args:
@@ -177,8 +177,8 @@ _ONE = frozenset(("axis", "axes", "channel"))
 
 
 def _index(b: Body, node: nodes.Expr, kind: str) -> str:
-    if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:  # type: ignore[union-attr]
-        return b.whole.axis_texts[node.value]  # type: ignore[union-attr]
+    if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:
+        return b.whole.axis_texts[node.value]
     if kind == "task":
         return _task(b, node)
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")

@@ -8,7 +8,7 @@ from motionlang.mint import nodes
 from motionlang.mint.flowgraph import Graph, Step
 from motionlang.mint.fold import fold
 from motionlang.mint.lint_words import OF_ALL_AXES, role
-from motionlang.mint.names import walk
+from motionlang.mint.survey import walk
 from motionlang.mint.symbols import Function, Symbol
 
 if TYPE_CHECKING:

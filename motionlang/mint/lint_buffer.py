@@ -9,7 +9,7 @@ from motionlang.mint import nodes
 from motionlang.mint.lint_acts import Act, Facts, Key, spelt
 from motionlang.mint.lint_axis import IDLE, Follower, State
 from motionlang.mint.lint_words import ENTRIES
-from motionlang.mint.names import walk
+from motionlang.mint.survey import walk
 from motionlang.mint.symbols import Function, Symbol
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from motionlang.mint.flowgraph import DO
 from motionlang.mint.lint_acts import Facts
 from motionlang.mint.lint_axis import IDLE, State
 from motionlang.mint.lint_words import STANDING
-from motionlang.mint.names import walk
+from motionlang.mint.survey import walk
 from motionlang.mint.symbols import TIME, Function, Symbol
 
 if TYPE_CHECKING:

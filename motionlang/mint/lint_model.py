@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.mint import nodes
 from motionlang.mint.models import MINTMT, V4, age
-from motionlang.mint.names import walk
+from motionlang.mint.survey import walk
 from motionlang.mint.tables import TABLES
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.mint import nodes
 from motionlang.mint.lint_acts import Facts, Key
-from motionlang.mint.names import walk
+from motionlang.mint.survey import walk
 from motionlang.mint.symbols import SEMAPHORE, Function, Symbol
 
 if TYPE_CHECKING:

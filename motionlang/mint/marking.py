@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic
 from motionlang.mint import nodes
-from motionlang.mint.names import walk
+from motionlang.mint.survey import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

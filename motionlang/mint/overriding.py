@@ -49,7 +49,7 @@ def _replace(
     body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]
 ) -> None:
     """In the order of the text: the first value a name is given is the one that is replaced."""
-    from motionlang.mint.names import walk
+    from motionlang.mint.survey import walk
 
     for node in sorted(walk(body), key=lambda each: each.at):
         if type(node) is nodes.Const:

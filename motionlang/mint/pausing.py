@@ -104,7 +104,7 @@ def _defined(b: Body, node: nodes.Expr) -> nodes.Expr:
 
 def moves(b: Body, node: nodes.Node, counting: bool = False) -> bool:
     """Whether the value of an expression changes by itself; `counting`: also while every axis stands still."""
-    from motionlang.mint.names import walk
+    from motionlang.mint.survey import walk
 
     for each in walk([node]):
         if type(each) is nodes.Name:

@@ -47,7 +47,7 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
 def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
     """What `_Look.acts` says of most statements, at a glance."""
     if node.__class__ is nodes.Assign:
-        target = node.target  # type: ignore[union-attr]
+        target = node.target
         return target.__class__ is nodes.Name and b.scope.find(target.name) is None
     return node.__class__ not in _MAY_LOOK
 
@@ -137,7 +137,7 @@ class _Look:
 
     def _calls(self, found: Iterable[nodes.Node]) -> bool:
         """Whether an expression calls a sub, or a word that answers differently each time."""
-        from motionlang.mint.names import walk
+        from motionlang.mint.survey import walk
 
         for node in walk(found):
             if isinstance(node, nodes.Name):
@@ -153,7 +153,7 @@ class _Look:
 
     def _note_reads(self, node: nodes.Node) -> None:
         """Note whether anything is read that others can change."""
-        from motionlang.mint.names import walk
+        from motionlang.mint.survey import walk
 
         if self.reads:
             return

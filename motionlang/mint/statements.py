@@ -78,8 +78,8 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
 
 def _assign(b: Body, node: nodes.Assign) -> None:
     target: nodes.Expr = node.target
-    if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:  # type: ignore[union-attr]
-        _give(b, node, *b.targets[target.name])  # type: ignore[union-attr]
+    if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:
+        _give(b, node, *b.targets[target.name])
         return
     if type(target) is nodes.Name:
         symbol = b.scope.find(target.name)
