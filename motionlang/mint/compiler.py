@@ -9,6 +9,8 @@ session.
 
 from __future__ import annotations
 
+import gc
+
 from motionlang.mint import jumping
 from motionlang.mint.assembly import assemble, assemble_line
 from motionlang.mint.body import Body, Whole
@@ -130,9 +132,15 @@ def compile_source(
     overrides: Mapping[str, float | str] | None = None,
 ) -> tuple[MintProgram, list[Diagnostic]]:
     """Parse and compile a program; its warnings come with it. ProgramError with every mistake."""
-    module = parse(source)
-    if overrides:
-        override(module, overrides)
-    compiled = compile_module(module, settings)
+    collecting = gc.isenabled()
+    gc.disable()  # what is made here lasts to the end or goes by itself, and the collector would look at it every time
+    try:
+        module = parse(source)
+        if overrides:
+            override(module, overrides)
+        compiled = compile_module(module, settings)
+    finally:
+        if collecting:
+            gc.enable()
     program = MintProgram(compiled.code, source.name, source.text, settings)
     return program, list(compiled.problems.found.values())
