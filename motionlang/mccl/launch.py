@@ -83,7 +83,9 @@ def _stepped(start: float, target: float, low: float, speed: float, accel: float
     size, per_square = abs(target - start), 0.5 / accel + 0.5 / decel
     peak = min(speed, sqrt(low * low + size / per_square))
     slew = (size - (peak * peak - low * low) * per_square) / peak if peak == speed else 0.0
-    rise, fall = (peak - low) / accel, (peak - low) / decel
+    # The gain in velocity, without the loss of figures that the difference of two near numbers has.
+    gain = size / per_square / (peak + low) if peak < speed else peak - low
+    rise, fall = gain / accel, gain / decel
     v = copysign(peak, target - start)
     step = copysign(low, v)
     recipe = (0.0, 0.0, 0.0, step, rise, 0.0, v, slew, 0.0, v, fall, 0.0, step, 0.0, 0.0, 0.0)

@@ -34,7 +34,7 @@ ROWS = (
     _known("LC", "command", "axis", "Load a position to compare with; the output it switches is not known.",
            source=MCAPI),
     _known("NC", "command", "axis", "No position compare any more.", source=MCAPI),
-    _known("OC", "command", "axis", "Output mode of position compare: 0 none, 1 static, 2 toggle, 3 one-shot, 5 strobe.",
+    _known("OC", "command", "axis", "Output of position compare: 0 none, 1 static, 2 toggle, 3 one-shot, 5 strobe.",
            source=MCAPI),
     _known("OP", "command", "axis", "Period of the one-shot output of position compare.", source=MCAPI),
     _known("YF", "command", "axis", "Digital filter on.", source=MCAPI),
