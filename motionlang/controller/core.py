@@ -454,7 +454,8 @@ class Core(Readings):
         assert move is not None
         assert move.profile is not None
         done = move.profile.cut(self.clock.now - move.start_time)
-        move.profile = done.then(profile.shifted(-move.offset) if move.offset else profile)
+        # Where a new zero has come between them, the two differ by it, and by its rounding.
+        move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
         move.ended = ended or move.ended
 
     def _end_move(self, a: Axis, ended: str) -> None:
