@@ -131,12 +131,14 @@ def run(
         language,
         Machine(settings, first_axis=language.first_axis, show=show, overrides=overrides),
     )
-    compiled = _compile(source, language, settings, result, cache)
+    name = _cache_name(source, language, settings) if cache else ""
+    compiled = _compile(source, language, settings, result, name)
     if nv is not None and not _open_kept(result, nv):
         compiled = None
     if compiled is not None:
         if begun is not None:
             begun(result.machine)
+        size = compiled.size
         _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
         if result.machine.has_motors:
@@ -148,6 +150,8 @@ def run(
             result.not_counted.append(f"settings that have no effect here: {words}")
         if result.machine.nv is not None:
             _save_kept(result)
+        if compiled.size > size:
+            _keep(compiled, name)
     result.machine.terminal.close()
     result.time = result.machine.clock.now
     return result
@@ -213,17 +217,22 @@ def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     return found
 
 
+def _cache_name(source: Source, language: Dialect, settings: dict[str, object]) -> str:
+    """The name under which the cache has a compiled program."""
+    from motionlang.lang import cache
+
+    package = os.path.dirname(sys.modules[type(language).__module__].__file__ or "")
+    state = cache.fingerprint(package)
+    return cache.key(language.name, state, repr(sorted(settings.items())), source.name, source.text)
+
+
 def _compile(
-    source: Source, language: Dialect, settings: dict[str, object], result: Run, use_cache: bool
+    source: Source, language: Dialect, settings: dict[str, object], result: Run, name: str
 ) -> Program | None:
-    """The compiled program, from the cache where it may come from there."""
-    name = ""
-    if use_cache:
+    """The compiled program, from the cache where it has one of that name."""
+    if name:
         from motionlang.lang import cache
 
-        package = os.path.dirname(sys.modules[type(language).__module__].__file__ or "")
-        state = cache.fingerprint(package)
-        name = cache.key(language.name, state, repr(sorted(settings.items())), source.name, source.text)
         payload = cache.get(name)
         if payload is not None:
             return language.load(payload)
@@ -235,11 +244,17 @@ def _compile(
         result.diagnostics = error.diagnostics
         result.status = "fault"
         return None
-    if use_cache:
-        payload = compiled.payload()
-        if payload is not None:
-            cache.put(name, payload)
+    _keep(compiled, name)
     return compiled
+
+
+def _keep(compiled: Program, name: str) -> None:
+    """Put a program into the cache under a name; again when more of it has been compiled."""
+    payload = compiled.payload() if name else None
+    if payload is not None:
+        from motionlang.lang import cache
+
+        cache.put(name, payload)
 
 
 def _execute(

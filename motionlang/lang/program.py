@@ -13,6 +13,9 @@ class Program:
 
     __slots__ = ()
 
+    # How much of it is compiled, where that grows as it runs.
+    size = 0
+
     def start(self, machine: Machine) -> Task:
         """The parent task of the program, bound to `machine`, not yet run."""
         raise NotImplementedError

@@ -57,7 +57,7 @@ def program(text: str) -> MintProgram:
 STATEMENTS = "\n".join(f"x = x + {n} : PRINT x" for n in range(1, 1001))
 
 
-def test_a_long_program_is_compiled_as_it_runs(tmp_path: Path) -> None:
+def test_a_long_program_is_compiled_as_it_runs() -> None:
     text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
     long = program(text)
     units = len(long.code.units)
@@ -65,6 +65,16 @@ def test_a_long_program_is_compiled_as_it_runs(tmp_path: Path) -> None:
     result = run(Source("long.mnt", text), cache=False)
     assert result.output[-1] == "500500.0000"
     assert result.time == pytest.approx(2001 * 1e-5)
+
+
+def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
+    first = run(Source("long.mnt", text))
+    (entry,) = tmp_path.iterdir()
+    kept = load(entry.read_bytes()[32:])
+    assert 1 < kept.size < len(kept.code.units)
+    assert run(Source("long.mnt", text)).report == first.report
 
 
 def test_what_was_not_called_is_kept_as_text() -> None:
