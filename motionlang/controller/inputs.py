@@ -35,6 +35,11 @@ class Channels:
         self.changes.append((self._clock.now, channel, value))
         self._tell(channel)
 
+    def clear(self) -> None:
+        """All channels are 0, as nobody had ever set them; those that were not are told of."""
+        for channel in sorted(self._values):
+            self[channel] = 0
+
     def _tell(self, channel: int) -> None:
         value = self[channel]
         for listener in tuple(self.listeners):

@@ -37,7 +37,12 @@ class Limit:
     @property
     def active(self) -> bool:
         """Whether the axis is beyond the limit or its switch is closed."""
-        return self._switch or (self._watch is not None and self._watch.side == self.sign)
+        return self._switch or self.passed
+
+    @property
+    def passed(self) -> bool:
+        """Whether the axis is beyond the limit."""
+        return self._watch is not None and self._watch.side == self.sign
 
     def place(self, position: float | None) -> None:
         """Set where the limit is; None takes it away."""

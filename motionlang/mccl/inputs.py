@@ -2,11 +2,13 @@
 
 They are digital channels. A MultiFlex has four an axis from channel 17 on, the limits second and third (two telescope
 axes are wired so); that home is the first and the amplifier fault the fourth is inferred. Where the inputs of axes
-beyond the fourth are, behind the outputs, and the auxiliary and user inputs, is our choice. The home switch of the
-machine file is seen without a channel too, and the index input is where the encoder has a mark.
+beyond the fourth are, behind the outputs, and the auxiliary and user inputs, is our choice. The switches of the
+machine file, home and travel, are seen without a channel too, and the index input is where the encoder has a mark.
 """
 
 from __future__ import annotations
+
+from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,6 +19,8 @@ FIRST, PER_AXIS, LAST_AXIS, BEYOND = 17, 4, 4, 49
 ORDER = ("home", "limit_plus", "limit_minus", "amplifier_fault")
 # Inputs that have one channel an axis, counted from here.
 SINGLE = {"auxiliary": 200, "user_1": 216, "user_2": 232}
+# Limit switches that the machine file gives by their position, by the fault of the controller.
+SWITCHES = {"limit_plus": LIMIT_FORWARD, "limit_minus": LIMIT_REVERSE}
 # Half the width of an index mark, counts.
 MARK = 0.5
 INFINITY = float("inf")
@@ -34,9 +38,18 @@ def channel_of(axis: int, name: str) -> int:
 
 def is_active(board: Board, axis: AxisState, name: str) -> bool:
     """Whether the input is on, in terms of logic; an input that nothing drives is off whatever its polarity."""
-    channel = channel_of(axis.number, name)
-    if name == "home" and board.controller.axes[axis.number].home:
+    a = board.controller.axes[axis.number]
+    if name == "home" and a.home:
         return True
+    bit = SWITCHES.get(name)
+    if bit is not None and any(each.bit == bit and each.physical and each.passed for each in a.limits):
+        return True
+    return is_channel_active(board, axis, name)
+
+
+def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:
+    """The same, of the channel of the input alone."""
+    channel = channel_of(axis.number, name)
     if not board.is_driven(channel):
         return False
     on = (board.controller.input(channel) != 0) is not (channel in board.low_true)

@@ -17,7 +17,7 @@ from motionlang.controller.faults import (
 )
 from motionlang.controller.limit import Limit
 from motionlang.mccl import flags
-from motionlang.mccl.inputs import ORDER, channel_of, is_active
+from motionlang.mccl.inputs import ORDER, channel_of, is_channel_active
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ class Limits:
                 self._limit(bit).enabled = True
         self.place_soft()
         for bit, name in ((HARD_PLUS, "limit_plus"), (HARD_MINUS, "limit_minus")):
-            if which & bit and is_active(self._board, self._axis, name):
+            if which & bit and is_channel_active(self._board, self._axis, name):
                 self._hard[bit].set_active(True)
 
     def disable(self, which: int) -> None:
@@ -98,7 +98,7 @@ class Limits:
 
     def channel_changed(self, name: str) -> None:
         """One of the axis's inputs has another level."""
-        active = is_active(self._board, self._axis, name)
+        active = is_channel_active(self._board, self._axis, name)
         if name == "limit_plus":
             self._hard[HARD_PLUS].set_active(active)
         elif name == "limit_minus":

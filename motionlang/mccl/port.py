@@ -152,6 +152,7 @@ class Port:
         self._waiting.clear()
         self._typed.clear()
         self._dropped = 0
+        self._held = False
         self.task.set_stepping(False)
         if self.busy:
             self.task.cancel()

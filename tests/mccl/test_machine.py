@@ -36,6 +36,34 @@ def test_a_limit_that_is_not_enabled_does_nothing(mccl: Runner) -> None:
     assert result.output == ["01 20000"]
 
 
+def test_travel_shows_as_the_limit_inputs_whether_enabled_or_not(mccl: Runner) -> None:
+    """Bits 26 and 27; a loop that looks sees them at once, at 10000 counts/s with 0.2 counts a look."""
+    look = '1LU"STATUS",1RL@0,IC{bit},JR-3,NO,1TP,1ST,1WS'
+    text = f"1MN,1SV10000,1VM,1GO\n{look.format(bit=26)}\n1DI1,1GO\n{look.format(bit=27)}\n1PM,1MA0,1WS,1TS"
+    plus, minus, last = mccl(text, machine={"axis.1.travel": [-1000.0, 5000.0]}).output
+    assert 5000 <= status(plus) <= 5001
+    assert -1001 <= status(minus) <= -1000
+    assert status(last) & (1 << 26 | 1 << 27) == 0
+
+
+def test_a_limit_that_was_passed_when_it_was_enabled_lets_go_again(mccl: Runner) -> None:
+    text = "1MN,1SV10000,1MA5500,1WS,1LM1,1LN1,1MA4000,1WS,1TP,1MA9000,1WS,1TP"
+    assert mccl(text, machine={"axis.1.travel": [-1000.0, 5000.0]}).output == ["01 4000", "01 5000"]
+
+
+def test_a_reset_makes_positions_zero(mccl: Runner) -> None:
+    assert mccl("1MN,2MN,1MA500,2MA600,1WS,2WS,1RT,1TP,2TP\nRT\n1TP,2TP").output == [
+        "01 0",
+        "02 600",
+        "01 0",
+        "02 0",
+    ]
+
+
+def test_a_reset_switches_outputs_off(mccl: Runner) -> None:
+    assert mccl("CN33,TC33,RT\nTC33").output == ["33 1", "33 0"]
+
+
 def test_off_a_limit_after_motor_on(mccl: Runner) -> None:
     text = "1MN,1LM1,1LN3,1MA20000,1WS,1MA0,1TP,1MN,1MA0,1WS,1TP,1TS"
     result = mccl(text, machine={"axis.1.travel": [-1000.0, 5000.0]})

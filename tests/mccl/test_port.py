@@ -136,6 +136,8 @@ def test_xoff_holds_the_output() -> None:
     console, port = board()
     assert ask(console, port, b"\x131TP\r") == b""
     assert ask(console, port, b"\x11") == b"01 0\n>"
+    assert ask(console, port, b"\x131TP\r") == b""
+    assert ask(console, port, b"\x1b") == b"01 0\n>\n>"
 
 
 def test_too_long_a_line() -> None:
