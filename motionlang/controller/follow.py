@@ -247,7 +247,9 @@ class Gear(Follow):
         chase = _ramp(position, have, sign * (accel if have * sign >= 0.0 else decel))
         gap = added(wanted, chase.scaled(0.0, -1.0), "gap")
         meets = gap.velocity_crossing(0.0)
-        assert meets is not None, "a ramp that goes on for ever meets every profile"
+        if meets is None:
+            words = f"axis {self.a.index} cannot ramp to {want:g} counts/s, the speed of its master"
+            raise Refusal("range", words, "raise its rates, or lower the ratio")
         self._locks_at = now + meets
         head = chase.cut(meets)
         return relabelled(head.then(self._geared(coming.after(meets), head.end)), self.move.shape)

@@ -181,6 +181,8 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
         return b.whole.axis_texts[node.value]
     if kind == "task":
         return _task(b, node)
+    if kind == "distance":
+        return as_float(number(b, node, "a distance"))
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
     if found.const is not None:
         if found.const != int(found.const):

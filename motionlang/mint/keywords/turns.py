@@ -25,5 +25,5 @@ ROWS = (
     Keyword("FREQ", "", "setting", "RW", "axis", "number", "turns.frequency",
             "Run at a constant number of pulses a second, its sign the direction, until stopped or told another one.",
             "FREQ(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT FREQ(0)",
-            default=0.0, low=-1e12, high=1e12, source=_LIBRARY, trust="memory", group="motion"),
+            default=0.0, low=-8388607.0, high=8388607.0, source=_LIBRARY, trust="memory", group="motion"),
 )  # fmt: skip
