@@ -206,14 +206,14 @@ class Names:
         for size in sizes:
             count *= size
         if count > MOST_ELEMENTS:
-            self.problems.add("range", f"{node.name} has {count} elements, more than {MOST_ELEMENTS}", node.at,
+            self.problems.add("range", f"{node.name} has more than {MOST_ELEMENTS} elements", node.at,
                               hint="make the array smaller")  # fmt: skip
             return (1,) * len(sizes)
         return tuple(sizes)
 
     def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
         value = fold(scope, node, self.table)
-        if isinstance(value, (int, float)) and value == int(value) and value >= least:
+        if isinstance(value, (int, float)) and least <= value < float("inf") and value == int(value):
             return int(value)
         self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
                           node.at)  # fmt: skip
