@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from motionlang.controller.watch import Watch
 
 SHORT, LONG = 64, 0.5
+# Seconds of rest after which a motor that hunts, but no further than before, is left to it.
+HUNTING = 20.0
 # What two blocks of a motor at rest may differ by: counts, and volts.
 _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 _NEVER = 1 << 62
@@ -60,9 +62,11 @@ class Feedback:
         "_event",
         "_long",
         "_mark",
+        "_rests",
         "_servo",
         "_sight",
         "_size",
+        "_widest",
         "_words",
         "calm",
         "changes",
@@ -102,7 +106,10 @@ class Feedback:
         # When something is looked at next: the event, and its sample.
         self._event: Event | None = None
         self._due = _NEVER
+        # How far the motor went in the last block of rest, and in all of them, and how many there were.
         self._envelope: tuple[float, ...] | None = None
+        self._widest: tuple[float, ...] | None = None
+        self._rests = 0
         # Whether the motor stands for good, as far as nothing is done to it.
         self.calm = True
         # The last sample that was searched for events, all of which have happened.
@@ -256,7 +263,7 @@ class Feedback:
         if self.scanned < due <= now:  # time went past it in one go
             self._happen(due)
         self.scanned = max(self.scanned, now)
-        self.calm, self._envelope = False, None
+        self.calm, self._envelope, self._widest, self._rests = False, None, None, 0
         self._await(now)
 
     def arm(self, watch: Watch) -> None:
@@ -359,8 +366,11 @@ class Feedback:
             place, output = sight.encoder[-self._long :], sight.output[-self._long :]
             new = (-float(place.min()), float(place.max()), -float(output.min()), float(output.max()))
         old, self._envelope = self._envelope, new
-        grown = [INFINITY] if old is None or new is None else map(sub, new, old)
-        self.calm = all(by <= slack for by, slack in zip(grown, _SLACK, strict=False))
+        widest = self._widest if new is not None else None
+        self._rests = self._rests + 1 if new is not None else 0
+        self._widest = new if widest is None or new is None else tuple(map(max, widest, new))
+        hunting = self._rests * LONG > HUNTING and not _grown(widest, new)
+        self.calm = hunting or not _grown(old, new)
         if self.calm and now > servo.sample and servo.state == self._mark[0]:
             sight.keep(sight.end - 1, sight.end)
             sight.first = now - 1
@@ -450,3 +460,10 @@ class Feedback:
                 watch.call(side)
         if trips and self._is_armed:
             self.tripped()
+
+
+def _grown(before: tuple[float, ...] | None, after: tuple[float, ...] | None) -> bool:
+    """Whether a block went further than what was before it."""
+    if before is None or after is None:
+        return True
+    return any(by > slack for by, slack in zip(map(sub, after, before), _SLACK, strict=True))

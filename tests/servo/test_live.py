@@ -53,13 +53,29 @@ def fitted(plant: dict[str, object], section: dict[str, object]) -> tuple[Contro
 # --------------------------------------------------------------------------------- the same as a later simulation
 
 
-@pytest.mark.parametrize("plant", [MOTOR, ROUGH], ids=["linear", "rough"])
+CHAPTER_12: dict[str, object] = {
+    "arithmetic": "chapter12",
+    "dac_bits": 12,
+    "proportional": 300.0,
+    "derivative": 900.0,
+    "override_steps": 20,
+    "override_hold": 2,
+    "override_speed": 100_000.0,
+}
+DRIVE: dict[str, object] = {"kind": "drive", "quantised": True}
+
+
+@pytest.mark.parametrize(
+    ("plant", "section"),
+    [(MOTOR, GAINS), (ROUGH, GAINS), (DRIVE, CHAPTER_12)],
+    ids=["linear", "rough", "chapter 12"],
+)
 @given(cuts=st.lists(st.floats(0.0, 0.9), min_size=1, max_size=12), stops=st.booleans())
 @settings(derandomize=True, max_examples=25, deadline=None)
 def test_what_is_read_live_is_what_a_later_simulation_gives(
-    plant: dict[str, object], cuts: list[float], stops: bool
+    plant: dict[str, object], section: dict[str, object], cuts: list[float], stops: bool
 ) -> None:
-    controller, feedback = fitted(plant, GAINS)
+    controller, feedback = fitted(plant, section)
     seen = []
     controller.move_to(0, 4000.0)
     for cut in sorted(cuts):
@@ -361,6 +377,18 @@ def test_a_motor_at_rest_costs_nothing() -> None:
     """Hours of rest are a handful of blocks: a motor that stands for good is not watched any more."""
     result = run(MOVE + "PAUSE IDLE(0) : WAIT = 20000000 : PRINT POS(0)", ROUGH, servo=GAINS)
     assert result.time == pytest.approx(20000.3, abs=0.2)
+
+
+def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
+    """A loop that is too stiff for its backlash swings for ever: the run ends, and a wait for more is found out."""
+    plant = {**MOTOR, "quantised": True, "resonance": 60.0, "backlash": 40.0, "encoder": "load"}
+    loose: dict[str, object] = {"proportional": 0.02, "derivative": 0.5, "output_limit": 2.0}
+    result = run("MOVER(0) = 200 : GO(0)\nPAUSE IDLE(0)\nPAUSE POS(0) > 5000", plant, servo=loose)
+    assert [each.code for each in result.diagnostics] == ["never"]
+    assert result.time < 60.0
+    trace = servo_trace(result.controller.axes[0], result.time)
+    assert trace is not None
+    assert np.ptp(trace.position[-2000:]) > 5.0
 
 
 def test_blocks_do_not_depend_on_who_reads() -> None:
