@@ -72,7 +72,7 @@ class Board:
         self.reset()
 
     def reset(self) -> None:
-        """As at power-up: axes and outputs off, units counts and seconds, registers 0, no macros."""
+        """As at power-up: axes off, units counts and seconds, registers 0, no macros."""
         self.registers: list[float | int] = [0] * self.model.registers
         self.macros: dict[int, Line] = {}
         self.time_unit = 1.0
@@ -80,8 +80,6 @@ class Board:
         self.last_error = 0
         self.prompt, self.echo = self.model.prompt, self.model.echo
         self.xon, self.xoff = 17, 19
-        for levels in (self.controller.outputs, self.controller.analogue_outputs):
-            levels.clear()
         self.outputs = set(self.model.outputs)
         self.low_true = set()
         self.points.clear()

@@ -131,7 +131,10 @@ def reset(task: CommandTask, command: Command) -> None:
     if command.axis:
         task.board.reset_axis(task.axis(command))
         return
-    task.board.reset()
+    board = task.board
+    board.reset()
+    for levels in (board.controller.outputs, board.controller.analogue_outputs):
+        levels.clear()
     task.abandon()
 
 
