@@ -37,7 +37,7 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     if not all(look.only_looks(test) for test in conditions) or any(look.acts(node) for node in body):
         return None
     look.conditional(body)
-    if not look.reads:
+    if look.assigned and not look.reads:
         return None  # nothing but its own variables: it computes
     poll = Poll(b, sorted(look.assigned), look.watches)
     b.emit(f"{poll.dirty} = True; {poll.before} = None; {poll.since} = t")

@@ -50,6 +50,8 @@ PROGRAMS = {
     "PRINT TIME, POS",
     "another task": "Run Work\nWhile turns < 5\nEnd While\nPRINT TIME\nEnd\n"
     "Task Work\n  Loop\n    WAIT = 7\n    turns = turns + 1\n  End Loop\nEnd Task",
+    "an empty loop under a timer": "TIMEREVENT = 70\nLoop\nEnd Loop\n"
+    'Event TIMER\n  n = n + 1 : PRINT n, " ", TIME\n  If n = 9 Then End\nEnd Event',
     "a task that works": "Run Work\nWhile turns < 500\nEnd While\nPRINT TIME\nEnd\n"
     "Task Work\n  Loop\n    turns = turns + 1\n  End Loop\nEnd Task",
 }
@@ -90,3 +92,11 @@ def test_a_loop_that_looks_for_what_cannot_happen_is_told() -> None:
     )
     (diagnostic,) = result.diagnostics
     assert diagnostic.code == "never"
+
+
+@pytest.mark.parametrize("text", ["While 1\nEnd While", "Loop\nEnd Loop", "Dim x = 0\nRepeat\nUntil x = 1"])
+def test_a_shift_of_nothing_is_over_at_once(text: str) -> None:
+    start = process_time()
+    result = run(Source("a.mnt", text), cache=False)
+    assert process_time() - start < 1.0
+    assert result.time == pytest.approx(28_800.0, abs=1e-3)
