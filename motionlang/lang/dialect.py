@@ -55,7 +55,12 @@ class Dialect:
 
 
 class Interactive:
-    """Keeps a program's names alive between lines."""
+    """Keeps a program's names alive between lines.
+
+    `keeps_places` says that the diagnostics of an earlier text, such as of a macro, have columns of that text.
+    """
+
+    keeps_places = False
 
     def is_complete(self, text: str) -> bool:
         """False while `text` leaves a block open, so that more lines must follow."""

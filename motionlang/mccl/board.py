@@ -100,7 +100,8 @@ class Board:
         self.limits[number].set_mode(0)
         self.limits[number].disable(ALL)
         controller.disable(number)
-        self.define_position(axis, 0.0)
+        if controller.position(number) != 0.0:
+            self.define_position(axis, 0.0)
         controller.clear_faults(number)
         for name, value in AXIS_SETTINGS.items():
             controller.configure(number, name, value)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import copysign, sqrt
 
-from motionlang.profile import Profile, plan_trapezoid
+from motionlang.profile import Profile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -71,6 +71,8 @@ def _from_minimum(controller: Controller, axis: AxisState, target: float) -> Pro
     velocity = controller.demand_velocity(number)
     if velocity * (target - start) <= 0.0 or abs(velocity) < low:
         return None
+    from motionlang.profile import plan_trapezoid
+
     beyond = target + copysign(low * low / (2.0 * decel), velocity)
     whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)
     profile = whole.cut(whole.duration - low / decel)

@@ -47,6 +47,11 @@ class Runner:
         self._scheduler = machine.scheduler = Scheduler(controller, idle, poll)
         self._interactive = dialect.interactive(machine)
 
+    @property
+    def keeps_places(self) -> bool:
+        """Whether troubles of an earlier text are told with their columns."""
+        return self._interactive.keeps_places
+
     def is_complete(self, text: str) -> bool:
         """Whether `text` leaves no block open."""
         return self._interactive.is_complete(text)

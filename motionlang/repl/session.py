@@ -168,7 +168,8 @@ class Session:
         if source.line(diagnostic.line):
             return source
         if diagnostic.line > self._ambiguous:
-            diagnostic.column = 0  # what was left behind is somewhere in that line
+            if not self.runner.keeps_places:
+                diagnostic.column = 0  # what was left behind is somewhere in that line
             return Source("input", "\n".join(self._lines))
         diagnostic.line = 0
         return None
