@@ -180,6 +180,17 @@ class Feedback:
             return max(found / self._rate, self._clock.now) if found > sight.first + k else self._clock.now
         return self._horizon(sight)
 
+    def settled_since(self, name: str = "program") -> float:
+        """The time from which on a window has been kept to this moment; inf where it is not."""
+        if self._servo is None:
+            return 0.0
+        k, sight = self._ahead()
+        window = self.windows[name]
+        outside = np.flatnonzero(~window.inside(sight, self._target)[: k + 1])
+        if not len(outside):
+            return (window.since if window.since < INFINITY else sight.first) / self._rate
+        return INFINITY if outside[-1] == k else (sight.first + int(outside[-1]) + 1) / self._rate
+
     def is_settled(self, name: str = "rest") -> bool:
         """Whether a window has been kept long enough."""
         return self.settled_time(name) <= self._clock.now

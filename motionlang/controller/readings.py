@@ -100,6 +100,11 @@ class Readings:
         feedback = self.axes[axis].feedback
         return self.clock.now if feedback is None else feedback.settled_time("program")
 
+    def settled_since(self, axis: int) -> float:
+        """The time from which on an axis has been as `settle_within` says; infinite where it is not."""
+        feedback = self.axes[axis].feedback
+        return 0.0 if feedback is None else feedback.settled_since()
+
     def has_motor(self, axis: int) -> bool:
         """Whether the axis has a simulated motor."""
         return self.axes[axis].feedback is not None

@@ -63,6 +63,7 @@ VERBS: dict[str, str] = {
     "settle_within": "Say when a simulated motor counts as settled.",
     "settled_time": "When an axis has settled, or when to look again.",
     "recall": "What a motor did at past times.",
+    "settled_since": "From when on an axis has been as `settle_within` says.",
     "open_loop": "Give a simulated motor an output whatever it does.",
     "close_loop": "Let an axis hold its position again.",
     "demand_crossing_time": "The time at which the demand of an axis will pass a position.",

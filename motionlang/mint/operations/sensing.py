@@ -137,6 +137,15 @@ class IdleWindows:
         rest = controller.clock.now - self._since.get(axis, -1e300)
         return rest >= self.setting("IDLETIME", axis) / 1000.0
 
+    def settling_time(self, axis: int) -> int:
+        """Milliseconds from the end of the move to IDLE: IDLETIME, and what a simulated motor needed before it."""
+        if not self.setting("IDLEMODE", axis):
+            return 0
+        late = 0.0
+        if self._controller.has_motor(axis) and axis in self._since:
+            late = min(max(self._controller.settled_since(axis) - self._since[axis], 0.0), 1e6)
+        return round(late * 1000.0) + int(self.setting("IDLETIME", axis))
+
     def _heard(self, what: str, axis: int) -> None:
         """The move is over: IDLETIME later whoever waits for IDLE must look again."""
         if what == "idle":
@@ -176,7 +185,7 @@ def read_settling_time(environment: Environment, row: Row) -> Operation:
 
     def read(axis: int) -> int:
         axis_of(environment, axis)
-        return int(windows.setting("IDLETIME", axis)) if windows.setting("IDLEMODE", axis) else 0
+        return windows.settling_time(axis)
 
     return read
 
