@@ -189,7 +189,7 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     if own:
         lines.append(f"{indent} nonlocal {', '.join(sorted(own))}")
     out = [(line, function.at) for line in lines] + b.lines
-    for number, (label, _) in enumerate(b.labels_body()):
+    for number, (label, _) in enumerate(b.stretches()):
         out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
     out.append((f"{indent}yield from {name}(0)", function.at))
     last = (

@@ -97,6 +97,8 @@ class Body:
     """One function being written."""
 
     __slots__ = (
+        "_labels",
+        "_stretches",
         "analysed",
         "at",
         "calls",
@@ -128,6 +130,8 @@ class Body:
         self.temps = 0
         # Names of outer functions that this one assigns to.
         self.outside: set[str] = set()
+        self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
+        self._labels: dict[str, int] | None = None
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
         self.polls: list[Poll | None] = []
@@ -218,11 +222,21 @@ class Body:
 
     # ------------------------------------------------------------------------------------------- labels
 
-    def labels_body(self) -> list[tuple[str, list[nodes.Stmt]]]:
-        """The stretches between labels."""
-        from motionlang.mint.jumping import stretches
+    def stretches(self) -> list[tuple[str, list[nodes.Stmt]]]:
+        """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
+        if self._stretches is None:
+            from motionlang.mint.jumping import stretches
 
-        return stretches(self.function.body)
+            self._stretches = stretches(self.function.body)
+        return self._stretches
+
+    def labels(self) -> dict[str, int]:
+        """The number of the stretch that each label leads to."""
+        if self._labels is None:
+            self._labels = {}
+            for number, (label, _) in enumerate(self.stretches()):
+                self._labels.setdefault(label, number)
+        return self._labels
 
     # ------------------------------------------------------------------------------------------- errors
 

@@ -45,7 +45,7 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     b.emit("while True:")
     b.emit(" try:")
     b.indent += 2
-    for number, (_, body) in enumerate(b.labels_body()):
+    for number, (_, body) in enumerate(b.stretches()):
         b.emit(f"if pc == {number}:")
         b.indent += 1
         block(b, body)
@@ -84,14 +84,14 @@ def _check(b: Body) -> None:
 
 def jump(b: Body, node: nodes.Jump) -> None:
     """Goto and Gosub."""
-    labels = [name for name, _ in b.labels_body()]
+    labels = b.labels()
     key = node.name.lower()
     if key not in labels:
         b.whole.problems.unknown(
             f"there is no label {node.name}", node.name, [n for n in labels if n], node.at
         )
         return
-    number = labels.index(key)
+    number = labels[key]
     b.pending += 1
     b.flush()
     b.horizon()
