@@ -79,12 +79,12 @@ def _command(given: Sequence[str]) -> int:
 
 
 def _open_closed() -> None:
-    """A stream that was closed before we began swallows what is written to it."""
-    for name in ("stdout", "stderr"):
+    """A stream that was closed before we began is empty, and swallows what is written to it."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
             import os
 
-            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - for as long as we run
+            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: SIM115 - for as long as we run
 
 
 def _forgive_letters() -> None:

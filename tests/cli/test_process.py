@@ -73,3 +73,9 @@ def test_standard_output_may_be_closed(tmp_path: Path) -> None:
     line = f"{' '.join(COMMAND)} run {program} >&-"
     ran = subprocess.run(line, shell=True, stderr=subprocess.PIPE, text=True, check=False)
     assert (ran.returncode, ran.stderr) == (0, "")
+
+
+def test_standard_input_may_be_closed() -> None:
+    line = f"{' '.join(COMMAND)} run - --dialect mint --report none <&-"
+    ran = subprocess.run(line, shell=True, capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")
