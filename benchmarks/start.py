@@ -40,7 +40,9 @@ def main() -> None:
         environment = {**os.environ, "MOTIONLANG_CACHE": folder, "PYTHONPYCACHEPREFIX": f"{folder}/pyc"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)
         for program in (HELLO, BALLSCREW):
-            subprocess.run([*command(), "run", program], env=environment, stdout=subprocess.DEVNULL, check=True)
+            subprocess.run(
+                [*command(), "run", program], env=environment, stdout=subprocess.DEVNULL, check=True
+            )
         run = [*command(), "run", HELLO]
         cases = {
             "pass": [sys.executable, "-c", "pass"],

@@ -26,4 +26,5 @@ class BuildWithGrammars(build_py):
 
     def get_source_files(self) -> list[str]:
         """What an sdist needs beside the package."""
-        return [*super().get_source_files(), *map(str, sorted(Path("grammars").glob("*.lark")))]
+        sources: list[str] = super().get_source_files()  # type: ignore[no-untyped-call,unused-ignore]
+        return [*sources, *map(str, sorted(Path("grammars").glob("*.lark")))]

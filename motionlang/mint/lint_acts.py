@@ -169,15 +169,17 @@ class Facts:
     def _acts(self, function: Function, step: Step) -> Iterator[Act]:
         node = step.node
         written: nodes.Expr | None = None
-        if type(node) is nodes.Assign or type(node) is nodes.Call:
+        target: nodes.Expr | None = None
+        if isinstance(node, nodes.Assign | nodes.Call):
+            target = node.target
             written = self._meant(function, node.target)
         for expression in parts(node):
             for name in reversed(list(walk([expression]))):
                 if (
                     type(name) is nodes.Name
                     and name is not written
-                    and (written is None or name is not node.target)
-                ):  # type: ignore[union-attr]
+                    and (written is None or name is not target)
+                ):
                     yield from self._word(function, name, False, [])
         if type(written) is nodes.Name:
             values = node.values if type(node) is nodes.Assign else []
