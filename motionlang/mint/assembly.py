@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
     from motionlang.mint.body import Body, Line, Whole
     from motionlang.mint.problems import Problems
-    from motionlang.mint.symbols import Scope
 
     Made = TypeVar("Made")
 
@@ -53,8 +52,9 @@ def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     units = _Units()
     for function, b in bodies.items():
         units.add(function.python, _head(whole, b) + _dispatched(whole, b))
-        for part in b.parts if function.kind != "sub" else ():
-            units.add_part(part)
+        for part in b.parts:
+            if part.inside is None:
+                units.add_part(part)
     units.close()
     first = _first_values(whole)
     start = compile(first, FILE, "exec") if first else None
@@ -248,22 +248,21 @@ def _head(whole: Whole, b: Body) -> list[Line]:
     if not (whole.typed and function is whole.names.main):
         lines += [f"{indent} {line}" for line in _own_variables(function, b)]
     out = [(line, function.at) for line in lines]
-    for part in b.parts if function.kind == "sub" else ():
-        out += part.written(_shared_by(part, function), b.indent - 1)
+    for part in b.parts:
+        if part.inside is not None:
+            out += part.written(_shared_by(part, function), b.indent - 1)
     return out
 
 
 def _shared_by(part: Part, function: Function) -> str:
     """How a part that stands in its sub says what it shares."""
-    known = {*TIME} if not function.plain else {"t"}
-    scope: Scope | None = function.scope
+    known = {*(TIME if not function.plain else "t"), *(part.inside or ())}
+    known.update(name for symbol in _own(function) for name in (symbol.python, f"{symbol.python}_k"))
+    scope = function.scope.outer
     while scope is not None:
-        for symbol in scope.names.values():
-            if symbol.kind == "parameter" or (symbol.kind == "variable" and (scope.outer or symbol.shared)):
-                known |= {symbol.python, f"{symbol.python}_k"}
+        known.update(symbol.python for symbol in scope.names.values() if symbol.shared)
         scope = scope.outer
-    known |= {function.result.python} if function.result is not None else set()
-    words = findall(r"\b(?:[vpr]_\w+|[tH])\b", "\n".join(line for line, _ in part.lines))
+    words = findall(r"\b(?:[vpr]_\w+|[tH]|w\d+)\b", "\n".join(line for line, _ in part.lines))
     return f"nonlocal {', '.join(sorted(known & {*words, 't'}))}"
 
 

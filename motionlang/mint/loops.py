@@ -151,6 +151,15 @@ def leaves(body: list[nodes.Stmt], kind: str, inside: bool = False) -> bool:
     return any(_leaves(node, kind, inside, False, False) for node in body)
 
 
+# Python's own parser descends with every `elif`; with more cases than this a Select is written as tests one by one.
+MANY_CASES = 100
+
+
+def is_loop(node: nodes.Select) -> bool:
+    """Whether a Select is a loop in Python, of one turn, which `break` leaves."""
+    return len(node.cases) > MANY_CASES or any(leaves(case.body, "select") for case in node.cases)
+
+
 _KINDS: dict[type, str] = {nodes.For: "for", nodes.While: "while", nodes.Repeat: "repeat", nodes.Loop: "loop"}
 
 
@@ -162,7 +171,7 @@ def _leaves(node: nodes.Stmt, kind: str, inside: bool, in_loop: bool, nested: bo
     if type(node) is nodes.Select:
         if kind == "select":
             return False
-        nested = nested or any(leaves(case.body, "select") for case in node.cases)
+        nested = nested or is_loop(node)
         return any(_leaves(each, kind, inside, in_loop, nested) for case in node.cases for each in case.body)
     if type(node) in _KINDS:
         if _KINDS[type(node)] == kind:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 # A block with more lines than LONGEST is cut into parts of about SIZE lines.
 LONGEST = 600
 SIZE = 200
+# A block that stands so deep is a part.
+DEEPEST = 60
 
 _LOOP = compile(r" *(?:while|for) ")
 # What leaves a part, or calls what only the function around it knows.
@@ -30,12 +32,15 @@ _BREAK = compile(r" *(?:break$|if .*: break$)")
 
 
 class Part:
-    """A part by its name; its lines are indented for the body of a function in the outermost place."""
+    """A part by its name; its lines are indented for the body of a function in the outermost place.
 
-    __slots__ = ("lines", "name", "waits")
+    `inside`: it stands in its function, of which it shares these further names.
+    """
 
-    def __init__(self, name: str, lines: list[Line], waits: bool) -> None:
-        self.name, self.lines, self.waits = name, lines, waits
+    __slots__ = ("inside", "lines", "name", "waits")
+
+    def __init__(self, name: str, lines: list[Line], waits: bool, inside: list[str] | None) -> None:
+        self.name, self.lines, self.waits, self.inside = name, lines, waits, inside
 
     def written(self, names: str, indent: int) -> list[Line]:
         """The whole function; `names` are those it shares."""
@@ -48,8 +53,8 @@ class Part:
 
 def cut(b: Body, first: int, ends: list[int]) -> None:
     """Cut the lines of a block from `first` on into parts; its statements end before the lines `ends`."""
-    if b.whole.typed or (b.polls and b.polls[-1] is not None):
-        return  # what the turns of a loop that polls do is noted in variables of the function
+    if not _may_be_cut(b):
+        return
     statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
     while sum(map(len, statements)) > LONGEST:
         shorter = _shortened(b, statements)
@@ -59,13 +64,25 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
     b.lines[first:] = [line for statement in statements for line in statement]
 
 
+def _may_be_cut(b: Body) -> bool:
+    """What the turns of a loop that polls do is noted in a variable of its function, or of its dispatcher."""
+    return not b.whole.typed and not (b.function.jumps and any(b.polls))
+
+
+def fold(b: Body, first: int) -> None:
+    """Move a whole block into a part: Python indents a hundred times, a chain of ElseIf is longer."""
+    lines = b.lines[first:]
+    if _may_be_cut(b) and not _is_left(lines):
+        b.lines[first:] = _part(b, lines)
+
+
 def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
     """The statements with runs of them replaced by calls."""
     out: list[list[Line]] = []
     run: list[list[Line]] = []
     length = 0
     for statement in statements:
-        movable = not _is_left(statement, b.indent)
+        movable = not _is_left(statement)
         if run and (not movable or length + len(statement) > SIZE):
             out += _moved(b, run, length)
             run, length = [], 0
@@ -77,7 +94,7 @@ def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
     return out + _moved(b, run, length)
 
 
-def _is_left(statement: list[Line], indent: int) -> bool:
+def _is_left(statement: list[Line]) -> bool:
     """Whether some way leads out of the statement to another place than behind it."""
     loops: list[int] = []
     for line, _ in statement:
@@ -95,10 +112,15 @@ def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
     """A run of statements in a part of its own, where it is long enough for that, and the call of it."""
     if len(run) < 2 or length < SIZE // 2:
         return run
-    lines = [line for statement in run for line in statement]
+    return [_part(b, [line for statement in run for line in statement])]
+
+
+def _part(b: Body, lines: list[Line]) -> list[Line]:
+    """Move lines into a part; the call of it."""
     waits = any("yield " in line for line, _ in lines)
+    noted = [poll.dirty for poll in b.polls if poll is not None]
     b.whole.parts += 1
     name = f"q{b.whole.parts}"
-    b.parts.append(Part(name, [(line[b.indent - 2 :], at) for line, at in lines], waits))
-    call = f"{' ' * b.indent}{'yield from ' if waits else ''}{name}()"
-    return [[(call, lines[0][1])]]
+    inside = noted if noted or b.function.kind == "sub" else None
+    b.parts.append(Part(name, [(line[b.indent - 2 :], at) for line, at in lines], waits, inside))
+    return [(f"{' ' * b.indent}{'yield from ' if waits else ''}{name}()", lines[0][1])]

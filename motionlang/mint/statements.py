@@ -70,6 +70,8 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
     b.flush()
     if len(b.lines) == before:
         b.emit("pass")
+    elif b.indent % parts.DEEPEST == 0:
+        parts.fold(b, before)
     b.indent -= 1
 
 
@@ -309,7 +311,7 @@ def _select(b: Body, node: nodes.Select) -> None:
     b.pending += 1
     b.flush()
     b.emit(f"{name} = {subject.text}")
-    once = any(loops.leaves(case.body, "select") for case in node.cases)
+    once = loops.is_loop(node)
     if once:
         b.emit("while True:")
         b.indent += 1
@@ -323,12 +325,18 @@ def _select(b: Body, node: nodes.Select) -> None:
 
 
 def _cases(b: Body, node: nodes.Select, tests: list[str]) -> None:
-    word = "if"
+    word, many = "if", len(node.cases) > loops.MANY_CASES
     for case, test in zip(node.cases, tests, strict=True):
         b.at = case.at
-        b.emit(f"{word} {test}:" if case.tests or word == "if" else "else:")
+        if case.tests or not (many or word == "if"):
+            b.emit(f"{word} {test}:" if case.tests else "else:")
+        else:
+            b.emit("if True:")
         inner(b, case.body)
-        word = "elif"
+        if many:
+            b.emit(" break")
+        else:
+            word = "elif"
         if not case.tests:
             break
 

@@ -12,7 +12,7 @@ import pytest
 
 from motionlang import run
 from motionlang.lang.machine_file import read_machine
-from motionlang.mint import DIALECT, assembly, parts
+from motionlang.mint import DIALECT, assembly, loops, parts
 from motionlang.mint.runtime import MintProgram, load
 from motionlang.source import Source
 
@@ -36,6 +36,8 @@ def machine_of(path: Path) -> dict[str, object]:
 def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(parts, "LONGEST", 6)
     monkeypatch.setattr(parts, "SIZE", 4)
+    monkeypatch.setattr(parts, "DEEPEST", 3)
+    monkeypatch.setattr(loops, "MANY_CASES", 1)
     monkeypatch.setattr(assembly, "SIZE", 4)
     monkeypatch.setattr(assembly, "SHORT", 0)
 
@@ -137,6 +139,22 @@ def test_what_leaves_a_block_stays_in_it() -> None:
     result = run(Source("long.mnt", LEAVES.format(*[some] * 6)), cache=False)
     assert result.diagnostics == []
     assert result.output == ["begin 1.0000", "begin 2.0000", "behind"]
+
+
+def test_a_loop_that_polls_may_be_long() -> None:
+    some = "\n".join(f"  If x = {n} Then PRINT x" for n in range(-1000, 0))
+    result = run(Source("long.mnt", f"x = 1\nTIME = 0\nWhile TIME < 5000\n{some}\nEnd While\n"), cache=False)
+    assert result.diagnostics == []
+    assert result.time == pytest.approx(5.0, abs=0.02)
+
+
+def test_a_choice_may_have_many_branches() -> None:
+    cases = "\n".join(f"Case {n}\n  PRINT {n}" for n in range(5000))
+    branches = "\n".join(f"ElseIf x = {n} Then\n  PRINT {n}" for n in range(190))
+    text = f"x = 189\nSelect Case x\n{cases}\nEnd Select\nIf x < 0 Then\n  x = 0\n{branches}\nEnd If\n"
+    result = run(Source("long.mnt", text), cache=False)
+    assert result.diagnostics == []
+    assert result.output == ["189", "189"]
 
 
 def test_a_sub_in_parts_may_call_itself() -> None:
