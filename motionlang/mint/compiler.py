@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import gc
 
+from motionlang.errors import ProgramError
 from motionlang.mint import jumping
 from motionlang.mint.assembly import assemble, assemble_line
 from motionlang.mint.body import Body, Whole
@@ -135,7 +136,7 @@ def compile_source(
     collecting = gc.isenabled()
     gc.disable()  # what is made here lasts to the end or goes by itself, and the collector would look at it every time
     try:
-        module = parse(source)
+        module = _parsed(source, settings)
         if overrides:
             override(module, overrides)
         compiled = compile_module(module, settings)
@@ -144,3 +145,12 @@ def compile_source(
             gc.enable()
     program = MintProgram(compiled.code, source.name, source.text, settings)
     return program, list(compiled.problems.found.values())
+
+
+def _parsed(source: Source, settings: dict[str, object] | None) -> Module:
+    try:
+        return parse(source)
+    except ProgramError as error:
+        from motionlang.mint.mistakes import with_other_lines
+
+        raise with_other_lines(source, settings, error) from None

@@ -37,7 +37,9 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
     try:
         module = parse(source)
     except ProgramError as error:
-        return error.diagnostics
+        from motionlang.mint.mistakes import with_other_lines
+
+        return [_known(each) for each in with_other_lines(source, settings, error).diagnostics]
     try:
         found = list(compile_module(module, dict(settings)).problems.found.values())
     except ProgramError as error:
