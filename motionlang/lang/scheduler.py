@@ -125,7 +125,12 @@ class Scheduler:
                 if until < INFINITY:
                     self._advance(until)
                 return False
-            self._advance(min(finite))
+            time = min(finite)
+            if time <= self.clock.now:  # rounding: the end is over, and its event a last bit later
+                time = min(self.clock.next_time(), until)
+                if time == INFINITY:
+                    return False
+            self._advance(time)
 
     def _turn_length(self, horizon: float) -> float:
         """How long a task runs while others can: many turns at once where nobody could tell the difference.

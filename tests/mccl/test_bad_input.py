@@ -159,6 +159,14 @@ def test_a_task_that_ends_itself(mccl: Runner) -> None:
     assert result.output == ["7", "1", "?-1", "2"]
 
 
+def test_a_new_zero_in_the_last_moment_of_a_move_does_not_hold_the_run(mccl: Runner) -> None:
+    """Found by random programs: what was left of the move ended a last bit before the event of its end."""
+    text = 'MN\nMR1,1VM33,2JV"%5.2f"\n1AM5\n1OO,SV90,2TV1000,TP"%d"\n1XN90,1YF100,2CP-1\n1DH5'
+    result = mccl(text, machine={"axis.1.motor": "stepper"})
+    assert result.status == "ended"
+    assert result.time < 0.01
+
+
 def test_a_macro_that_is_redefined_while_it_runs_goes_on_as_it_was(mccl: Runner) -> None:
     assert mccl("MD1,WA0.1,AL1,AR20\nGT1\nMD1,AL2,AR20\nWA0.2,TR20,MC1,TR20").output == ["1", "2"]
 
