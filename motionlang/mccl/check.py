@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.errors import Diagnostic
+from motionlang.lang.machine import DEFAULT_AXES
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.decode import problem
@@ -32,10 +33,11 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
     model = MODELS.get(named, MODELS[DEFAULT])
     lines = list(lines_of(source.text))
     whole = [each for each in lines if isinstance(each, Line)]
+    axes = (settings or {}).get("controller.axes", DEFAULT_AXES)
     found: list[Diagnostic] = []
     for each in lines:
         if isinstance(each, Line):
-            found.extend(_line(source, each, model))
+            found.extend(_line(source, each, model, axes))  # type: ignore[arg-type]
         else:
             fault, at, _ = each
             found.append(_diagnostic(source, at, fault))
@@ -53,9 +55,10 @@ def _lint(source: Source, lines: list[Line]) -> list[Diagnostic]:
     return found
 
 
-def _line(source: Source, line: Line, model: Model) -> Iterator[Diagnostic]:
+def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagnostic]:
     for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
-        fault = _unknown_to(model, command) or problem(command) or _wrong_here(line, k, command, model)
+        fault = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
+        fault = fault or _wrong_here(line, k, command, model)
         if fault is not None:
             yield _diagnostic(source, at, fault)
         elif command.row is not None and not command.row.simulated:
@@ -66,6 +69,13 @@ def _line(source: Source, line: Line, model: Model) -> Iterator[Diagnostic]:
 def _unknown_to(model: Model, command: Command) -> Fault | None:
     """What this board does not have."""
     return missing(model, command.name) if command.name in model.lacks else None
+
+
+def _no_axis(command: Command, axes: int) -> Fault | None:
+    """An axis that this board does not have."""
+    if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
+        return None
+    return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", f"the axes are 1 to {axes}", "axis")
 
 
 def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:

@@ -21,6 +21,8 @@ _DIGITS = frozenset("0123456789")
 _LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz")
 _NUMERIC = frozenset("0123456789+-.eE")
 _ROWS = {row.name: row for row in TABLE}
+# A number beyond this is a mistake, also where a command has no range of its own.
+_LARGEST = 1e15
 # Enough for any program; a served board is sent other texts every day, and must not keep them all.
 _MEMO_SIZE = 20_000
 
@@ -148,9 +150,9 @@ def _number(rest: str, row: Keyword) -> float | int:
 def checked(value: float | int, row: Keyword) -> float | int:
     """The value, if the command accepts it."""
     low, high = row.low, row.high
-    if low is None and high is None and -1e15 <= value <= 1e15:
+    if low is None and high is None and abs(value) <= _LARGEST:
         return value
-    if (low is None or value >= low) and (high is None or value <= high) and -1e15 <= value <= 1e15:
+    if (low is None or value >= low) and (high is None or value <= high) and abs(value) <= _LARGEST:
         return value
     raise out_of_range(value, row)
 
@@ -158,12 +160,10 @@ def checked(value: float | int, row: Keyword) -> float | int:
 def out_of_range(value: float | int, row: Keyword) -> Fault:
     """The fault of a value that a command does not accept."""
     low, high = row.low, row.high
-    if low is not None and high is not None:
-        accepted = f"{low:g} to {high:g}"
-    elif low is not None:
+    if high is None and low is not None and value < low:
         accepted = f"{low:g} or more"
-    elif high is not None:
+    elif low is None and high is not None and value > high:
         accepted = f"{high:g} or less"
     else:
-        accepted = "a number of ordinary size"
+        accepted = f"{-_LARGEST if low is None else low:g} to {_LARGEST if high is None else high:g}"
     return Fault(codes.PARAMETER, f"{row.name} accepts {accepted}, not {value:g}", row.help, "range")
