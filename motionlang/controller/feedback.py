@@ -395,7 +395,8 @@ class Feedback:
         assert servo is not None
         assert sight is not None
         assert self._mark is not None
-        until = sight.first + self._here() + 1
+        here = self._here()  # which may drop what is past, so that the sight begins later
+        until = sight.first + here + 1
         if until < sight.end:
             servo.back(self._mark)
             if until > servo.sample:

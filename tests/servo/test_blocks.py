@@ -115,3 +115,16 @@ def test_the_matrix_exponential() -> None:
         m = rng.normal(size=(size, size))
         there, back = np.array(exponential(m.tolist())), np.array(exponential((-m).tolist()))
         assert np.abs(there @ back - np.eye(size)).max() < 1e-11
+
+
+@pytest.mark.parametrize("derivative", [40.0, 400.0])
+@pytest.mark.filterwarnings("error")
+def test_the_output_of_a_loop_that_runs_away_has_an_end(derivative: float) -> None:
+    """The powers of its step overflow; step by step nothing does, as the output stops at its limit."""
+    state = initial_state(discretise(Motor(), LOOP.period), 0.0)
+    loop = Loop(0.04, 2e-5, derivative)
+    ran, after = run_stretch(loop, Motor(), ASKED, kicked(2.0, 500.0, 300), 0, 8000, state)
+    columns = np.array([np.asarray(column) for column in ran.columns])
+    assert np.isfinite(columns).all()
+    assert np.isfinite(after[:3]).all()
+    assert np.abs(columns[3]).max() == loop.output_limit

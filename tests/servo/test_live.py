@@ -418,3 +418,8 @@ def test_trace_has_columns_of_the_motor() -> None:
     assert samples["axis0_torque_Nm"].max() > 0.0
     assert np.all(np.isfinite(samples["axis0_following_error_uu"]))
     assert all(b >= a for a, b in pairwise(samples.time))
+
+
+def test_a_move_that_comes_after_a_long_rest() -> None:
+    """What has been seen of the motor at rest is dropped while the new move asks where it is."""
+    assert printed("1MN,1MR400,WA2\nWA2.1\n1MR10\n1WS,1TP", {"inertia": 1e-5}, "mccl") == [[1.0, 410.0]]

@@ -138,6 +138,9 @@ class Lifted:
             x[:, :nz], last = self._chain(x[:, nz:] @ self.forced, start, 0)
             good = self._write(x, bases, out, first * self.steps)
         after = last if good == count else x[good, :nz]
+        if not np.isfinite(after).all():
+            # The powers of a loop that runs away overflow; step by step its output has an end.
+            return 0, state
         full = list(state)
         for i, value, moves in zip(self.kept, after.tolist(), self.shifting.tolist(), strict=True):
             full[i] = value + float(bases[good]) if moves else value
@@ -211,8 +214,9 @@ class _Level:
     def __init__(self, f: Array) -> None:
         nz = len(f)
         powers = [np.eye(nz)]
-        for _ in range(GROUP):
-            powers.append(f @ powers[-1])
+        with np.errstate(all="ignore"):
+            for _ in range(GROUP):
+                powers.append(f @ powers[-1])
         self.step, self.grouped = f, powers[GROUP]
         self.free = np.hstack([power.T for power in powers])
         self.driven = np.zeros((nz * GROUP, nz * (GROUP + 1)))
