@@ -108,7 +108,8 @@ class GeneratorTask(Task):
         line = 0
         inner: object = self._generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
-            line = frame.f_lineno
+            if frame.f_code.co_filename == self._file:
+                line = frame.f_lineno
             inner = getattr(inner, "gi_yieldfrom", None)
         return self._places[line]
 

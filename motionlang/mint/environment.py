@@ -7,8 +7,8 @@ from motionlang.lang.task import GeneratorTask, Wait, wait_until
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from typing import TypeVar
+    from collections.abc import Callable, Generator, Sequence
+    from typing import Any, TypeVar
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine import Machine
@@ -65,6 +65,8 @@ class Environment:
         self.timer = [self.clock.now]
         # When a reading last took something away (a key, an edge), so that the next one answers differently.
         self.taken = -1.0
+        # The move for which there was no room.
+        self._refused: tuple[Callable[..., object], tuple[Any, ...]]
         self._parts: dict[type, object] = {}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -146,16 +148,28 @@ class Environment:
         return at
 
     def _loading(self, operation: Callable[..., object]) -> Callable[..., float | None]:
-        """The same for a move, which answers with nothing while there is no room for it."""
+        """The same for a move, which answers with nothing, and is refused, while there is no room for it."""
         clock = self.clock
 
         def at(time: float, horizon: float, *arguments: object) -> float | None:
             clock.now = time
             if operation(*arguments):
+                self._refused = operation, arguments
                 return None
             return clock.horizon if clock.horizon < horizon else horizon
 
         return at
+
+    def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
+        """Wait until there is room for the move that was refused."""
+        clock = self.clock
+        operation, arguments = self._refused
+        axes = arguments[0]
+        while True:
+            t, horizon = yield self.room(t, axes if isinstance(axes, tuple) else (axes,))
+            clock.now = t
+            if not operation(*arguments):
+                return t, clock.horizon if clock.horizon < horizon else horizon
 
     # ---------------------------------------------------------------------------------------------- time
 
@@ -209,22 +223,16 @@ class Environment:
         """Wait for the next tick of the profiler."""
         return wait_until(self.machine, t, (int(t / TICK + 1e-6) + 1) * TICK)
 
-    def room(self, t: float, axis: int) -> Wait:
-        """A move waits for room in the buffer of its axis."""
-        room = self.controller.room
-        return Wait(
-            t, lambda: room(axis) > 0, lambda: INFINITY, f"for room in the move buffer of axis {axis}"
-        )
-
-    def rooms(self, t: float, axes: Sequence[int]) -> Wait:
-        """A path waits for room in the buffers of all its axes."""
+    def room(self, t: float, axes: tuple[int, ...]) -> Wait:
+        """A move waits for room in the buffers of all its axes."""
         room = self.controller.room
         names = ", ".join(map(str, axes))
+        buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
         return Wait(
             t,
             lambda: all(room(axis) > 0 for axis in axes),
             lambda: INFINITY,
-            f"for room in the move buffers of axes {names}",
+            f"for room in the {buffers}",
         )
 
     def pause(

@@ -326,18 +326,18 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
 
 def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
     if row.kind == "move":
-        load(b, row, [*where, text, str(b.whole.line(node.at))], "room", where[0])
+        load(b, row, [*where, text, str(b.whole.line(node.at))])
         return
     line = [str(b.whole.line(node.at))] if row.group == "motion" else []
     _operate(b, "write", row, [*where, text, *line])
 
 
-def load(b: Body, row: Keyword, arguments: list[str], room: str, axis: str) -> None:
+def load(b: Body, row: Keyword, arguments: list[str]) -> None:
     """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
-    now, wait = b.now(), b.whole.use("env", room)
+    now, wait = b.now(), b.whole.use("env", "load")
     back = f"; t = u - {b.cost(b.pending)}" if b.pending else ""
     call = f"{b.whole.operation('load', row)}({', '.join([now, 'H', *arguments])})"
-    b.emit(f"while (H := {call}) is None: {now}, H = yield {wait}({now}, {axis}){back}")
+    b.emit(f"if (H := {call}) is None: {now}, H = yield from {wait}({now}){back}")
 
 
 def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:

@@ -25,7 +25,7 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
         axes = f"({', '.join(found)},)"
     keyword_use._settle_for(b, row)
     line = str(b.whole.line(node.at))
-    keyword_use.load(b, row, [axes, f"({', '.join(values)},)", line], "rooms", axes)
+    keyword_use.load(b, row, [axes, f"({', '.join(values)},)", line])
     b.pending += 1
 
 
