@@ -127,8 +127,10 @@ class Scheduler:
                 return False
             time = min(finite)
             if time <= self.clock.now:  # rounding: the end is over, and its event a last bit later
-                time = min(self.clock.next_time(), until)
-                if time == INFINITY:
+                time = self.clock.next_time()
+                if time > until or time == INFINITY:
+                    if until < INFINITY:
+                        self._advance(until)
                     return False
             self._advance(time)
 
