@@ -15,6 +15,7 @@ RUN = {
     "CONTOURMODE(0) = 1\nBLENDMODE(0) = 1": "BLENDMODE cannot be set while CONTOURMODE is",
     "FOLLOW(0) = 1": "axis 0 cannot follow axis 0: it would follow itself",
     "MASTERCHANNEL(1) = 9\nFOLLOW(1) = 1": "there is no axis 9",
+    "MASTERDISTANCE(0) = 5\nFLY(0) = 5": "axis 0 cannot follow axis 0: it would follow itself",
     "FLY(1) = 5": "FLY needs the distance of the master",
     "CAM(1) = 0": "axis 1 has no cam table",
     "Dim a(3) As Float = 5, 1, 1\nCAMTABLE(1, a)": "CAMTABLE: element 1 of the table says that it has 5 segments, and "

@@ -16,8 +16,8 @@ def _most(name: str, unit: str, verb: str, help: str, example: str) -> Keyword:
                    high=1e12, source=_LIBRARY, trust="memory", group="axis")  # fmt: skip
 
 
-def _ramp_time(name: str, verb: str, help: str, example: str) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "ms", verb, help, example, low=0, high=_LONGEST,
+def _ramp_time(name: str, verb: str, help: str, example: str, low: float) -> Keyword:
+    return Keyword(name, "", "setting", "RW", "axis", "ms", verb, help, example, low=low, high=_LONGEST,
                    source=_LIBRARY, trust="memory", group="axis")  # fmt: skip
 
 
@@ -48,16 +48,16 @@ ROWS = (
           "MAXDECEL(0) = 50\nPRINT MAXDECEL(0)"),
     _ramp_time("ACCELTIMEMAX", "ramping.time_to_most",
                "Acceleration given as the time from rest to MAXSPEED; replaces ACCEL.",
-               "MAXSPEED(0) = 100\nACCELTIMEMAX(0) = 200\nPRINT ACCEL(0)"),
+               "MAXSPEED(0) = 100\nACCELTIMEMAX(0) = 200\nPRINT ACCEL(0)", 0.001),
     _ramp_time("DECELTIMEMAX", "ramping.time_to_most",
                "Deceleration given as the time from MAXSPEED to rest; replaces DECEL.",
-               "MAXSPEED(0) = 100\nDECELTIMEMAX(0) = 200\nPRINT DECEL(0)"),
+               "MAXSPEED(0) = 100\nDECELTIMEMAX(0) = 200\nPRINT DECEL(0)", 0.001),
     _ramp_time("ACCELJERKTIME", "ramping.jerk_time",
-               "Jerk given as the time in which ACCEL builds up in an S-ramp; replaces ACCELJERK.",
-               "ACCEL(0) = 500\nACCELJERKTIME(0) = 100\nPRINT ACCELJERK(0)"),
+               "Jerk given as the time in which ACCEL builds up in an S-ramp, 0 for at once; replaces ACCELJERK.",
+               "ACCEL(0) = 500\nACCELJERKTIME(0) = 100\nPRINT ACCELJERK(0)", 0),
     _ramp_time("DECELJERKTIME", "ramping.jerk_time",
-               "Jerk given as the time in which DECEL builds up in an S-ramp; replaces DECELJERK.",
-               "DECEL(0) = 500\nDECELJERKTIME(0) = 100\nPRINT DECELJERK(0)"),
+               "Jerk given as the time in which DECEL builds up in an S-ramp, 0 for at once; replaces DECELJERK.",
+               "DECEL(0) = 500\nDECELJERKTIME(0) = 100\nPRINT DECELJERK(0)", 0),
     Keyword("SRAMP", "", "setting", "RW", "axis", "%", "ramping.s_ramp",
             "Smoothing of ramps in percent: 0 a trapezoid, 100 acceleration that only rises and falls. Replaces "
             "PROFILEMODE and the jerks; ACCEL and DECEL stay the peaks, so ramps grow by this percentage.",

@@ -145,6 +145,7 @@ def load_cam(environment: Environment, row: Row) -> Operation:
     def put(axis: int, mode: int, line: int) -> None:
         row.check(mode)
         found, checking = masters.of(axis), True
+        found.refuse(environment, axis)
         first = int(masters.setting("CAMSTART", axis)) - 1
 
         def table(start: float) -> tuple[list[float], list[float]]:

@@ -86,6 +86,7 @@ def load_fly(environment: Environment, row: Row) -> Operation:
 
     def put(axis: int, value: float, line: int) -> None:
         found, over = distance(environment, axis, row.name)
+        found.refuse(environment, axis)
         load(
             axis,
             found.number,

@@ -45,6 +45,12 @@ class Master:
         self.track, self.number, self.encoder = track, number, encoder
         self.per_unit, self.zero = per_unit, zero
 
+    def refuse(self, environment: Environment, axis: int) -> None:
+        """Refuse to be the master of itself."""
+        if self.track is environment.controller.axes[axis]:
+            words = f"axis {axis} cannot follow axis {self.number}: it would follow itself"
+            raise Refusal("axis", words, f"write MASTERCHANNEL({axis}) first")
+
     def to_counts(self, position: float) -> float:
         """A position in units of the master, in counts."""
         return position * self.per_unit + self.zero
