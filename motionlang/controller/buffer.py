@@ -60,6 +60,21 @@ def taken(controller: Core, a: Axis) -> None:
         controller.tell("buffer-low", a.index)
 
 
+def motions(a: Axis) -> list[Move]:
+    """The entries without the outputs, which hold no path up."""
+    return [move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse))]
+
+
+def reach(controller: Core, a: Axis, move: Move) -> None:
+    """Let an entry leave the buffer; outputs that stand before it are set."""
+    while a.buffer[0] is not move:
+        head = a.buffer[0]
+        assert head.action is not None
+        controller._take(a)
+        head.action.begin(controller, a, head)
+    controller._take(a)
+
+
 class Dwell(Action):
     """Rest for `duration` seconds."""
 

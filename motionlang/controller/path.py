@@ -89,9 +89,9 @@ class PathMove(Action):
                 other.buffer.remove(move)
 
     def stands_at(self, place: int) -> bool:
-        """Whether it is released and number `place` in the buffer of every axis."""
+        """Whether it is released and number `place` in the buffer of every axis, outputs not counted."""
         return all(
-            len(a.buffer) > place and a.buffer[place] is move and move.released
+            move.released and buffer.motions(a)[place : place + 1] == [move]
             for a, move in zip(self.axes, self.moves, strict=True)
         )
 
@@ -101,9 +101,9 @@ class PathMove(Action):
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         from motionlang.controller.path_run import PathRun
 
-        for other in self.axes:
+        for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
-                controller._take(other)
+                buffer.reach(controller, other, each)
         run = PathRun(controller, self, [each.target for each in self.axes])
         run.plan()
         run.start()

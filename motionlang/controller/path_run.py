@@ -6,6 +6,7 @@ of them, hands each axis its curve travelled at that speed, and has one event, f
 
 from __future__ import annotations
 
+from motionlang.controller.buffer import motions, reach
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.geometry import corner
@@ -157,11 +158,11 @@ class PathRun:
         successor.plan()
         self._cancel()
         self._over = True
-        for a, end in zip(self.axes, self.segment.ends, strict=True):
+        for a, move, end in zip(self.axes, following.moves, self.segment.ends, strict=True):
             rest = a.profiles[-1].after(now - a.starts[-1])
             successor.tails.append(rest.shifted(-end))
             a.move = None
-            controller._take(a)
+            reach(controller, a, move)
         successor.tail_began = now
         successor.start()
 
@@ -191,8 +192,9 @@ class PathRun:
         if not master.contour_mode or self.ended:
             return
         before = self.ahead[-1] if self.ahead else (self.here, self.segment)
-        while len(master.buffer) > len(self.ahead):
-            action = master.buffer[len(self.ahead)].action
+        entries = motions(master)
+        while len(entries) > len(self.ahead):
+            action = entries[len(self.ahead)].action
             if not _continues(action, self.axes, len(self.ahead)):
                 return
             segment = action.lay(before[1].ends)  # type: ignore[union-attr]
@@ -334,7 +336,7 @@ class PathRun:
         self.here, self.segment = self.ahead.pop(0)
         for a, move in zip(self.axes, self.here.moves, strict=True):
             if move in a.buffer:
-                controller._take(a)
+                reach(controller, a, move)
         self.profile = rest.shifted(-rest.start)
         known = len(self.ahead)
         self._look_ahead()
@@ -368,7 +370,7 @@ class PathRun:
 
     def _following(self) -> PathMove | None:
         """The path that this one can be blended into."""
-        entries = self.axes[0].buffer
+        entries = motions(self.axes[0])
         action = entries[0].action if entries else None
         return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
 

@@ -148,3 +148,27 @@ def test_limits_hold_for_single_moves_and_jogs() -> None:
     controller.jog(0, -500.0)
     controller.clock.advance(2.0)
     assert controller.velocity(0) == -40.0
+
+
+def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
+    """Two sides of a square run through: 1.1 s, the output on when the corner is passed, at 0.55 s."""
+    controller = ready()
+    controller.configure(0, "contour_mode", True)
+    controller.configure(0, "contour_angle", 90.0)
+    controller.load_line_by((0, 1), (50.0, 0.0))
+    controller.load_output(0, {3: 1.0})
+    controller.load_pulse(1, 4, 0.1)
+    controller.load_line_by((0, 1), (0.0, 50.0))
+    controller.go([0, 1])
+    corner = controller.crossing_time(0, 50.0)
+    assert corner == pytest.approx(0.55)
+    controller.clock.advance(0.549)
+    assert (controller.output(3), controller.output(4)) == (0, 0)
+    controller.clock.advance(0.551)
+    assert (controller.output(3), controller.output(4)) == (1, 1)
+    assert controller.path_speed(0) == pytest.approx(100.0)
+    controller.clock.advance(1.2)
+    assert controller.is_idle(0)
+    assert controller.is_idle(1)
+    assert controller.position(1) == 50.0
+    assert controller.moves[-1].start_time == pytest.approx(0.55)
