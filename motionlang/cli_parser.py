@@ -12,12 +12,17 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
 
+# Numbers below zero are values, never options; argparse itself does not know those with an exponent.
+_NEGATIVE = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+
+
 class Parser(argparse.ArgumentParser):
     """argparse with whole words only and with help texts that keep their lines."""
 
     def __init__(self, **options: object) -> None:
         options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
         super().__init__(allow_abbrev=False, **options)  # type: ignore[arg-type]
+        self._negative_number_matcher = _NEGATIVE
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""

@@ -77,7 +77,7 @@ def plan_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser)
     if backwards:
         given["distance"] = -given["distance"]
     if not 1e-6 <= arguments.scale <= 1e12:
-        parser.error("--scale must be a number above 0")
+        parser.error("--scale must be a number of counts from 1e-06 to 1e+12")
     if arguments.axis is not None and arguments.axis < (1 if arguments.dialect == "mccl" else 0):
         parser.error("there is no such axis: Mint counts from 0, MCCL from 1")
     try:

@@ -66,10 +66,10 @@ def _update(program: str) -> bool:
 
 
 def _is_readable(program: str) -> bool:
+    if not os.path.exists(program):
+        complain([unreadable(program, FileNotFoundError(2, "no such file or directory"))], None, program)
+        return False
     if dialect_of(program) is None:
         complain([no_dialect(program)], None, program)
-        return False
-    if not os.path.isfile(program):
-        complain([unreadable(program, FileNotFoundError(2, "no such file or directory"))], None, program)
         return False
     return True

@@ -41,7 +41,10 @@ def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]
 
 def _unknown(name: str, names: list[str]) -> Diagnostic:
     near = nearest(name, names)
-    hint = f"did you mean {near}?" if near else f"the program's own names are {', '.join(names) or 'none'}"
+    has = (
+        f"the program's own names are {', '.join(names)}" if names else "the program has no names of its own"
+    )
+    hint = f"did you mean {near}?" if near else has
     return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
 
 

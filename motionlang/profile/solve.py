@@ -6,11 +6,12 @@ speed = accel accel_time = decel decel_time. A rule fills what is still free.
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf, isnan, sqrt
 
 NAMES = ("distance", "time", "accel_time", "slew_time", "decel_time", "speed", "accel", "decel")
 RULES = {"third": 1.0 / 3.0, "quarter": 1.0 / 4.0, "equal": 0.0}
 """Share of the whole time given to the acceleration, and to the deceleration; equal: T_a = T_d, any share."""
+_TOO_LARGE = 1e300  # so that a sum of some, or a small multiple, is a number still
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,6 +40,9 @@ def solve_move(rule: str | None = None, **given: float | None) -> dict[str, floa
     missing = [name.replace("_", " ") for name in NAMES if name not in known]
     if missing:
         raise ValueError(f"not enough is known: {', '.join(missing)} cannot be determined")
+    for name in NAMES:
+        if known[name] == inf:
+            raise ValueError(f"no number is large enough for the {name.replace('_', ' ')}")
     _agree(known, figures)
     return {name: known[name] for name in NAMES}
 
@@ -47,9 +51,15 @@ def _check(figures: Figures, rule: str | None) -> None:
     for name, value in figures.items():
         if name not in NAMES:
             raise ValueError(f"a move has no figure called {name}")
-        low_enough = value >= 0.0 if name == "slew_time" else value > 0.0
-        if not (low_enough and value < 1e300):
-            raise ValueError(f"{name.replace('_', ' ')} must be greater than zero")
+        word = name.replace("_", " ")
+        if isnan(value):
+            raise ValueError(f"{word} is not a number")
+        if value < 0.0 or (value == 0.0 and name != "slew_time"):
+            raise ValueError(
+                f"{word} must be {'zero or more' if name == 'slew_time' else 'greater than zero'}"
+            )
+        if value >= _TOO_LARGE:
+            raise ValueError(f"{word} must be less than {_TOO_LARGE:g}")
     if rule is not None and rule not in RULES:
         raise ValueError(f"there is no rule called {rule}: third, quarter or equal")
 

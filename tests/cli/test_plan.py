@@ -91,8 +91,14 @@ def test_what_was_assumed_is_said(cell: Cell) -> None:
     [
         (("--distance", "3"), "not enough is known"),
         (("--distance", "20", "--time", "0.6", "--speed", "5", "--rule", "equal"), "contradiction"),
-        (("--distance", "nan"), "distance must be greater than zero"),
-        (("--distance", "1", "--scale", "0"), "--scale must be a number above 0"),
+        (("--distance", "1", "--scale", "0"), "--scale must be a number of counts from 1e-06 to 1e+12"),
+        (("--distance", "nan", "--time", "1"), "distance is not a number"),
+        (("--distance", "1e308", "--time", "1"), "distance must be less than 1e+300"),
+        (
+            ("--distance", "1e299", "--time", "1e-299", "--rule", "third"),
+            "no number is large enough for the speed",
+        ),
+        (("--distance", "1", "--slew-time", "-1"), "slew time must be zero or more"),
         (("--distance", "1", "--axis", "0", "--dialect", "mccl"), "there is no such axis"),
         (("--distance", "far"), "argument --distance: invalid float value: 'far'"),
     ],

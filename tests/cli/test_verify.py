@@ -38,6 +38,7 @@ def test_a_difference_is_named_by_its_place(cell: Cell) -> None:
 
 
 def test_what_has_no_golden_file_or_no_file_at_all(cell: Cell) -> None:
+    cell.write("pick.txt", "1MN")
     ran = cell("verify", "jog.mcl", "none.mcl", "pick.txt")
     assert ran.status == 1
     assert ran.out == (
@@ -55,3 +56,8 @@ def test_a_golden_file_that_is_no_json(cell: Cell) -> None:
     assert "jog.mcl: jog.golden.json is not JSON: " in ran.out
     assert cell("verify", "jog.mcl", "--update").status == 0
     assert cell("verify", "jog.mcl").status == 0
+
+
+def test_a_folder_that_is_not_there(cell: Cell) -> None:
+    ran = cell("verify")
+    assert (ran.status, ran.err) == (1, "error[file]: scripts cannot be read: no such file or directory\n")
