@@ -6,10 +6,14 @@ the texts of the tokens; columns are wanted for messages only, and for them the 
 
 from __future__ import annotations
 
-from itertools import accumulate
+from itertools import accumulate, islice
+from sys import maxsize
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import re
+    from collections.abc import Iterator
+
     from motionlang.lang.tables import Tables
     from motionlang.source import Source
 
@@ -17,13 +21,14 @@ if TYPE_CHECKING:
 class Places:
     """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
 
-    __slots__ = ("_lines", "_spans", "_tables", "_texts", "source")
+    __slots__ = ("_lines", "_matches", "_spans", "_tables", "_texts", "source")
 
     def __init__(self, source: Source, tables: Tables, texts: list[str] | None = None) -> None:
         self.source = source
         self._tables = tables
         self._texts = texts
-        self._spans: list[tuple[int, int]] | None = None
+        self._spans: list[tuple[int, int]] = []  # those of the first tokens, and what finds the others
+        self._matches: Iterator[re.Match[str]] | None = None
         self._lines: list[int] = []  # the line of each token, and of what follows the last one
 
     @property
@@ -49,10 +54,13 @@ class Places:
 
     def span(self, at: int) -> tuple[int, int]:
         """The offsets at which a token begins and ends; of one past the last, the end of the text."""
-        if self._spans is None:
-            self._spans = self._tables.spans(self.source.text)
+        spans = self._spans
+        if at >= len(spans):
+            if self._matches is None:
+                self._matches = self._tables.matches(self.source.text)
+            spans += [match.span(1) for match in islice(self._matches, at + 1 - len(spans))]
         end = len(self.source.text)
-        return self._spans[at] if at < len(self._spans) else (end, end)
+        return spans[at] if at < len(spans) else (end, end)
 
     def _find_lines(self) -> None:
         texts, self._texts = self._texts, None
@@ -64,9 +72,9 @@ class Places:
 
     def _lines_from_spans(self) -> None:
         """Lines that go on in the next one end inside no token, so the offsets have to tell."""
-        self.span(0)
+        self.span(maxsize - 1)
         text, line, before = self.source.text, 1, 0
-        for start, _ in self._spans or ():
+        for start, _ in self._spans:
             line += text.count("\n", before, start)
             self._lines.append(line)
             before = start
