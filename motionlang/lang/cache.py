@@ -50,16 +50,21 @@ def key(*parts: str) -> str:
 
 def fingerprint(package: str) -> str:
     """The state of a package's source files, so that a changed compiler never meets what an older one made."""
+    found: list[str] = []
     try:
-        return ",".join(
-            sorted(
-                f"{entry.name} {status.st_size} {status.st_mtime_ns}"
-                for entry in os.scandir(package)
-                if entry.name.endswith(".py") and (status := entry.stat())
-            )
-        )
+        _note(package, found)
     except OSError:
         return ""
+    return ",".join(sorted(found))
+
+
+def _note(place: str, found: list[str]) -> None:
+    for entry in os.scandir(place):
+        if entry.name.endswith(".py"):
+            status = entry.stat()
+            found.append(f"{entry.name} {status.st_size} {status.st_mtime_ns}")
+        elif entry.name != "__pycache__" and entry.is_dir():
+            _note(entry.path, found)
 
 
 def get(name: str) -> bytes | None:

@@ -86,7 +86,11 @@ def test_a_changed_compiler_is_another_key(tmp_path: Path) -> None:
     (tmp_path / "compiler.py").write_text("one")
     before = cache.fingerprint(str(tmp_path))
     (tmp_path / "compiler.py").write_text("three")
-    assert cache.fingerprint(str(tmp_path)) != before
+    changed = cache.fingerprint(str(tmp_path))
+    assert changed != before
+    (tmp_path / "keywords").mkdir()
+    (tmp_path / "keywords" / "axis.py").write_text("a = 1\n")
+    assert cache.fingerprint(str(tmp_path)) != changed
 
 
 def test_a_cached_run_is_the_same_run(folder: Path) -> None:
