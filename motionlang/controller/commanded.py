@@ -2,7 +2,8 @@
 
 A controller does not follow the closed form. Its trajectory generator computes a point a cycle (PMC: 1 kHz), and the
 loop, which runs faster (4 kHz), takes the line between two of them (TN1069). So velocity is constant during a cycle
-and acceleration is the change of it from cycle to cycle. A move from rest begins with a cycle: until then it waits.
+and acceleration is the change of it from cycle to cycle. A move from rest begins with a cycle: until then it waits,
+and what changes the motion later (a stop, a new speed) comes as much later as the motion is.
 """
 
 from __future__ import annotations
@@ -93,10 +94,11 @@ class Points:
         self._offsets = np.array(generator.offsets)
         # The cycle from which on a profile is in force, and when the profile begins for its points.
         self._first = np.ceil(self._starts / period - _AT_ONCE).astype(np.int64)
-        self._begins = self._starts.copy()
+        self._begins, late = self._starts.copy(), 0.0
         for k, profile in enumerate(axis.profiles):
             if not profile.start_velocity:
-                self._begins[k] = self._first[k] * period
+                late = float(self._first[k] * period - self._starts[k])
+            self._begins[k] += late
 
     def between(self, first: int, last: int) -> Array:
         """The points at the begins of the cycles `first` to `last`, included."""

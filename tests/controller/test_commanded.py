@@ -105,6 +105,21 @@ def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
         np.testing.assert_allclose(one, other, rtol=0, atol=allowed)
 
 
+@pytest.mark.parametrize("start", [0.0, 5e-5, 5e-4, 9.3e-4])
+def test_a_stop_in_motion_keeps_to_the_set_acceleration(start: float) -> None:
+    """The move waited for its cycle; its stop is as late, and does not jump ahead by what the wait was."""
+    controller = Controller(1)
+    for name, value in (("speed", 250.0), ("accel", 1250.0), ("decel", 1250.0)):
+        controller.configure(0, name, value)
+    controller.clock.advance(start)
+    controller.move_by(0, 100.0)
+    controller.clock.advance(start + 0.3)
+    controller.stop(0)
+    controller.clock.advance(controller.idle_time(0))
+    acceleration = controller.trace.as_controller().sample(4000.0).get(0, "acceleration")
+    assert float(np.abs(acceleration).max()) == pytest.approx(1250.0)
+
+
 def test_lengths_are_user_units() -> None:
     samples = machine(scale=50.0).trace.as_controller().sample(4000.0)
     assert samples.get(0, "position")[-1] == 2.0
