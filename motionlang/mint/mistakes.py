@@ -5,7 +5,8 @@ from __future__ import annotations
 from motionlang.errors import ProgramError
 from motionlang.mint.compiler import compile_module
 from motionlang.mint.keywords import table
-from motionlang.mint.parser import parse, tokens
+from motionlang.mint.parser import parse
+from motionlang.mint.tables import TABLES
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -67,10 +68,14 @@ def _readable(name: str, lines: list[str], error: ProgramError) -> tuple[Module 
     return None, taken
 
 
+_WORDS = ("NAME", "DOTTED")
+
+
 def _names(line: str) -> set[str]:
     """The words of a line that are not Mint's."""
     words = table()
-    found = {text.lower() for kind, text, _ in tokens(line) if kind == "word"}
+    pieces = set(TABLES.texts(line))  # each once: a line may have a million of them
+    found = {piece.lower() for piece in pieces if TABLES.kind_of[piece] in _WORDS}
     return {word for word in found if (row := words.get(word)) is None or not row.simulated}
 
 
