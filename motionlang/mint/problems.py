@@ -32,6 +32,8 @@ class Problems:
 
     def unknown(self, message: str, word: str, words: Iterable[str], at: int, otherwise: str = "") -> None:
         """Note an unknown word, with the nearest known one."""
+        if len(self.found) >= MOST or ("unknown-word", at) in self.found:
+            return
         near = nearest(word, words)
         self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)
 
