@@ -20,10 +20,12 @@ class Problems:
     def __init__(self, module: Module) -> None:
         self._module = module
         self.found: dict[tuple[str, int], Diagnostic] = {}
+        self._wrong = False  # is there an error? Warnings, however many, never hide the first one
 
     def add(self, code: str, message: str, at: int, hint: str = "", severity: str = "error") -> None:
         """Note a mistake; the same kind at the same place is told once."""
-        if len(self.found) < MOST:
+        if len(self.found) < MOST or (severity == "error" and not self._wrong):
+            self._wrong = self._wrong or severity == "error"
             line, column, length = self._place(at)
             self.found.setdefault(
                 (code, at),
@@ -32,7 +34,7 @@ class Problems:
 
     def unknown(self, message: str, word: str, words: Iterable[str], at: int, otherwise: str = "") -> None:
         """Note an unknown word, with the nearest known one."""
-        if len(self.found) >= MOST or ("unknown-word", at) in self.found:
+        if (len(self.found) >= MOST and self._wrong) or ("unknown-word", at) in self.found:
             return
         near = nearest(word, words)
         self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)

@@ -7,6 +7,9 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
+from motionlang.errors import ProgramError
+from motionlang.mint.parser import parse
+from motionlang.mint.problems import Problems
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
 
@@ -31,3 +34,12 @@ def test_the_message_teaches(path: Path, request: pytest.FixtureRequest) -> None
 
 def test_there_are_broken_programs() -> None:
     assert len(BROKEN) >= 15
+
+
+def test_a_hundred_warnings_hide_no_error() -> None:
+    problems = Problems(parse(Source("a.mnt", "PRINT 1\n" * 200)))
+    for at in range(150):
+        problems.add("not-simulated", "no effect", at, severity="warning")
+    problems.add("type", "wrong", 151)
+    with pytest.raises(ProgramError):
+        problems.raise_errors()
