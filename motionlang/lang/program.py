@@ -13,8 +13,10 @@ class Program:
 
     __slots__ = ()
 
-    # How much of it is compiled, where that grows as it runs.
-    size = 0
+    @property
+    def size(self) -> int:
+        """How much of it is compiled, where that grows as it runs."""
+        return 0
 
     def start(self, machine: Machine) -> Task:
         """The parent task of the program, bound to `machine`, not yet run."""
