@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from motionlang.cli_run import complain, no_dialect, read_source, unreadable
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_beside
+from motionlang.lang.machine import DEFAULT_AXES
+from motionlang.lang.machine_axes import missing_axes
 from motionlang.lang.machine_file import read_machine
 from motionlang.source import Source
 from motionlang.views.diagnostics import tally
@@ -83,6 +85,10 @@ def _check(file: str, options: CheckOptions) -> tuple[str, Source | None, list[D
             settings = read_machine(machine)
         except ProgramError as error:
             return language.name, machine, error.diagnostics
+        axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        wrong = missing_axes(settings, axes, language.first_axis)
+        if wrong:
+            return language.name, machine, wrong
     if options.model is not None:
         settings["controller.model"] = options.model
     return language.name, source, language.check(source, settings)

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 from motionlang import __version__
 from motionlang.cli_machine_options import add_dialect, add_machine, set_values
 from motionlang.cli_parser import Parser, add_command
-from motionlang.cli_run import Options
+from motionlang.cli_run import Options, complain
 from motionlang.cli_run_options import add_run
-from motionlang.errors import nearest
+from motionlang.errors import ProgramError, nearest
 from motionlang.execution import machine_beside
 
 if TYPE_CHECKING:
@@ -46,12 +46,19 @@ def parse(given: Sequence[str]) -> int:
     if not given:
         parser.print_help(sys.stderr)
         return 2
-    arguments = parser.parse_args(_with_factor(given))
-    if hasattr(arguments, "handler"):
-        handler: Callable[[argparse.Namespace], int] = arguments.handler
-        return handler(arguments)
-    command: Callable[[argparse.Namespace, argparse.ArgumentParser], int] = arguments.command
-    return command(arguments, arguments.parser)
+    arguments, unknown = parser.parse_known_args(_with_factor(given))
+    if unknown:
+        whose = getattr(arguments, "parser", parser)
+        whose.error(f"unrecognized arguments: {' '.join(unknown)}")
+    try:
+        if hasattr(arguments, "handler"):
+            handler: Callable[[argparse.Namespace], int] = arguments.handler
+            return handler(arguments)
+        command: Callable[[argparse.Namespace, argparse.ArgumentParser], int] = arguments.command
+        return command(arguments, arguments.parser)
+    except ProgramError as error:  # of a machine that cannot be built as the command line has it
+        complain(error.diagnostics, None, "")
+        return 1
 
 
 def _with_factor(given: Sequence[str]) -> list[str]:

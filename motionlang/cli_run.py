@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from motionlang.execution import dialect_of, machine_beside, run
+from motionlang.execution import dialect, dialect_of, machine_beside, run
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -88,6 +88,9 @@ def run_command(options: Options) -> int:
         status = read_machine_file(options, settings)
         if status:
             return status
+    missing = _missing_axes(options, settings) if settings else []
+    if missing:
+        return refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
     if options.realtime is not None and options.file != "-" and sys.stdin.isatty():
         from motionlang.cli_keyboard import run_live
 
@@ -101,6 +104,16 @@ def run_command(options: Options) -> int:
         return 130
     wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
     return 1 if wrong else status
+
+
+def _missing_axes(options: Options, settings: dict[str, object]) -> list[Diagnostic]:
+    from motionlang.lang.machine import DEFAULT_AXES
+    from motionlang.lang.machine_axes import missing_axes
+
+    language = dialect(options.dialect) if options.dialect else dialect_of(options.file)
+    assert language is not None
+    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    return missing_axes(settings, axes, language.first_axis)
 
 
 def _run(

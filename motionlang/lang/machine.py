@@ -78,7 +78,22 @@ class Machine:
         # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
         self.scheduler: Scheduler | None = None
         if not _is_plain(self.settings):
+            self._check_axes()
             _ = self.controller  # what the world does by time begins at once
+
+    def _check_axes(self) -> None:
+        """ProgramError where the settings speak of axes that there are not."""
+        from motionlang.lang.machine_axes import missing_axes
+
+        wrong = missing_axes(self.settings, self._axes, self._first_axis)
+        if wrong:
+            from motionlang.errors import ProgramError
+
+            raise ProgramError(wrong)
+
+    @property
+    def _axes(self) -> int:
+        return self.settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[return-value]
 
     @property
     def controller(self) -> Controller:
@@ -86,8 +101,7 @@ class Machine:
         if self._controller is None:
             from motionlang.controller.controller import Controller
 
-            axes: int = self.settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
-            self._controller = Controller(axes, self._first_axis, self.clock)
+            self._controller = Controller(self._axes, self._first_axis, self.clock)
             self._world = _world(self._controller, self.settings)
             for call in self._power_up:
                 call(self._controller)

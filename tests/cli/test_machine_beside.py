@@ -61,3 +61,33 @@ def test_the_scenario_has_an_end(cell: Cell) -> None:
     assert (ran.status, ran.err) == (0, "")
     assert "still running at 2 s" in ran.out
     assert "line 2: the program waits" in ran.out
+
+
+FAR = "[[input]]\nchannel = 1\naxis = 44\nabove = 1.0\n\n[axis.12]\nstart = 3\n"
+FAR_TOLD = """\
+error[machine-file]: [[input]]: there is no axis 44
+ --> far.toml
+  hint: the axes are 0 to 7; controller.axes says how many there are
+
+error[machine-file]: axis.12: there is no axis 12
+ --> far.toml
+  hint: the axes are 0 to 7; controller.axes says how many there are
+"""
+
+
+def test_an_axis_that_there_is_not_is_no_machine(cell: Cell) -> None:
+    cell.write("pick.mnt", "PRINT 1\n")
+    cell.write("far.toml", FAR)
+    ran = cell("run", "pick.mnt", "--machine", "far.toml")
+    assert (ran.status, ran.out, ran.err) == (1, "", FAR_TOLD)
+    assert cell("check", "pick.mnt", "--machine", "far.toml").status == 1
+    ran = cell("repl", "--machine", "far.toml")
+    assert (ran.status, ran.err) == (1, FAR_TOLD.replace(" --> far.toml\n", ""))
+    given = ("--set", "controller.axes=64", "--report", "none")
+    assert cell("run", "pick.mnt", "--machine", "far.toml", *given).out == "1\n"
+
+
+def test_mccl_counts_its_axes_from_one(cell: Cell) -> None:
+    assert cell("run", "ballscrew.mcl", "--set", "axis.8.start=1", "--report", "none").status == 0
+    ran = cell("run", "ballscrew.mcl", "--set", "axis.0.start=1")
+    assert (ran.status, ran.err.splitlines()[0]) == (1, "error[machine-file]: axis.0: there is no axis 0")

@@ -1,0 +1,31 @@
+"""The axes that a machine file speaks of, against those that the controller has."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+
+def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[Diagnostic]:
+    """A diagnostic for every key and entry whose axis is not one of the `axes` that count from `first`."""
+    hint = f"the axes are {first} to {first + axes - 1}; controller.axes says how many there are"
+    return [
+        Diagnostic("machine-file", f"{where}: there is no axis {axis}", hint=hint)
+        for where, axis in dict.fromkeys(_named(settings))
+        if not first <= axis < first + axes
+    ]
+
+
+def _named(settings: Mapping[str, object]) -> Iterator[tuple[str, int]]:
+    """Where the settings name an axis, and which."""
+    for key, value in settings.items():
+        parts = key.split(".")
+        if parts[0] == "axis" and len(parts) > 2:
+            yield f"axis.{parts[1]}", int(parts[1])
+        elif isinstance(value, list):
+            for entry in value:
+                if isinstance(entry, dict) and isinstance(entry.get("axis"), int):
+                    yield f"[[{key}]]", entry["axis"]
