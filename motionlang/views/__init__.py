@@ -1,1 +1,1 @@
-"""TODO"""
+"""Everything a person sees: diagnostics, tables, charts, plots, exports and the keyword pages."""
