@@ -18,12 +18,14 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Mapping, Sequence
+    from collections.abc import Callable, Collection, Mapping, Sequence
     from types import CellType, CodeType
     from typing import Any
 
 # The file name of generated code, by which tracebacks are told from our own.
 FILE = "<mint>"
+# So many names are looked for one by one; for more a pattern is quicker, which costs start-up time.
+FEW = 50
 # What functions always share.
 TIME = ("t", "H")
 # What the head of a part says instead of the names it shares.
@@ -60,18 +62,15 @@ class Unit:
     ) -> None:
         self.names, self.text, self.before, self.is_part, self.codes = names, text, before, is_part, codes
 
-    def compile(self, shared: Container[str]) -> tuple[CodeType, ...]:
+    def compile(self, shared: Collection[str]) -> tuple[CodeType, ...]:
         """The code of the functions; `shared` are the names of all cells."""
         if not self.codes:
-            from re import findall
-
-            words = sorted(set(findall(r"\b(?:v_\w|d\d)\w*", self.text)))
-            names = [word for word in words if word in shared]
-            used = ", ".join([*TIME, *names])
+            used = ", ".join([*TIME, *_named(self.text, shared)])
             text = f"def _({used}):\n global {', '.join(self.names)}\n{self.text}"
             if self.is_part:
                 text = text.replace(ALL, f"nonlocal {used}", 1)
-            around = compile(text, FILE, "exec").co_consts[0]
+            module = compile(text, FILE, "exec")
+            around = next(each for each in module.co_consts if each.__class__ is _CODE)
             self.codes = tuple(
                 _moved(each, self.before) for each in around.co_consts if each.__class__ is _CODE
             )
@@ -80,6 +79,16 @@ class Unit:
     def payload(self) -> tuple[object, ...]:
         """What `Unit` needs to make it again."""
         return self.names, "" if self.codes else self.text, self.before, self.is_part, self.codes
+
+
+def _named(text: str, shared: Collection[str]) -> list[str]:
+    """Those of the shared names that a text may use, in order."""
+    if len(shared) > FEW:
+        from re import findall
+
+        words = findall(r"\b(?:v_\w|d\d)\w*", text)
+        return sorted(word for word in set(words) if word in shared)
+    return sorted(name for name in shared if name in text and name not in TIME)
 
 
 def _moved(code: CodeType, lines: int) -> CodeType:

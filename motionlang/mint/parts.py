@@ -13,8 +13,6 @@ program, and their parts units of their own; a sub may be called again before it
 
 from __future__ import annotations
 
-from re import compile
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.body import Body, Line
@@ -25,10 +23,8 @@ SIZE = 200
 # A block that stands so deep is a part.
 DEEPEST = 60
 
-_LOOP = compile(r" *(?:while|for) ")
 # What leaves a part, or calls what only the function around it knows.
-_LEAVES = compile(r" *(?:return\b|pc = |yield from j_)")
-_BREAK = compile(r" *(?:break$|if .*: break$)")
+_LEAVES = ("return", "pc = ", "yield from j_")
 
 
 class Part:
@@ -98,12 +94,14 @@ def _is_left(statement: list[Line]) -> bool:
     """Whether some way leads out of the statement to another place than behind it."""
     loops: list[int] = []
     for line, _ in statement:
-        depth = len(line) - len(line.lstrip(" "))
+        text = line.lstrip(" ")
+        depth = len(line) - len(text)
         while loops and depth <= loops[-1]:
             loops.pop()
-        if _LEAVES.match(line) or (_BREAK.match(line) and not loops):
+        breaks = text == "break" or (text.startswith("if ") and text.endswith(": break"))
+        if text.startswith(_LEAVES) or (breaks and not loops):
             return True
-        if _LOOP.match(line) and line.endswith(":"):
+        if text.startswith(("while ", "for ")) and text.endswith(":"):
             loops.append(depth)
     return False
 
