@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from motionlang.mccl.console import Console
 
 INFINITY = float("inf")
-# Machine seconds between two looks at the hosts while the board is busy.
-SLICE = 2e-3
+# Machine seconds between two looks at the hosts while the board is busy, and while it has more to do than it can.
+SLICE, SHORTEST = 2e-3, 2e-5
 # Machine seconds by which an answer may come early: a command takes machine time, its host would wait for the wall.
 LEAD = 2e-3
 # Wall seconds that the board may take to catch up with the wall before hosts are heard again, and that it may be late.
@@ -53,6 +53,7 @@ class RealTime:
     ) -> None:
         self.late = 0.0
         self._console, self._factor, self._wall = console, factor, wall
+        self._slice = SLICE
         self._began = wall() - console.now / factor
 
     @property
@@ -64,7 +65,7 @@ class RealTime:
         """Catch up with the wall."""
         console, enough, due = self._console, self._wall() + BUDGET, self.due
         while console.now < due:
-            console.run(min(due, max(console.next_time(), console.now) + SLICE))
+            self._bounded(console.run, due)
             if self._wall() >= enough:
                 self._fall_behind()
                 return
@@ -74,7 +75,7 @@ class RealTime:
 
     def work(self) -> None:
         """Answer what takes no longer than the blink of an eye."""
-        self._console.settle(self.due + LEAD * self._factor)
+        self._bounded(self._console.settle, self.due + LEAD * self._factor)
 
     def timeout(self) -> float | None:
         """Wall seconds in which nothing will happen."""
@@ -84,6 +85,16 @@ class RealTime:
         if next_time == 0.0:
             return TICK
         return max(0.0, next_time / self._factor + self._began - self._wall())
+
+    def _bounded(self, go: Callable[[float], object], until: float) -> None:
+        """Let a slice of machine time pass; the more tasks never wait, the shorter it is."""
+        console, began = self._console, self._wall()
+        go(min(until, max(console.next_time(), console.now) + self._slice))
+        took = self._wall() - began
+        if took > BUDGET:
+            self._slice = max(SHORTEST, 0.25 * self._slice)
+        elif took < 0.25 * BUDGET:
+            self._slice = min(SLICE, 2.0 * self._slice)
 
     def _fall_behind(self) -> None:
         lag = (self.due - self._console.now) / self._factor

@@ -7,7 +7,7 @@ import pytest
 from motionlang.lang.machine import Machine
 from motionlang.mccl.console import Console
 from motionlang.serve import LockStep, RealTime
-from motionlang.serve.pace import LATEST, LEAD
+from motionlang.serve.pace import BUDGET, LATEST, LEAD, SLICE
 from tests.serve.conftest import Serve
 
 
@@ -83,6 +83,28 @@ def test_a_board_with_more_to_do_than_can_be_computed_falls_behind() -> None:
     while pace.late == 0.0:
         pace.before()
     assert pace.late > LATEST
+
+
+def test_many_loops_do_not_keep_a_new_host_waiting() -> None:
+    """On a computer that is slow the board is let run for less and less before hosts are heard again."""
+    wall = Wall()
+    console = Console(Machine(first_axis=1))
+
+    def slow() -> float:
+        wall.time += 2.0 * BUDGET
+        return wall.time
+
+    pace = RealTime(console, wall=slow)
+    for _ in range(20):
+        console.open(echo=False).feed(b"AA1,RP\r")
+    wall.time += 0.2
+    ran = []
+    for _ in range(6):
+        began = console.now
+        pace.work()
+        ran.append(console.now - began)
+    assert ran[0] <= SLICE + 1e-4
+    assert 0.0 < ran[-1] < 0.2 * SLICE
 
 
 def test_time_stands_still_in_lock_step_unless_a_host_waits(serve: Serve) -> None:
