@@ -80,12 +80,6 @@ class Events:
         clock = self.environment.clock
         clock.at(clock.now, self.deliver)
 
-    def unpend(self, kind: str, number: int = 0) -> None:
-        """Forget an event that waits."""
-        entry = (KINDS.index(kind), number)
-        if entry in self.pending:
-            self.pending.remove(entry)
-
     def deliver(self) -> None:
         """Start the most urgent handler, unless one that is as urgent is at work."""
         for entry in self.pending:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
-from motionlang.profile.dissect import ERRATA
 from motionlang.views.grid import Column, grid
 
 if TYPE_CHECKING:
@@ -275,11 +274,6 @@ def run_lines(rows: Sequence[tuple[int, ServoTrace, float]], window: float) -> l
         "",
         f"settled: within {_counts(window)} of the demand for good",
     ]
-
-
-def errata_lines() -> list[str]:
-    """What the chapter's scan has wrong."""
-    return [f"* {text}" for text in ERRATA]
 
 
 def figure(value: float, digits: int = 7) -> str:

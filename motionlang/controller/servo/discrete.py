@@ -46,11 +46,6 @@ class Discrete:
     quantised: bool
     load_encoder: bool
 
-    @property
-    def moves_with_position(self) -> tuple[bool, ...]:
-        """Which states shift when the zero of the position shifts."""
-        return tuple(name == "position" for name in self.names)
-
 
 @lru_cache(maxsize=64)
 def discretise(plant: Motor | Drive, period: float) -> Discrete:

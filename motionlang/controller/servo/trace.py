@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from math import inf, isfinite
+from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -154,11 +154,6 @@ class ServoTrace:
         return self.current * constant
 
     @property
-    def load_position(self) -> Array:
-        """Position of the load behind the resonance (the motor's own without one), counts."""
-        return self.position - self._columns["twist"]
-
-    @property
     def acceleration(self) -> Array:
         """Mean acceleration from this sample to the next, counts/s²."""
         return np.diff(self.velocity, append=self.velocity[-1:]) * self.loop.servo_rate
@@ -228,8 +223,3 @@ class ServoTrace:
         """The first time at which the following error is beyond `limit` counts; inf if it never is."""
         beyond = np.flatnonzero(np.abs(self.error) > limit)
         return float(self.time[beyond[0]]) if len(beyond) else inf
-
-    @property
-    def is_finite(self) -> bool:
-        """Whether the simulated motor stayed in this world: an unstable loop without limits does not."""
-        return bool(len(self) == 0 or isfinite(float(self._columns["position"][-1])))
