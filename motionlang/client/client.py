@@ -72,13 +72,21 @@ class Client:
     ) -> Self:
         """A virtual board in this process: a `Console`, or the settings of a machine file for a new one.
 
-        Nothing takes wall time. A line takes `step` machine seconds, or as long as it waits.
+        Nothing takes wall time. A line takes `step` machine seconds, or as long as it waits. ValueError for a setting
+        that makes no sense.
         """
         from motionlang.client.virtual import VirtualWire
         from motionlang.lang.machine import Machine
+        from motionlang.lang.machine_file import first_mistake
         from motionlang.mccl.console import Console
 
-        console = board if isinstance(board, Console) else Console(Machine(board, first_axis=1))
+        if isinstance(board, Console):
+            console = board
+        else:
+            mistake = first_mistake(board or {})
+            if mistake:
+                raise ValueError(mistake)
+            console = Console(Machine(board, first_axis=1))
         return cls(VirtualWire(console, step), timeout)
 
     @classmethod

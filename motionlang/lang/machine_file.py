@@ -169,6 +169,14 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
     return None if problem is None else (f"{key} {problem}, not {value!r}", row[1])
 
 
+def first_mistake(settings: Mapping[str, object]) -> str:
+    """What is wrong with settings that a program gives, and a hint; empty when nothing is."""
+    for key, value in settings.items():
+        for message, hint, _ in _problems(key, value):
+            return f"{message} ({hint})"
+    return ""
+
+
 def _problems(key: str, value: object) -> Iterator[tuple[str, str, str]]:
     """Message, hint and the name to look for, of each mistake in one key or table."""
     if key not in TABLES:

@@ -265,3 +265,17 @@ def test_a_board_that_goes_away() -> None:
     with pytest.raises(ConnectionLost, match=r"the (board has closed the connection|connection is gone)"):
         client.ask("1TP")
     client.close()
+
+
+@pytest.mark.parametrize(
+    ("settings", "says"),
+    [
+        ({"axis.1.home_switch": 3000.0}, "axis.1.home_switch must be two numbers"),
+        ({"axis.1.homeswitch": [1.0, 2.0]}, "did you mean axis.N.home_switch?"),
+        ({"input": [{"channel": "x"}]}, "channel of [[input]] must be a whole number"),
+    ],
+)
+def test_settings_of_a_virtual_board_that_make_no_sense(settings: dict[str, object], says: str) -> None:
+    with pytest.raises(ValueError) as caught:
+        Client.virtual(settings)
+    assert says in str(caught.value)
