@@ -154,7 +154,9 @@ def _acceleration_peaks(span: _Span, peaks: dict[str, float]) -> None:
         middle = 0.5 * (a + b)
         power = span.value(1, middle) * span.value(2, middle)
         name = "acceleration" if power > 0.0 else "deceleration"
-        # Slivers are rounding: a wave's turn is found to half the digits, so beside the knot it belongs to.
-        if power and b - a > 1e-7 * span.length:
+        # Slivers are rounding: a wave's turn is found to half the digits, so beside the knot it belongs to, and a
+        # ramp that lasts microseconds late in a long move ends a little beside rest.
+        beside_rest = max(abs(span.value(1, a)), abs(span.value(1, b))) <= span.rounding(1)
+        if power and b - a > 1e-7 * span.length and not beside_rest:
             peak = max(abs(span.value(2, a)), abs(span.value(2, b)))
             peaks[name] = max(peaks[name], peak - span.rounding(2))

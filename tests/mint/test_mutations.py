@@ -39,7 +39,9 @@ _CONTROL = {row.name.lower() for row in ROWS}
 def mutated(random: Random) -> str:
     """A program of the manual with names, numbers and operators exchanged, at times a piece dropped or added."""
     pieces = _PIECES.findall(random.choice(PROGRAMS))
-    names = [p for p in _PIECES.findall(random.choice(PROGRAMS)) if p[0].isalpha() and p.lower() not in _CONTROL]
+    names = [
+        p for p in _PIECES.findall(random.choice(PROGRAMS)) if p[0].isalpha() and p.lower() not in _CONTROL
+    ]
     for _ in range(random.randint(1, 6)):
         at = random.randrange(len(pieces))
         kind = kind_of(pieces[at])
