@@ -82,9 +82,8 @@ def _add_stream(parser: argparse.ArgumentParser) -> None:
     add(
         "--look",
         type=_positive,
-        default=1.0,
         metavar="MS",
-        help="milliseconds between two looks of the master",
+        help="milliseconds between two looks of the master (1; with --by 0 the time between two points)",
     )
     add("--relative", action="store_true", help="send distances instead of positions")
     add("--interface", default="virtual", metavar="NAME", help="python-can interface (virtual)")

@@ -47,7 +47,7 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
     points = relative(move.points, start) if args.relative else move.points
     wire = to_wire(points)
     drive = Drive(start)
-    with LockstepBus(drive, args.node, max(1, round(args.look * 1000)), args.interface, args.channel) as bus:
+    with LockstepBus(drive, args.node, _look(args, wire), args.interface, args.channel) as bus:
         problem, done = "", None
         try:
             done = Master(bus, args.node).stream(wire, args.by)
@@ -60,6 +60,12 @@ def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
     if problem:
         sys.stderr.write(render(Diagnostic("never", f"the stream failed: {problem}", hint=_hint(drive))))
     return 1 if problem else 0
+
+
+def _look(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
+    """Microseconds between two looks of the master; in sub-mode 0 it sends a point at each, so a period apart."""
+    usual = float(wire[0].time or 1) if args.by == "0" else 1.0
+    return max(1, round((usual if args.look is None else args.look) * 1000))
 
 
 def _stream_to_real(args: argparse.Namespace, move: Move) -> int:

@@ -182,7 +182,8 @@ class Master:
             self._check()
             if result.sent < len(points):
                 result.lowest = min(result.lowest, SIZE - self.status.free)
-            elif self._read(0x6064) == positions[-1]:
+            elif self._taken(base, result.sent) > len(points):
+                # The drive is on its way from the last point to its repetition: it stands there.
                 self._write(0x6040, 0, ENABLED)
                 return result
             silent = self._wait(silent)
@@ -211,6 +212,10 @@ class Master:
     def _room(self, next_number: int) -> int:
         """Free positions, less the points that were on their way when the drive counted them."""
         return max(0, self.status.free - (next_number - self.status.next_number & 0xFFFF))
+
+    def _taken(self, base: int, sent: int) -> int:
+        """How many of `sent` points, numbered from `base`, the drive had taken out of its buffer when it last told."""
+        return sent - (base + sent - self.status.next_number & 0xFFFF) - (SIZE - self.status.free)
 
     def _check(self) -> None:
         """Stop at an error that ends a move; the latest word of the drive counts."""

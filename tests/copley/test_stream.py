@@ -86,6 +86,20 @@ def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
     assert spans == {10_000, 10_250}
 
 
+@pytest.mark.parametrize("way", ["0", "-1"])
+@pytest.mark.parametrize("places", [(0, 100, 0), (0, 10, 40, 10, 0, -30, 0), (5, 5, 5)])
+def test_a_move_that_ends_where_it_began_is_made_to_its_end(way: str, places: tuple[int, ...]) -> None:
+    """In the sub-modes without an end of their own the master asks how far the drive is, not where it stands."""
+    points = [WirePoint(place, None, 10) for place in places[:-1]] + [WirePoint(places[-1], None, 0)]
+    drive = Drive(places[0])
+    with LockstepBus(drive, step=10_000) as bus:
+        Master(bus).stream(points, way)
+    made = [p for p in drive.profiles if p.shape == "pvt"]
+    assert [p.end for p in made[: len(places) - 1]] == [float(place) for place in places[1:]]
+    assert drive.position == places[-1]
+    assert drive.state == IDLE
+
+
 def test_relative_linear_and_cubic_points_in_one_stream() -> None:
     chance = random.Random(5)
     points = [
