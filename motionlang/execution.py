@@ -121,11 +121,11 @@ def run(
     with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
     data outlives the run.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
-    where no dialect can be told from its name.
+    where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
     source = program if isinstance(program, Source) else Source.read(program)
     language = _dialect_for(source, dialect)
-    settings = dict(machine) if machine is not None else _settings_beside(program)
+    settings = _checked(machine) if machine is not None else _settings_beside(program)
     result = Run(
         source,
         language,
@@ -206,6 +206,17 @@ def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, obje
     from motionlang.lang.machine_file import read_machine
 
     return read_machine(Source.read(path))
+
+
+def _checked(machine: Mapping[str, object]) -> dict[str, object]:
+    """The settings that a caller gives, held to what a machine file may say."""
+    if machine:
+        from motionlang.lang.machine_file import first_mistake
+
+        mistake = first_mistake(machine)
+        if mistake:
+            raise ValueError(mistake)
+    return dict(machine)
 
 
 def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+import motionlang
 from motionlang.errors import ProgramError
 from motionlang.lang.machine_file import read_machine
 from motionlang.source import Source
@@ -107,3 +108,17 @@ def test_text_that_is_not_toml() -> None:
 
 def test_the_page_of_the_machine_file_is_what_its_vocabulary_says() -> None:
     assert PAGE.read_text(encoding="utf-8") == written(), "python -m tests.machine_page writes it anew"
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"controller.axis": 4}, "did you mean controller.axes"),
+        ({"controller.axes": "four"}, "must be a whole number"),
+    ],
+)
+def test_settings_of_a_caller_are_held_to_the_same_vocabulary(
+    settings: dict[str, object], words: str
+) -> None:
+    with pytest.raises(ValueError, match=words):
+        motionlang.run(Source("hello.mnt", "PRINT 1\n"), machine=settings)
