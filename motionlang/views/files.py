@@ -27,8 +27,10 @@ def replacing(path: str) -> Iterator[IO[bytes]]:
         with open(aside, "wb") as file:
             yield file
         os.replace(aside, target)
-    except BaseException:
+    except BaseException as error:
         _remove(aside)
+        if isinstance(error, OSError) and error.filename == aside:
+            error.filename = path
         raise
 
 

@@ -9,7 +9,9 @@ from motionlang.views.words import peak_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import numpy as np
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
     from motionlang.views.lanes import Lane
     from motionlang.views.panels import Panel
@@ -52,10 +54,23 @@ def draw_panel(axes: Axes, panel: Panel, rows: Rows, second: float) -> None:
         axes.axhline(0.0, color=AXIS, linewidth=0.8, zorder=1.5)
         _remark(axes, f"peak {peak_of(panel.peak)} {panel.unit}")
     if len(panel.curves) > 1:
-        axes.legend(loc="upper right", ncols=len(panel.curves), frameon=False, fontsize=8, borderpad=0.1)
+        ends_high = _ends_high([curve.values for curve in panel.curves])
+        axes.legend(
+            loc="lower right" if ends_high else "upper right",
+            ncols=len(panel.curves),
+            frameon=False,
+            fontsize=8,
+            borderpad=0.1,
+        )
     axes.set_ylabel(f"{panel.quantity}\n({panel.unit})", fontsize=8.5)
     values = [curve.values for curve in panel.curves]
     _dress(axes, min(float(each.min()) for each in values), max(float(each.max()) for each in values))
+
+
+def _ends_high(curves: Sequence[NDArray[np.float64]]) -> bool:
+    """Whether what is drawn ends in the upper half, where a legend would lie on it."""
+    low, high = min(float(each.min()) for each in curves), max(float(each.max()) for each in curves)
+    return float(curves[0][-1]) > 0.5 * (low + high)
 
 
 def draw_analogue(axes: Axes, lane: Lane, end: float, second: float) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
 
+import numpy as np
 import pytest
 
 from motionlang.controller.servo import Loop, simulate
@@ -15,6 +16,7 @@ from motionlang.controller.servo.trace import ServoTrace
 from motionlang.execution import Run
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
+from motionlang.views.plot_panel import _ends_high
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 from tests.views.test_vcd import switched
 
@@ -120,3 +122,17 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path, suffix: str) -> None:
     for name in ("one", "two"):
         write_plot(pick(), str(tmp_path / f"{name}{suffix}"))
     assert (tmp_path / f"one{suffix}").read_bytes() == (tmp_path / f"two{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("end", "high"), [([0.0, 3.0, 10.0], True), ([0.0, 10.0, 1.0], False), ([0.0, -3.0, -10.0], False)]
+)
+def test_the_legend_lies_where_the_curves_do_not_end(end: list[float], high: bool) -> None:
+    assert _ends_high([np.array(end), np.zeros(3)]) is high
+
+
+def test_a_folder_that_is_not_there_is_said_of_the_file_that_was_asked_for(tmp_path: Path) -> None:
+    asked = str(tmp_path / "nowhere" / "x.png")
+    with pytest.raises(FileNotFoundError) as caught:
+        write_plot(ballscrew(), asked)
+    assert caught.value.filename == asked

@@ -67,7 +67,9 @@ class Lifted:
         self.shifting = np.array([i in (0, len(names) + MEMORY.index("last_position")) for i in self.kept])
         self.checks = _checks(loop)
         wanted = tuple(dict.fromkeys((*columns, *self.checks)))
-        self._lift(_Probe(loop, plant, wanted, integrating, self.kept, self.size), wanted, loop)
+        # A loop that grows beyond all numbers within one block breaks its limits: its blocks are never used.
+        with np.errstate(over="ignore", invalid="ignore"):
+            self._lift(_Probe(loop, plant, wanted, integrating, self.kept, self.size), wanted, loop)
         # No column of a block is larger than the sizes of its start and inputs times these: a cheap first check.
         self.bounds = {name: np.abs(self.outputs[name]).max(axis=1) for name in self.checks}
 
