@@ -225,6 +225,8 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
             value(b, each)
         return
     if row.verb == "wait":
+        if target.args or node.repeat:
+            b.problem("values", "WAIT = ms names no axis and one time", target, "WAIT = 100 waits for 100 ms")
         wait(b, node, node.values)
         return
     if row.kind == "move" and row.index == "axes":

@@ -8,7 +8,7 @@ _AN115 = "ABB AN00115"
 _AN117 = "ABB AN00117"
 
 ROWS = (
-    Keyword("MOVER", "", "move", "W", "axis", "uu", "load_by",
+    Keyword("MOVER", "MR", "move", "W", "axis", "uu", "load_by",
             "Load a move by a distance, counted from the end of the move before it; GO starts it.",
             "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)",
             source=_AN115, trust="manual", group="motion"),

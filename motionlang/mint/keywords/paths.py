@@ -12,7 +12,8 @@ _TWO = "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE IDLE(0)\nPRIN
 
 
 def _path(name: str, unit: str, help: str, example: str, trust: str = "code") -> Keyword:
-    return Keyword(name, "", "move", "W", "axes", unit, "paths.arc" if "degrees" in unit else "paths.line", help,
+    short = "".join(name[at] for at in (0, -1)) if name[:5] != "HELIX" else ""  # VA, VR, CA, CR
+    return Keyword(name, short, "move", "W", "axes", unit, "paths.arc" if "degrees" in unit else "paths.line", help,
                    example + _END, source=_LIBRARY, trust=trust, group="motion")  # fmt: skip
 
 
@@ -51,7 +52,7 @@ ROWS = (
     _setting("BLENDDISTANCE", "number", "blend_distance",
              "What is left of a path when the next one begins, in user units along it.",
              "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _LARGEST),
-    Keyword("BLEND", "", "command", "C", "axis", "", "paths.blend",
+    Keyword("BLEND", "", "command", "C", "axes", "", "paths.blend",
             "Begin the next path now, on top of what remains of the present one.",
             _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"
             "PAUSE IDLE(0)\nPRINT POS(1)",

@@ -18,7 +18,7 @@ ROWS = (
     _turns("POSROLLOVERTARGET", "turns.target", "How many times POS will have wrapped when the move is over."),
     _turns("POSROLLOVERTARGETLAST", "turns.last_target",
            "How many times POS will have wrapped when the buffer is empty."),
-    Keyword("DATUM", "", "command", "C", "axis", "", "turns.datum",
+    Keyword("DATUM", "", "command", "C", "axes", "", "turns.datum",
             "Find the encoder's index in reverse, which is HOME of type _hmNEGATIVE_INDEX (v3).",
             "If HOMEINPUT(0) >= 0 Then DATUM(0)\nPAUSE IDLE(0)\nPRINT HOMESTATUS(0)",
             source="Mint v3", trust="memory", group="motion"),

@@ -101,8 +101,9 @@ def write_mode(environment: Environment, row: Row) -> Operation:
 
 
 def do_blend(environment: Environment, row: Row) -> Operation:
-    def do(axis: int, line: int) -> None:
-        environment.controller.blend(axis_of(environment, axis))
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            environment.controller.blend(axis)
 
     return do
 

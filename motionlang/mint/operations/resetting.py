@@ -122,8 +122,9 @@ def write_stop_mode(environment: Environment, row: Row) -> Operation:
 
 
 def do_reset(environment: Environment, row: Row) -> Operation:
-    def do(axis: int, line: int) -> None:
-        reset(environment, axis_of(environment, axis))
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            reset(environment, axis)
 
     return do
 
@@ -137,8 +138,9 @@ def do_reset_all(environment: Environment, row: Row) -> Operation:
 
 
 def do_default(environment: Environment, row: Row) -> Operation:
-    def do(axis: int, line: int) -> None:
-        _default(environment, axis_of(environment, axis))
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            _default(environment, axis)
 
     return do
 

@@ -53,7 +53,12 @@ def do_datum(environment: Environment, row: Row) -> Operation:
     from motionlang.mint.operations.homing import write_home
 
     home = write_home(environment, row)
-    return lambda axis, line: home(axis_of(environment, axis), NEGATIVE_INDEX, line)
+
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            home(axis, NEGATIVE_INDEX, line)
+
+    return do
 
 
 def write_frequency(environment: Environment, row: Row) -> Operation:
