@@ -29,6 +29,7 @@ CODES: dict[str, str] = {
     "index": "The subscript lies outside the array.",
     "division-by-zero": "A number was divided by zero.",
     "overflow": "The number is too large for its type.",
+    "string-overflow": "The text is longer than its String.",
     "argument": "The function has no value for this argument.",
     "disabled-axis": "The axis is off, and the command needs it on.",
     "axis-error": "The axis has an error; it takes no motion until that is cleared.",

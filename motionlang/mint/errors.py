@@ -32,6 +32,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "overflow": (1005, "integer out of range"),
     "not-primed": (1006, "error registers not primed"),
     "limit": (1007, "out of memory"),
+    "string-overflow": (1008, "string overflow"),
 }
 GENERIC = (1, "keyword error")
 FIRST_OWN = 1001  # from here on the numbers are this program's
@@ -112,11 +113,16 @@ class Errors:
         return 0
 
     def clear(self, group: int, data: int) -> None:
-        """ERRORCLEAR: forget the errors of a group; those of an axis are cleared on the axis too."""
+        """ERRORCLEAR: forget the errors of a group; those of an axis are cleared on the axis too.
+
+        Also where the list tells of none: a handler has mostly read it to its end before it clears.
+        """
+        controller = self.environment.controller
         for error in list(self._of(group, data)):
             self.found.remove(error)
-            if error.group == AXIS:
-                self.environment.controller.clear_faults(error.data[0])
+        for axis in controller.axes if group == ALL else (data,) if group == AXIS else ():
+            if axis in controller.axes and controller.axes[axis].faults:
+                controller.clear_faults(axis)
 
     def _of(self, group: int, data: int) -> list[Error]:
         return [

@@ -98,7 +98,7 @@ LONGEST = 65_535
 def fit(text: str, size: int) -> str:
     """A text for a String of `size` characters."""
     if len(text) > size:
-        raise Refusal("overflow", f"a text of {len(text)} characters does not fit a String * {size}",
+        raise Refusal("string-overflow", f"a text of {len(text)} characters does not fit a String * {size}",
                       "make the String longer")  # fmt: skip
     return text
 

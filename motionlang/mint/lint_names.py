@@ -44,9 +44,9 @@ def check_names(facts: Facts, add: Add) -> None:
 
 
 def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
-    if symbol in facts.kept:
-        return
     given = facts.writers.get(symbol)
+    if symbol in facts.kept or (given and symbol.type.name == SEMAPHORE):
+        return  # who takes a semaphore waits for it: that is its use
     what = "is given a value that nothing reads" if given else "is declared and never used"
     add("unused-variable", f"{symbol.name} {what}", symbol.at)
 
