@@ -58,6 +58,7 @@ BOL||none|go to the begin of the line on the terminal
 TRON||none|line trace on
 TROFF||none|line trace off
 NOP||none|do nothing
+TERMINAL|tm|none|the terminal that is printed to
 VIEW||keyword|repeat a value on the command line
 CON||none|console word: the configuration buffer
 PROG||none|console word: the program buffer
