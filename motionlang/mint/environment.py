@@ -45,6 +45,7 @@ class Environment:
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
         self.clock = machine.clock
+        self._controller: Controller | None = None
         # What the operator will type at INPUT; None until the first one.
         self.answers: list[str] | None = None
         self.files: dict[str, Sequence[int]] = {}
@@ -75,7 +76,10 @@ class Environment:
     @property
     def controller(self) -> Controller:
         """The controller; a program that never asks for it runs without one."""
-        return self.machine.controller
+        found = self._controller
+        if found is None:
+            found = self._controller = self.machine.controller
+        return found
 
     def prepare(self) -> None:
         """Make the controller behave as Mint expects it to."""

@@ -1,6 +1,6 @@
 """The two ages of Mint, and which controllers speak which: v4 with dots and labels, MintMT with brackets and tasks.
 
-The grouping of the controllers is remembered (docs/fidelity-lint.md); their names are those of the host library.
+The grouping of the controllers is remembered (docs/fidelity.md); their names are those of the host library.
 """
 
 from __future__ import annotations

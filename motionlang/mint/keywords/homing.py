@@ -10,7 +10,9 @@ _MN1270 = "Baldor MN1270 p. 86"
 _HOMED = "If HOMEINPUT(0) >= 0 Then HOME(0) = _hmNEGATIVE_SWITCH\nPAUSE IDLE(0)\nPRINT {}(0)"
 
 
-def _setting(name: str, unit: str, value: str, help: str, default: float | None, low: float, high: float) -> Keyword:
+def _setting(
+    name: str, unit: str, value: str, help: str, default: float | None, low: float, high: float
+) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, "homing.setting", help,
                    f"{name}(0) = {value}\nPRINT {name}(0)", default=default, low=low, high=high, source=_LIBRARY,
                    trust="memory", group="homing")  # fmt: skip

@@ -9,7 +9,9 @@ _ARMED = "LATCHTRIGGERCHANNEL(0) = 3\nLATCHENABLE(0) = 1\nPRINT {}(0)"
 _FAST = "FASTSELECT(0) = 3\nFASTENABLE(0) = 1\nPRINT {}(0)"
 
 
-def _setting(name: str, index: str, unit: str, value: str, help: str, high: float, default: float = 0.0) -> Keyword:
+def _setting(
+    name: str, index: str, unit: str, value: str, help: str, high: float, default: float = 0.0
+) -> Keyword:
     return Keyword(name, "", "setting", "RW", index, unit, "latches.setting", help,
                    f"{name}(0) = {value}\nPRINT {name}(0)", default=default, low=0, high=high, source=_LIBRARY,
                    trust="memory", group="latches")  # fmt: skip

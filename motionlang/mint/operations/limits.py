@@ -2,7 +2,7 @@
 
 The modes are the same for every error: 0 nothing, 1 a crash stop, 2 a crash stop and the drive off, 3 a stop at
 ERRORDECEL, 4 the same and then the drive off, 5 only the event ONERROR. Their numbers are from memory, and so are the
-defaults (docs/fidelity-mint-io.md).
+defaults (docs/fidelity.md).
 """
 
 from __future__ import annotations
