@@ -233,7 +233,9 @@ def _cache_name(source: Source, language: Dialect, settings: dict[str, object]) 
     from motionlang.lang import cache
 
     package = os.path.dirname(sys.modules[type(language).__module__].__file__ or "")
-    state = cache.fingerprint(package)
+    # An installed package changes with its version only; a checkout with every key that is pressed.
+    checkout = os.path.isdir(os.path.join(package, "..", "..", "grammars"))
+    state = cache.fingerprint(package) if checkout else ""
     return cache.key(language.name, state, repr(sorted(settings.items())), source.name, source.text)
 
 
