@@ -6,7 +6,6 @@ import gc
 import os
 import sys
 
-from motionlang.controller.faults import Refusal
 from motionlang.lang.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.source import Source
@@ -351,7 +350,6 @@ def _interrupted(result: Run, scheduler: Scheduler | None, error: BaseException)
 
 __all__ = [
     "ONE_SHIFT",
-    "Refusal",
     "Run",
     "dialect",
     "dialect_of",

@@ -51,3 +51,13 @@ def test_the_end() -> None:
 def test_not_a_number_is_a_complaint() -> None:
     piece = (0.0, math.nan, 0.0, 0.0, 0.0, 0.0, 0.0)
     assert verify(from_curve("pvt", 0.0, 1.0, ((0.0, 1.0), (piece,), (("slew", 0),)), 1.0, 1.0))
+
+
+def test_a_ramp_of_microseconds_late_in_a_long_move_is_judged_by_what_it_is() -> None:
+    """34 µs of braking after a day: the clock resolves its end to a part in a million, its limits still count."""
+    speed, decel, end = 0.10057264266491435, 2980.9579870417283, 8103.083927575384
+    made = plan_trapezoid(0.0, end, speed, 1.0, decel)
+    again = made.cut(0.0).then(made.after(0.0))
+    assert verify(again, speed=speed, accel=1.0, decel=decel, end=end) == []
+    assert verify(again, speed=speed, accel=1.0, decel=decel * 0.99, end=end) != []
+    assert verify(again, speed=speed, accel=0.99, decel=decel, end=end) != []

@@ -9,20 +9,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.demand import Track
 from motionlang.controller.servo.loop import Loop, Override
 from motionlang.controller.servo.plant import Drive, Motor
-from motionlang.controller.servo.servo import Servo, simulate
 
 if TYPE_CHECKING:
+    from motionlang.controller.servo.demand import Track
+    from motionlang.controller.servo.servo import Servo, simulate
     from motionlang.controller.servo.trace import ServoTrace
 
 __all__ = ["Drive", "Loop", "Motor", "Override", "Servo", "ServoTrace", "Track", "simulate"]
 
+# What runs a loop comes when it is asked for: checking the keys of a machine file needs only what describes one.
+_HOMES = {"Track": "demand", "Servo": "servo", "simulate": "servo", "ServoTrace": "trace"}
+
 
 def __getattr__(name: str) -> object:
-    if name != "ServoTrace":
+    home = _HOMES.get(name)
+    if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from motionlang.controller.servo.trace import ServoTrace
+    from importlib import import_module
 
-    return ServoTrace
+    return getattr(import_module(f"{__name__}.{home}"), name)
