@@ -397,8 +397,9 @@ class Core(Readings):
         if a.feedback is not None:
             a.feedback.changed()
         else:
-            for watch in a.watches:
-                arm(a, watch, self.clock, now)
+            for watch in tuple(a.watches):
+                if watch in a.watches:  # what is passed in this very moment may end others
+                    arm(a, watch, self.clock, now)
         for follower in a.followers:
             follower(profile)
 

@@ -25,6 +25,7 @@ def _rows() -> list[Keyword]:
     from motionlang.mint.keywords import (
         axis,
         buffer,
+        camboxes,
         changing,
         comms,
         constants,
@@ -53,6 +54,7 @@ def _rows() -> list[Keyword]:
 
     groups = (
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
+        camboxes,
         io, comms, remote, limits, homing, latches, sensing, servo, functions, memory, turns, kept, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
