@@ -144,6 +144,7 @@ def run(
             from motionlang.controller.history import notes
 
             result.not_counted += notes(result.controller)
+        result.not_counted += result.machine.notes
         if result.machine.without_effect:
             words = ", ".join(result.machine.without_effect)
             result.not_counted.append(f"settings that have no effect here: {words}")

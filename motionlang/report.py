@@ -142,11 +142,15 @@ def _head(run: Run) -> Row:
 
 
 def _tail(run: Run) -> Row:
-    return {
+    tail: Row = {
         "axes": axes(run),
         "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
         "not_counted": list(run.not_counted),
     }
+    written = [row for rows in run.machine.written for row in rows()]
+    if written:
+        tail["written"] = written
+    return tail
 
 
 def _document(head: Row, rows: Iterator[Row], tail: Row) -> str:

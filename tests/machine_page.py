@@ -15,7 +15,14 @@ SENTENCES = {
     "input": "Digital inputs: by time, by the position of an axis, or behind an output. One entry is one way in "
     "which the channel is set; several may speak of the same one.",
     "analogue": "Analogue inputs, likewise.",
-    "remote": "Inputs of remote nodes on a bus.",
+    "remote": "Remote nodes on a bus: their inputs, encoders and comms arrays, the objects of their dictionaries, and "
+    "whether they live. A node that no entry speaks of lives and holds zeros.",
+    "bus": "What becomes of a bus, for `BUSEVENT` and `BUSSTATE`; while it is off no node answers.",
+    "pdo": "Process data that nodes send, for `REMOTEPDOIN`.",
+    "modbus.server": "Modbus servers that the program reaches as a client, with `MODBUSTCP16` and its like. Where the "
+    "file names none, every server exists and holds zeros; the report says so.",
+    "modbus.register": "What changes in their registers. Of two registers the lower one has the lower half.",
+    "coil": "What a Modbus client writes into the coils of the controller.",
     "encoder": "Encoders that something outside of the controller turns, such as the conveyor that a program follows.",
     "fault": "Faults of an axis: at a time, at a position, or when the program comes to a line for the first time. "
     "What the axis then does is the program's choice (`FOLERRORMODE`, `ERRORINPUTMODE`, `LIMITMODE`).",

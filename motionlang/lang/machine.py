@@ -39,12 +39,14 @@ class Machine:
         "diagnostics",
         "instruction_time",
         "model",
+        "notes",
         "nv",
         "overrides",
         "scheduler",
         "settings",
         "terminal",
         "without_effect",
+        "written",
     )
 
     def __init__(
@@ -71,6 +73,10 @@ class Machine:
         self.overrides = dict(overrides or {})
         # The settings that the program wrote and that change nothing here, in the order of their writing.
         self.without_effect: dict[str, None] = {}
+        # What this run could not know of other devices, in the order in which the program met it.
+        self.notes: dict[str, None] = {}
+        # Who can tell what the program has written into other devices, as rows of the report.
+        self.written: list[Callable[[], list[dict[str, object]]]] = []
         # Data that outlives the run, where somebody says in which file.
         self.nv: NonVolatile | None = None
         # What the program did wrong without ending: MCCL answers with a code and goes on.

@@ -69,7 +69,51 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "node": ("channel", "The remote node."),
         "channel": ("channel", "Its digital input."),
         "analogue": ("channel", "Its analogue input, instead."),
-        "value": ("number", "The value: 1 unless given, or percent."),
+        "encoder": ("channel", "Its encoder, instead."),
+        "element": ("channel", "The element of its comms array, instead, 1 to 99."),
+        "object": ("register", "The object of its dictionary, instead, such as 0x6041."),
+        "sub": ("channel", "The sub-index of the object, 0 unless given."),
+        "event": ("node event", "What becomes of the node, instead: live, dead or emergency."),
+        "value": ("number", "The value: 1 unless given, percent, counts, or the code of the emergency."),
+        "at": _WHEN["at"],
+        "for": ("positive", "How long an input stays so, in seconds; for ever unless given."),
+    },
+    "bus": {
+        "bus": ("channel", "The bus, 1 unless given."),
+        "event": (
+            "bus event",
+            "operational, passive or off, which the bus then is; receive-overrun or transmit-overrun.",
+        ),
+        "at": _WHEN["at"],
+    },
+    "pdo": {
+        "bus": ("channel", "The bus, 1 unless given."),
+        "cobid": ("register", "The identifier of the process data, such as 0x182."),
+        "bank": ("channel", "Its lower 32 bits, 0, as unless given, or its upper ones, 1."),
+        "value": ("number", "What it brings."),
+        "at": _WHEN["at"],
+    },
+    "modbus.server": {
+        "id": ("channel", "The number by which the program knows the server."),
+        "first": ("register", "Its first register, 0 unless given."),
+        "last": ("register", "Its last register, 65535 unless given; others are refused."),
+        "registers": ("registers", "What registers hold from the beginning, 0 unless given."),
+        "at": ("time", "From when on it answers, in seconds; from the beginning unless given."),
+        "for": ("positive", "How long it answers, in seconds; for ever unless given."),
+    },
+    "modbus.register": {
+        "server": ("channel", "The server in which something changes."),
+        "register": ("register", "The register, or the first of the two."),
+        "value": ("number", "The value from then on."),
+        "as": (
+            "width",
+            "word, one register; integer or float, two. A whole number is a word, another one a float.",
+        ),
+        "at": _WHEN["at"],
+    },
+    "coil": {
+        "coil": ("register", "The coil of the controller that a Modbus client writes."),
+        "value": ("number", "The value, 1 unless given."),
         "at": _WHEN["at"],
         "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
     },
@@ -111,6 +155,11 @@ REQUIRED = {
     "input": ("channel",),
     "analogue": ("channel", "value"),
     "remote": ("node",),
+    "bus": ("event",),
+    "pdo": ("cobid", "value"),
+    "modbus.server": ("id",),
+    "modbus.register": ("server", "register", "value"),
+    "coil": ("coil",),
     "fault": ("axis", "kind"),
     "key": ("text",),
     "encoder": ("velocity",),
@@ -119,6 +168,12 @@ REQUIRED = {
     "netdata": ("element",),
 }
 VIEWS = ("integer", "float")
+WIDTHS = ("word", "integer", "float")
+NODE_EVENTS = ("live", "dead", "emergency")
+BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-overrun")
+# What an entry of [[remote]] is about.
+_OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
+LAST_REGISTER = 65535
 MOTORS = ("servo", "stepper")
 FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit")
 
@@ -206,8 +261,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         if name not in entry:
             yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
     yield from _when_problems(table, entry)
-    if table == "remote" and ("channel" in entry) is ("analogue" in entry):
-        yield "[[remote]] needs a channel or an analogue", "channel = 0 is a digital input", "[[remote]]"
+    if table == "remote":
+        yield from _remote_problems(entry)
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):
         yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
     if table in ("comms", "netdata"):
@@ -225,6 +280,25 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
         yield f"[[{table}]] {what} in one way only", f"give at, {ways}", where[0]
     if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+
+
+def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    what = [name for name in _OF_A_NODE if name in entry]
+    if len(what) != 1:
+        yield (
+            "[[remote]] needs a channel, an analogue, an encoder, an element, an object or an event",
+            "one of them; channel = 0 is a digital input",
+            "[[remote]]",
+        )
+    elif "for" in entry and what[0] not in ("channel", "analogue"):
+        yield f"[[remote]] with {what[0]} takes no for", TABLES["remote"]["for"][1], "for"
+    element = entry.get("element", 1)
+    if isinstance(element, int) and not 1 <= element <= 99:
+        yield (
+            f"element of [[remote]] must be 1 to 99, not {element}",
+            TABLES["remote"]["element"][1],
+            "element",
+        )
 
 
 def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -253,6 +327,11 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
         "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
+        "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
+        "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
+        "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),
+        "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
+        "bus event": (value in BUS_EVENTS, f"must be one of {', '.join(BUS_EVENTS)}"),
         "view": (value in VIEWS, f"must be one of {', '.join(VIEWS)}"),
         "motor": (value in MOTORS, f"must be {' or '.join(MOTORS)}"),
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
@@ -265,6 +344,17 @@ def _is_pair(value: object) -> bool:
     if not isinstance(value, list) or len(value) != 2:
         return False
     return all(_kind_problem("number", each) is None for each in value) and value[0] <= value[1]
+
+
+def _are_registers(value: object) -> bool:
+    """Words, signed or not, by the numbers of their registers."""
+    return isinstance(value, dict) and all(
+        str(name).isdecimal()
+        and int(name) <= LAST_REGISTER
+        and isinstance(word, int)
+        and -(LAST_REGISTER // 2) - 1 <= word <= LAST_REGISTER
+        for name, word in value.items()
+    )
 
 
 def _generic(key: str) -> str:

@@ -24,12 +24,15 @@ KINDS = (
 # The part of the environment that raises the events of a kind, made for programs that handle them.
 SOURCES = {
     "in": ("inputs", "Inputs"),
+    "bus": ("remote", "Nodes"),
     "comms": ("comms", "HostEvents"),
     "netdata": ("comms", "HostEvents"),
     "latch": ("latches", "Latches"),
     "fastin": ("latches", "FastLatches"),
     "stop": ("switches", "Switches"),
 }
+# What a kind is called too: COMMSX in the manuals, and CAN by v4.
+_OTHER_NAMES = {"commsx": "comms", "can": "bus"}
 # Kinds that exist once; the others have a number (`Event IN3`).
 SINGLE = frozenset(("onerror", "stop", "timer", "dpr", "axisidle", "mblow"))
 
@@ -38,11 +41,10 @@ def kind_and_number(name: str) -> tuple[str, int] | None:
     """The kind and the number of a handler's name, None when no event is called so."""
     word = name.lower()
     kind = word.rstrip("0123456789")
-    if kind == "commsx":
-        kind = "comms"
+    number = word[len(kind) :]
+    kind = _OTHER_NAMES.get(kind, kind)
     if kind not in KINDS:
         return None
-    number = word[len(kind) :]
     if kind in SINGLE:
         return None if number else (kind, 0)
     return kind, int(number) if number else -1

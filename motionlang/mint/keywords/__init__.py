@@ -40,7 +40,9 @@ def _rows() -> list[Keyword]:
         latches,
         limits,
         memory,
+        modbus,
         motion,
+        network,
         paths,
         profiles,
         remote,
@@ -55,7 +57,8 @@ def _rows() -> list[Keyword]:
     groups = (
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes,
-        io, comms, remote, limits, homing, latches, sensing, servo, functions, memory, turns, kept, constants, language,
+        io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,
+        constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

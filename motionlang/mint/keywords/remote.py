@@ -32,5 +32,5 @@ ROWS = (
     _word("REMOTEDAC", "RW", "bus, node, channel", "%", "remote.percent",
           "An analogue output of a remote node in percent.", "REMOTEDAC(1, 2, 3) = 100\nPRINT REMOTEDAC(1, 2, 3)"),
     _word("NODELIVE", "R", "bus, node", "bool", "remote.live",
-          "1 for a node that the machine file speaks of.", "PRINT NODELIVE(1, 2)"),
+          "1 for a node that the machine file speaks of, while it lives.", "PRINT NODELIVE(1, 2)"),
 )  # fmt: skip
