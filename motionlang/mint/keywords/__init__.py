@@ -25,7 +25,6 @@ def _rows() -> list[Keyword]:
     from motionlang.mint.keywords import (
         axis,
         buffer,
-        camboxes,
         changing,
         comms,
         constants,
@@ -45,10 +44,12 @@ def _rows() -> list[Keyword]:
         network,
         paths,
         profiles,
+        relays,
         remote,
         sensing,
         servo,
         state,
+        steppers,
         tasks,
         terminal,
         turns,
@@ -56,7 +57,7 @@ def _rows() -> list[Keyword]:
 
     groups = (
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes,
+        camboxes, relays, steppers,
         io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,
         constants, language,
     )  # fmt: skip
