@@ -25,6 +25,7 @@ def _rows() -> list[Keyword]:
     from motionlang.mint.keywords import (
         axis,
         buffer,
+        camboxes,
         changing,
         comms,
         constants,
