@@ -7,6 +7,7 @@ from re import findall
 from motionlang.mint import jumping
 from motionlang.mint.code import ALL, FILE, TIME, Code, Unit
 from motionlang.mint.events import kind_and_number
+from motionlang.mint.expressions import counted
 from motionlang.mint.nodes import Jump
 from motionlang.mint.parts import SIZE, Part
 from motionlang.mint.statements import fresh
@@ -257,7 +258,7 @@ def _head(whole: Whole, b: Body) -> list[Line]:
 def _shared_by(part: Part, function: Function) -> str:
     """How a part that stands in its sub says what it shares."""
     known = {*(TIME if not function.plain else "t"), *(part.inside or ())}
-    known.update(name for symbol in _own(function) for name in (symbol.python, f"{symbol.python}_k"))
+    known.update(name for symbol in _own(function) for name in _spellings(symbol))
     scope = function.scope.outer
     while scope is not None:
         known.update(symbol.python for symbol in scope.names.values() if symbol.shared)
@@ -269,7 +270,15 @@ def _shared_by(part: Part, function: Function) -> str:
 def _parameters(function: Function, shared_time: bool) -> str:
     if function.kind != "sub":
         return "t_, H_" if shared_time else "t, H"
-    return ", ".join(f"{p.python}, {p.python}_k" if p.by_ref else p.python for p in function.parameters)
+    return ", ".join(name for parameter in function.parameters for name in _spellings(parameter))
+
+
+def _spellings(symbol: Symbol) -> list[str]:
+    """The names in Python of what a variable or a parameter is made of: with its place, or with its sizes."""
+    if symbol.by_ref:
+        return [symbol.python, f"{symbol.python}_k"]
+    sizes = counted(symbol.python, symbol.dimensions) if len(symbol.dimensions) > 1 else []
+    return [symbol.python, *(size for size in sizes if not size.isdecimal())]
 
 
 def _own_variables(function: Function, b: Body) -> list[str]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
-from motionlang.mint.expressions import converted, place, unknown, value
-from motionlang.mint.symbols import FLOAT, INTEGER, RECORD, Symbol
+from motionlang.mint.expressions import converted, counted, member, place, unknown, value
+from motionlang.mint.symbols import FLOAT, INTEGER, RECORD, Symbol, Type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,17 +50,31 @@ def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
 
 
 def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
-    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
-    if symbol is None or not symbol.is_array or len(symbol.dimensions) != 1:
-        b.problem("type", f"{parameter.name} must be given an array with one subscript", node)
-        return "[0]"
-    if str(symbol.type) != str(parameter.type):
-        b.problem(
-            "type",
-            f"{parameter.name} is an array of {parameter.type}, {symbol.name} one of {symbol.type}",
-            node,
-        )
-    return symbol.python
+    """An array as a whole: a list, and the sizes of one with several subscripts."""
+    wanted = len(parameter.dimensions)
+    found = array(b, node)
+    if found is None or len(found[2]) != wanted:
+        many = "one subscript" if wanted == 1 else f"{wanted} subscripts"
+        b.problem("type", f"{parameter.name} must be given an array with {many}", node)
+        return ", ".join(["[0]", *["1"] * (wanted - 1 and wanted)])
+    text, kind, sizes = found
+    if str(kind) != str(parameter.type):
+        given = node.field if type(node) is nodes.Member else getattr(node, "name", "")
+        b.problem("type", f"{parameter.name} is an array of {parameter.type}, {given} one of {kind}", node)
+    return text if wanted == 1 else ", ".join([text, *counted(text, sizes)])
+
+
+def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None:
+    """The text, the type and the sizes of an array that is named as a whole, a member's too."""
+    if type(node) is nodes.Name and node.args is None:
+        symbol = b.scope.find(node.name)
+        if symbol is not None and symbol.is_array:
+            return symbol.python, symbol.type, symbol.dimensions
+    if type(node) is nodes.Member and node.args is None:
+        owner = member(b, node)
+        if owner is not None and owner[2]:
+            return owner
+    return None
 
 
 def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:

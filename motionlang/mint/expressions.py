@@ -214,16 +214,24 @@ def element(
         b.problem("index", f"{name} is an array and needs a subscript", node)
         return f"{text}[1]"
     if len(args) != len(sizes):
-        b.problem("index", f"{name} has {_count(len(sizes), 'subscript')}, {len(args)} are given", node)
+        b.problem("index", fX, node)
         return f"{text}[1]"
-    parts = [_subscript(b, arg, text, size) for arg, size in zip(args, sizes, strict=True)]
+    counts = counted(text, sizes)
+    parts = [_subscript(b, *each) for each in zip(args, sizes, counts, strict=True)]
     flat = parts[0]
-    for part, size in zip(parts[1:], sizes[1:], strict=True):
-        flat = f"({flat} - 1) * {size} + {part}"
+    for part, count in zip(parts[1:], counts[1:], strict=True):
+        flat = f"({flat} - 1) * {count} + {part}"
     return f"{text}[{flat}]"
 
 
-def _subscript(b: Body, node: nodes.Expr, array: str, size: int) -> str:
+def counted(text: str, sizes: tuple[int, ...]) -> list[str]:
+    """The texts of an array's sizes; those of an array that a sub is given are known when it is called."""
+    if sizes == (0,):
+        return [f"len({text}) - 1"]
+    return [str(size) if size else f"{text}_N{place}" for place, size in enumerate(sizes)]
+
+
+def _subscript(b: Body, node: nodes.Expr, size: int, count: str) -> str:
     found = number(b, node, "a subscript")
     if found.const is not None and size:
         if not 1 <= found.const <= size:  # type: ignore[operator]
@@ -233,7 +241,6 @@ def _subscript(b: Body, node: nodes.Expr, array: str, size: int) -> str:
     low, high, kind = found.range
     if kind == "i" and size and low >= 1 and high <= size:
         return found.text
-    count = str(size) if size else f"len({array}) - 1"
     return f"{b.whole.use('fn', 'subscript')}({found.text}, {count})"
 
 
@@ -269,31 +276,38 @@ def _member(b: Body, node: nodes.Member) -> Value:
 
 
 def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None]:
-    wrong = ("[0][0]", Type(FLOAT), None)
-    if type(node.value) is nodes.Name and b.scope.find(node.value.name) is None:
-        unknown(b, node.value)
-        return wrong
-    if type(node.value) not in (nodes.Name, nodes.Member):
-        b.problem("type", "only a variable has members", node)
-        return wrong
-    owner, kind, _ = place(b, node.value)  # type: ignore[arg-type]
-    if kind.record is None:
-        b.problem(
-            "type", f"{article(str(kind))} has no members", node, "declare the variable with a Type of yours"
-        )
-        return wrong
-    member = kind.record.members.get(node.field.lower())
-    if member is None:
-        b.whole.problems.unknown(f"{kind.record.name} has no member {node.field}", node.field,
-                                 kind.record.members, node.at)  # fmt: skip
-        return wrong
-    position, type_, sizes = member
-    text = f"{owner}[{position}]"
+    found = member(b, node)
+    if found is None:
+        return "[0][0]", Type(FLOAT), None
+    text, type_, sizes = found
     if sizes:
         text = element(b, node, text, node.field, sizes, node.args)
     elif node.args is not None:
         b.problem("type", f"{node.field} is not an array", node)
     return text, type_, None
+
+
+def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | None:
+    """The text, the type and the sizes of a member as a whole; a mistake is noted."""
+    if type(node.value) is nodes.Name and b.scope.find(node.value.name) is None:
+        unknown(b, node.value)
+        return None
+    if type(node.value) not in (nodes.Name, nodes.Member):
+        b.problem("type", "only a variable has members", node)
+        return None
+    owner, kind, _ = place(b, node.value)  # type: ignore[arg-type]
+    if kind.record is None:
+        b.problem(
+            "type", f"{article(str(kind))} has no members", node, "declare the variable with a Type of yours"
+        )
+        return None
+    found = kind.record.members.get(node.field.lower())
+    if found is None:
+        b.whole.problems.unknown(f"{kind.record.name} has no member {node.field}", node.field,
+                                 kind.record.members, node.at)  # fmt: skip
+        return None
+    position, type_, sizes = found
+    return f"{owner}[{position}]", type_, sizes
 
 
 # ------------------------------------------------------------------------------------------------ operators
@@ -426,7 +440,14 @@ def _text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
     return _NOTHING
 
 
+def _omitted(b: Body, node: nodes.Omitted) -> Value:
+    hint = "only a list of values for single axes may leave one out: SPEED(0, 1) = , 20"
+    b.problem("values", "a value is missing here", node, hint)
+    return _NOTHING
+
+
 _VALUES: dict[type, Callable[..., Value]] = {
+    nodes.Omitted: _omitted,
     nodes.Number: _number,
     nodes.String: _string,
     nodes.Name: _name,

@@ -22,6 +22,8 @@ from motionlang.mint.symbols import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from motionlang.lang.keyword import Table
     from motionlang.mint.problems import Problems
 
@@ -68,6 +70,7 @@ class Names:
         for event in module.events:
             self._block("event", event, event.name, "e_")
             self._check_event(event)
+        self._count_subscripts()
         for function in self.functions:
             self._implicit(function)
         for function in self.functions:
@@ -116,11 +119,37 @@ class Names:
 
     def _declare_parameter(self, function: Function, node: nodes.Parameter) -> None:
         kind = self.type_of(node.type, FLOAT)
-        symbol = Symbol(node.name, "parameter", kind, self._python("p_", node.name), node.at, function)
-        symbol.by_ref = node.by_ref and not node.is_array
+        by_ref = node.by_ref and not node.is_array
+        python = self._python("p_", node.name)
+        while by_ref and f"{python}_k" in self._taken:
+            python = self._python("p_", node.name)
+        symbol = Symbol(node.name, "parameter", kind, python, node.at, function)
+        symbol.by_ref = by_ref
+        if by_ref:
+            self._taken[f"{python}_k"] = 0  # the place in the list, which goes with it
         symbol.dimensions = (0,) if node.is_array else ()
         function.parameters.append(symbol)
         self.add(function.scope, symbol)
+
+    def _count_subscripts(self) -> None:
+        """How many subscripts the array parameters have, which their subs show by using them.
+
+        One that is merely handed on has as many as the parameter that it is given to.
+        """
+        handed: list[tuple[Symbol, Symbol]] = []
+        for function in self.functions:
+            arrays = {each.name.lower(): each for each in function.parameters if each.is_array}
+            for name in self._surveys[function].names if arrays else ():
+                symbol = arrays.get(name.name.lower())
+                if symbol is not None and name.args:
+                    symbol.dimensions = (0,) * len(name.args)
+                elif symbol is None and name.args and (callee := function.scope.find(name.name)) is not None:
+                    handed += _handed(name, callee, arrays)
+        found = handed
+        while found:
+            found = [pair for pair in handed if len(pair[1].dimensions) > len(pair[0].dimensions)]
+            for symbol, parameter in found:
+                symbol.dimensions = parameter.dimensions
 
     def _declare_type(self, node: nodes.UserType) -> None:
         record = Record(node.name)
@@ -178,7 +207,9 @@ class Names:
 
     def _declare_variable(self, function: Function, node: nodes.Variable) -> Symbol:
         if node.type is not None and node.type.name.lower() == "controller":
-            self.problems.add("not-simulated", "there is no network of controllers here", node.type.at)
+            self.problems.add("not-simulated", "variables of type Controller are not simulated", node.type.at,
+                              hint="no source tells what is done with one; REMOTECOMMS(bus, node, element) "
+                              "reaches the comms array of another controller")  # fmt: skip
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
                         self._python("v_", node.name), node.at, function)  # fmt: skip
         symbol.dimensions = self._dimensions(node, function.scope)
@@ -337,6 +368,15 @@ class Names:
                 unknown[caller] -= 1
                 if not unknown[caller]:
                     ready.append(caller)
+
+
+def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:
+    """The array parameters that a call hands on, each with the parameter that it is given to."""
+    for argument, parameter in zip(call.args or (), callee.home.parameters, strict=False):
+        if callee.kind == "sub" and type(argument) is nodes.Name and argument.args is None:
+            symbol = arrays.get(argument.name.lower())
+            if symbol is not None and parameter.is_array:
+                yield symbol, parameter
 
 
 def _is_result(function: Function, name: str) -> bool:
