@@ -214,7 +214,8 @@ def element(
         b.problem("index", f"{name} is an array and needs a subscript", node)
         return f"{text}[1]"
     if len(args) != len(sizes):
-        b.problem("index", fX, node)
+        given = f"{len(args)} {'is' if len(args) == 1 else 'are'} given"
+        b.problem("index", f"{name} has {_count(len(sizes), 'subscript')}, {given}", node)
         return f"{text}[1]"
     counts = counted(text, sizes)
     parts = [_subscript(b, *each) for each in zip(args, sizes, counts, strict=True)]
