@@ -45,6 +45,7 @@ CODES: dict[str, str] = {
     "buffer-full": "The move buffer has no room, and nothing will ever make room.",
     "never": "The program waits for something that can no longer happen.",
     "not-primed": "The error registers were read before an error was read into them.",
+    "event": "The event has no handler, or does not exist, and cannot be raised.",
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
     "interrupted": "The run was ended from the keyboard.",

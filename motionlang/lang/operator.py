@@ -10,7 +10,7 @@ from functools import partial
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from motionlang.controller.clock import Clock
     from motionlang.lang.terminal import Terminal
@@ -33,6 +33,7 @@ class Operator:
     def __init__(self, clock: Clock, terminal: Terminal, settings: Mapping[str, object]) -> None:
         self._clock, self._terminal = clock, terminal
         self.keys: list[int] = []
+        self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
         self.asking = False
         self._typed = ""
         self._held, self._until = 0, -1.0
@@ -52,6 +53,8 @@ class Operator:
         self.keys += codes
         self._held, self._until = codes[-1], self._clock.now + held
         self._clock.at(self._until, _nothing)  # whoever waits for the key to be let go must look again
+        for listener in self.listeners:
+            listener()
 
     def next_key(self) -> int:
         """The next key that has been pressed, 0 where there is none."""

@@ -24,6 +24,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "terminal": (130, "terminal undefined"),
     "one-terminal": (131, "single terminal required"),
     "buffer-in-use": (142, "move buffer must be empty"),
+    "event": (204, "event cannot be pended"),
     "stopping": (236, "axis stopping, move refused"),
     "contour-and-blend": (158, "contour and blend both on"),
     "buffer-full": (59, "move buffer full"),

@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 # Most urgent first. The place of a kind is also its bit in EVENTACTIVE, EVENTPENDING and EVENTDISABLE.
 KINDS = (
     "onerror", "bus", "stop", "fastin", "latch", "timer", "in", "netdata", "comms", "dpr", "axisidle", "mblow",
+    "terminalreceive", "serialreceive", "busmessage", "modbus", "knife", "reset",
 )  # fmt: skip
+# Kinds that only EVENTPEND raises here: nothing of the simulated machine is their source.
+SOURCELESS = frozenset(("dpr", "serialreceive", "busmessage", "modbus", "knife", "reset"))
 # The part of the environment that raises the events of a kind, made for programs that handle them.
 SOURCES = {
     "in": ("inputs", "Inputs"),
@@ -30,11 +33,15 @@ SOURCES = {
     "latch": ("latches", "Latches"),
     "fastin": ("latches", "FastLatches"),
     "stop": ("switches", "Switches"),
+    "terminalreceive": ("pending", "Keys"),
 }
 # What a kind is called too: COMMSX in the manuals, and CAN by v4.
 _OTHER_NAMES = {"commsx": "comms", "can": "bus"}
 # Kinds that exist once; the others have a number (`Event IN3`).
-SINGLE = frozenset(("onerror", "stop", "timer", "dpr", "axisidle", "mblow"))
+SINGLE = frozenset((
+    "onerror", "stop", "timer", "dpr", "axisidle", "mblow", "terminalreceive", "serialreceive", "modbus", "knife",
+    "reset",
+))  # fmt: skip
 
 
 def kind_and_number(name: str) -> tuple[str, int] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint import nodes
-from motionlang.mint.events import KINDS, SINGLE, kind_and_number
+from motionlang.mint.events import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.fold import fold
 from motionlang.mint.survey import Survey, walk
 from motionlang.mint.symbols import (
@@ -92,11 +92,16 @@ class Names:
     def _check_event(self, event: nodes.Event) -> None:
         found = kind_and_number(event.name)
         if found is None:
-            names = [kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS]
+            names = [
+                kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS if kind not in SOURCELESS
+            ]
             self.problems.unknown(f"there is no event {event.name}", event.name, names, event.at,
                                   f"the events are {', '.join(names)}")  # fmt: skip
         elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
             self.problems.add("duplicate", f"there is already a handler for {event.name}", event.at)
+        elif found[0] in SOURCELESS:
+            self.problems.add("not-simulated", f"nothing raises the event {event.name.upper()} here", event.at,
+                              f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
         function = self._block("task", task, task.name, "k_")

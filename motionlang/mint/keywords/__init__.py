@@ -44,6 +44,7 @@ def _rows() -> list[Keyword]:
         motion,
         network,
         paths,
+        pending,
         profiles,
         relays,
         remote,
@@ -58,7 +59,7 @@ def _rows() -> list[Keyword]:
 
     groups = (
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes, relays, steppers,
+        camboxes, pending, relays, steppers,
         io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,
         constants, language,
     )  # fmt: skip
