@@ -48,14 +48,14 @@ def generate(name: str, package: str, actions: dict[str, str]) -> str:
     """The text of the tables module of a grammar and its actions, for `motionlang.<package>`."""
     lark = build_lark(name)
     table = lark.parser.parser._parse_table
-    rules = Rules(actions)
+    rules = Rules(actions, import_module(f"motionlang.{package}.nodes"))
     states = States(table, rules)
     literals, classes = _terminals(lark)
     token, continued = _token_patterns(lark, literals, classes)
     parts = [
         f'"""The tables of grammars/{name}; written by `python -m motionlang.lang.grammar`, not by hand."""\n',
         "# ruff: noqa\n# mypy: ignore-errors\n# fmt: off\n",
-        "from motionlang.lang.tables import Tables",
+        "from motionlang.lang.tables import Tables, new",
         f"from motionlang.{package}.build import *",
         f"from motionlang.{package}.nodes import *\n",
         *rules.functions,
@@ -113,7 +113,8 @@ def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str
     operators = [re.escape(text) for text in literals if len(text) > 1 and not text[0].isalpha()]
     found = "|".join([*classes.values(), *operators, _LEFTOVERS])
     blank = ignored.pop("BLANK")
-    return f"(?:{blank})?({found})", f"(?:{'|'.join([blank, *ignored.values()])})*({found})"
+    some = re.sub(r"(?<=\])\+\+$", "*+", blank)  # of one set of characters, any number: no group is as quick
+    return f"{some}({found})", f"(?:{'|'.join([blank, *ignored.values()])})*({found})"
 
 
 def main() -> int:

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import ast
 import re
+from inspect import signature
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from types import ModuleType
     from typing import Any
 
 
 class Rules:
     """Numbers the rules in the order in which they are met, and writes their reducers."""
 
-    def __init__(self, actions: dict[str, str]) -> None:
+    def __init__(self, actions: dict[str, str], nodes: ModuleType) -> None:
         self.actions = actions
+        self._nodes = {name: cls for name, cls in vars(nodes).items() if isinstance(cls, type)}
         self.rows: list[str] = []
         self.functions: list[str] = []
         self._numbers: dict[Any, int] = {}
@@ -36,7 +40,7 @@ class Rules:
         if self.identity(rule):
             return "None"
         alias = rule.alias or rule.options.template_source or rule.origin.name
-        lines = _reducer_body(self._expression(rule, alias), length)
+        lines = self._body(self._expression(rule, alias), length)
         if not lines:
             return "None"
         text = "\n".join(lines)
@@ -57,29 +61,56 @@ class Rules:
             return f"+ v{last}"
         return re.sub(r"\bv(\d+)", lambda found: places[int(found[1])], self.actions[alias])
 
+    def _body(self, expression: str, length: int) -> list[str]:
+        """The lines that replace the last `length` values by one, taking only what is needed off the stack."""
+        append = expression.startswith("+ ")
+        value = expression.removeprefix("+ ")
+        if length == 0:
+            return [f"    V.append({value})"]
+        if value == "v0":
+            return _drop(length - 1)
+        lines = _taken({int(digits) for digits in re.findall(r"\bv(\d+)", value)}, length)
+        made = self._made(value)
+        if made and append:
+            return [*lines, f"    n = {made[0]}", *made[1:], "    V[-1].append(n)"]
+        if made:
+            return [*lines, f"    V[-1] = n = {made[0]}", *made[1:]]
+        return [*lines, f"    V[-1].append({value})" if append else f"    V[-1] = {value}"]
 
-def _reducer_body(expression: str, length: int) -> list[str]:
-    """The lines that replace the last `length` values by one, taking only what is needed off the stack."""
-    append = expression.startswith("+ ")
-    value = expression.removeprefix("+ ")
-    used = {int(digits) for digits in re.findall(r"\bv(\d+)", value)}
-    if length == 0:
-        return [f"    V.append({value})"]
-    if value == "v0":
-        return _drop(length - 1)
-    lines = []
-    for place in sorted(used, reverse=True) if length <= 3 else sorted(used):
-        if length > 3:
-            lines.append(f"    v{place} = V[{place - length}]")
+    def _made(self, value: str) -> list[str]:
+        """What a call of a node's class does, written out, which is a third quicker; nothing for other values."""
+        call = ast.parse(value, mode="eval").body
+        if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
+            return []
+        fields = _fields(self._nodes.get(call.func.id, object))
+        texts = [ast.unparse(argument) for argument in call.args]
+        if not fields or any(text.startswith("*") for text in texts):
+            return []
+        texts += [repr(default) for _, default in fields[len(texts) :]]
+        stores = [f"    n.{name} = {text}" for (name, _), text in zip(fields, texts, strict=True)]
+        return [f"new({call.func.id})", *stores]
+
+
+def _fields(cls: type) -> list[tuple[str, Any]]:
+    """The parameters of a class that keeps each of them under its own name and does nothing else, with defaults."""
+    if "__init__" not in vars(cls):
+        return []
+    fields = [(each.name, each.default) for each in signature(cls).parameters.values()]
+    marks = [object() for _ in fields]
+    made = cls(*marks)
+    slots = [slot for base in cls.__mro__ for slot in getattr(base, "__slots__", ()) if hasattr(made, slot)]
+    kept = all(getattr(made, name, None) is mark for (name, _), mark in zip(fields, marks, strict=True))
+    return fields if kept and len(slots) == len(fields) else []
+
+
+def _taken(used: set[int], length: int) -> list[str]:
+    """The lines that take the values in use off the stack, which keeps one place for the new one."""
     if length > 3:
-        lines += _drop(length - 1)
-    else:
-        for place in range(length - 1, 0, -1):
-            lines.append(f"    v{place} = V.pop()" if place in used else "    V.pop()")
-        if 0 in used:
-            lines.append("    v0 = V[-1]")
-    lines.append(f"    V[-1].append({value})" if append else f"    V[-1] = {value}")
-    return lines
+        return [f"    v{place} = V[{place - length}]" for place in sorted(used)] + _drop(length - 1)
+    lines = [
+        f"    v{place} = V.pop()" if place in used else "    V.pop()" for place in range(length - 1, 0, -1)
+    ]
+    return [*lines, "    v0 = V[-1]"] if 0 in used else lines
 
 
 def _drop(count: int) -> list[str]:

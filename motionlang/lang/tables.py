@@ -27,23 +27,16 @@ if TYPE_CHECKING:
 
 END = "$END"  # Lark's name for the end of the text
 BAD = "BAD"  # the kind of a token that no grammar knows
+new = object.__new__  # for the reducers, which fill in what they make
 DEEPEST = 1000  # symbols on the stack: 200 nested Ifs, 125 nested Fors
 
 
 class Stuck(Exception):
-    """No action for the token `at`: a mistake in the text; `states` is the stack as far as it was right."""
-
-    def __init__(self, at: int, states: list[State]) -> None:
-        super().__init__(at)
-        self.at, self.states = at, states
+    """No action for a token, whose ordinal it carries: a mistake in the text."""
 
 
 class TooDeep(Exception):
     """The blocks of the program are nested deeper than later stages can follow."""
-
-
-class _NoAction(Exception):
-    """A state has nothing to do on a kind."""
 
 
 class State(dict[str, "State | Action"]):
@@ -59,12 +52,13 @@ class State(dict[str, "State | Action"]):
     __eq__ = object.__eq__
 
     def __missing__(self, kind: str) -> State | Action:
+        """Find the action when it is first wanted; `NOTHING`, which is not kept, where there is none."""
         if self.row:
             self._fill()
             if kind in self:
                 return self[kind]
         if self.default is None or kind not in self.tables.kinds:
-            raise _NoAction
+            return NOTHING
         action = self[kind] = Action(self.default, kind)
         return action
 
@@ -87,14 +81,15 @@ class State(dict[str, "State | Action"]):
 
     def step(self, kind: str) -> State | Action | None:
         """The action on a kind, None where there is none."""
-        try:
-            return self[kind]
-        except _NoAction:
-            return None
+        action = self[kind]
+        return None if action is NOTHING else action
 
 
-class Action(dict[State, "tuple[tuple[Reducer, ...], State, State | Action | None]"]):
-    """A reduction on one kind: from the state below to the reducers to call, the state to go to, its action."""
+class Action(dict[State, "tuple[Reducer, tuple[Reducer, ...], State, State | Action]"]):
+    """A reduction on one kind: from the state below to the reducers to call, the state to go to, its action.
+
+    One reducer is all there is, mostly: the first stands apart from the others.
+    """
 
     __slots__ = ("kind", "length", "rule")
 
@@ -102,7 +97,7 @@ class Action(dict[State, "tuple[tuple[Reducer, ...], State, State | Action | Non
         self.rule, self.kind = rule, kind
         self.length = rule[0]
 
-    def __missing__(self, below: State) -> tuple[tuple[Reducer, ...], State, State | Action | None]:
+    def __missing__(self, below: State) -> tuple[Reducer, tuple[Reducer, ...], State, State | Action]:
         """Follow the reductions of one symbol that come next, as far as they go."""
         reducers: list[Reducer] = []
         rule = self.rule
@@ -111,12 +106,21 @@ class Action(dict[State, "tuple[tuple[Reducer, ...], State, State | Action | Non
                 reducers.append(rule[2])
             state = below[rule[1]]
             assert isinstance(state, State)
-            action = state.step(self.kind)
+            action = state[self.kind]
             if not isinstance(action, Action) or action.length != 1:
                 break
             rule = action.rule
-        self[below] = found = tuple(reducers), state, action
+        first, *others = reducers or (_nothing,)
+        self[below] = found = first, tuple(others), state, action
         return found
+
+
+def _nothing(values: list[Any], texts: list[str]) -> None:
+    """The reducer of a symbol that is only renamed."""
+
+
+# What a state has to do on a kind that does not fit.
+NOTHING = Action((-1, "", None), BAD)
 
 
 class Kinds(dict[str, str]):
@@ -168,7 +172,7 @@ class Tables:
 
     def continues(self, text: str) -> bool:
         """May the text have lines that go on in the next one? The pattern that knows of them is slower."""
-        return "\\" in text or text.endswith("_") or any(mark in text for mark in ("_\n", "_ ", "_\t", "_'"))
+        return "\\" in text or text.endswith("_") or re.search("_[ \t\n']", text) is not None
 
     def pattern(self, text: str) -> re.Pattern[str]:
         """What cuts up a text."""
@@ -198,43 +202,43 @@ class Tables:
         collecting = gc.isenabled()
         gc.disable()  # a tree has no cycles, and the collector would look at it again and again
         try:
-            return _run(self.start, map(self.kind_of.__getitem__, texts), texts)
+            kinds = [*map(self.kind_of.__getitem__, texts)]  # all at once: the memory is read in its order
+            return _run(self.start, kinds, texts)
         finally:
             if collecting:
                 gc.enable()
 
 
 def _run(state: State, kinds: Iterable[str], texts: list[str]) -> Any:
-    """The shift-reduce loop; long, because a call for each token would cost more than the work itself."""
-    states: list[Any] = [state]
+    """The shift-reduce loop; long, because a call for each token would cost more than the work itself.
+
+    The top of the stack is `state`, and `states` what lies below it.
+    """
+    states: list[Any] = []
     values: list[Any] = []
     push, pop, push_value = states.append, states.pop, values.append
     action: Any
-    at = 0
-    try:
-        for at, kind in enumerate(kinds):
-            action = state[kind]
-            while action.__class__ is not State:
-                if action is None:
-                    raise _NoAction
-                length = action.length
-                if length != 1:  # one symbol gives way to one
-                    if length == 3:
-                        pop()
-                        pop()
-                    elif length == 2:
-                        pop()
-                    elif length:
-                        del states[1 - length :]
-                    else:
-                        push(state)
-                reducers, state, action = action[states[-2]]
-                for reduce in reducers:
+    for at, kind in enumerate(kinds):
+        action = state[kind]
+        while action.__class__ is not State:
+            length = action.length
+            if length == 3:
+                pop()
+                pop()
+            elif length > 3:
+                del states[1 - length :]
+            elif length == 2:
+                pop()
+            elif length == 0:
+                push(state)
+            elif length < 0:
+                raise Stuck(at)
+            reduce, others, state, action = action[states[-1]]
+            reduce(values, texts)
+            if others:
+                for reduce in others:
                     reduce(values, texts)
-                states[-1] = state
-            push(action)
-            push_value(at)
-            state = action
-    except _NoAction:
-        raise Stuck(at, states) from None
+        push(state)
+        push_value(at)
+        state = action
     return values[0]

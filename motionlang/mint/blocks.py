@@ -43,6 +43,9 @@ CLOSERS = {
 # Blocks that stand at the top of a file (a Sub in a Task, too) and never inside a statement.
 DECLARATIONS = {"SUB", "FUNCTION", "TASK", "EVENT", "STARTUP", "TYPE"}
 
+# What the grammar makes of the beginning of a block, by what it began with.
+_HEADS = {"select_head": "SELECT", "for_head": "FOR", "line_then": "THEN"}
+
 # The plainest line that opens the block or goes on with it.
 PLAIN = {
     "IF": ("IF", "NUMBER", "THEN", "_NL"),
@@ -94,7 +97,7 @@ def opened_blocks(top: Cell) -> list[Block]:
     blocks = []
     above = after_then = ""  # the symbol above the cell, and the one above the last Then
     for cell in top:
-        kind = "SELECT" if cell.symbol == "select_head" else cell.symbol
+        kind = _HEADS.get(cell.symbol, cell.symbol)
         if kind in ("THEN", "DO"):
             after_then = "_NL" if kind == "DO" else above
         elif kind in OPENERS:
@@ -103,18 +106,20 @@ def opened_blocks(top: Cell) -> list[Block]:
     return blocks
 
 
-def plain_line(kinds: list[str]) -> tuple[str, ...]:
-    """The plainest statement line that leaves the same blocks open as one with these kinds would."""
+def plain_lines(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
+    """The plainest statement lines that leave the same blocks open as one with these kinds would, the likeliest first."""
     if not kinds:
         return ()
     first = kinds[0]
     if first == "END" and kinds[1:2] and kinds[1] in OPENERS:
-        return ("END", kinds[1], "_NL")
+        return (("END", kinds[1], "_NL"),)
+    if first == "NEXT" and "COMMA" in kinds:
+        return ("NEXT", *("NAME", "COMMA") * kinds.count("COMMA"), "NAME", "_NL"), PLAIN[first]
     if first == "IF" and "THEN" in kinds and kinds[-1] not in ("THEN", "DO"):
         return ()  # an If of one line
     if first in OPENERS and _closes_itself(first, kinds):
         return ()
-    return PLAIN.get(first, ())
+    return (PLAIN[first],) if first in PLAIN else ()
 
 
 def _closes_itself(first: str, kinds: list[str]) -> bool:

@@ -6,6 +6,7 @@ from motionlang.lang.tables import DEEPEST, TooDeep
 from motionlang.mint.nodes import (
     Call,
     Case,
+    Const,
     Event,
     Expr,
     For,
@@ -26,6 +27,7 @@ from motionlang.mint.nodes import (
 
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
 INFINITE = float("inf")
+MOST_NUMBERS = 50_000
 ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
 
@@ -43,12 +45,22 @@ def number(text: str) -> float:
         return INFINITE
 
 
-def literal(at: int, text: str) -> Number:
-    """A literal number, which must be finite."""
-    value = number(text)
-    if value == INFINITE:
-        raise Misuse
-    return Number(at, value)
+class Numbers(dict[str, float]):
+    """From the text of a literal to its value, which must be finite; a text is looked at once."""
+
+    __slots__ = ()
+
+    def __missing__(self, text: str) -> float:
+        value = number(text)
+        if value == INFINITE:
+            raise Misuse
+        if len(self) >= MOST_NUMBERS:  # a long session must not keep every number it ever saw
+            self.clear()
+        self[text] = value
+        return value
+
+
+NUMBERS = Numbers()
 
 
 def string(text: str) -> str:
@@ -69,7 +81,7 @@ def string(text: str) -> str:
 def dotted(at: int, text: str) -> Name:
     """`REMOTEOUT.1.2`: a keyword with its channels."""
     name, *channels = text.split(".")
-    return Name(at, name, [literal(at, each) for each in channels], True)
+    return Name(at, name, [Number(at, NUMBERS[each]) for each in channels], True)
 
 
 def body(values: list[object]) -> list[Stmt]:
@@ -121,11 +133,19 @@ def more_values(variables: list[Variable], value: Expr) -> list[Variable]:
     return variables
 
 
-def counted(loop: For, following: int | None, texts: list[str]) -> For:
-    """A `For`, and the variable after its `Next`, which must be its own."""
+def counted(loop: For, body: list[Stmt], following: int | None, texts: list[str]) -> For:
+    """A `For` with its body, and the variable after its `Next`, which must be its own."""
     if following is not None and texts[following].lower() != loop.variable.name.lower():
         raise Misuse
+    loop.body = body
     return loop
+
+
+def constants(at: int, names: list[Const]) -> Const:
+    """A `Const` statement: its first name, which carries the others."""
+    first, *first.more = names
+    first.at = at
+    return first
 
 
 def next_case(select: Select, body: list[Stmt], case: Case) -> Select:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 WHOLE = frozenset(("bool", "bits", "integer", "ms", "counts"))
 _OTHERS = WHOLE | {"text"}
 _NOTHING = Value("0", FLOAT, ranges.ANY)
+# The text of a value that is left out; no value that is given is written so.
+OMITTED = "None"
 
 
 def type_of(unit: str) -> str:
@@ -244,7 +246,8 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
     _settle_for(b, row)
     if row.index in ("axis", "axes"):
         for axis, text in zip(axes, values, strict=True):
-            _store(b, node, row, [axis], text)
+            if text != OMITTED:
+                _store(b, node, row, [axis], text)
     else:
         _store(b, node, row, axes, values[0])
     b.pending += 1
@@ -264,12 +267,14 @@ def _default_axes(b: Body, target: nodes.Name, row: Keyword) -> bool:
 
 def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword) -> None:
     """`SPEED = 10, 20` after `AXES[0, 1]`: how many axes there are is known when the program runs."""
-    texts = [_value(b, each, row) for each in node.values]
+    texts = _given(b, node, row)
     _settle_for(b, row)
     axis, text = b.temp(), b.temp()
     pairs = b.whole.use("env", "pairs")
     b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):")
     b.indent += 1
+    if OMITTED in texts:
+        b.emit(f"if {text} is {OMITTED}: continue")
     _store(b, node, row, [axis], text)
     b.indent -= 1
     b.pending += 1
@@ -291,8 +296,13 @@ def _instead(row: Keyword) -> str:
     )
 
 
+def _given(b: Body, node: nodes.Assign, row: Keyword) -> list[str]:
+    """The texts of the values of an assignment, of one left out the text `OMITTED`."""
+    return [OMITTED if type(each) is nodes.Omitted else _value(b, each, row) for each in node.values]
+
+
 def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] | None:
-    texts = [_value(b, each, row) for each in node.values]
+    texts = _given(b, node, row)
     if node.repeat and 0 < len(texts) < count:
         texts += texts[-1:] * (count - len(texts))
     if len(texts) != count:

@@ -96,14 +96,26 @@ class Binary(Node):
         self.at, self.op, self.left, self.right = at, op, left, right
 
 
-Expr = Number | String | Name | Member | Unary | Binary
+class Omitted(Node):
+    """A place left free in a list of values, `SPEED(0, 1) = , 20`; it stands at the `,` after it."""
+
+    __slots__ = ()
+
+    def __init__(self, at: int) -> None:
+        self.at = at
+
+
+Expr = Number | String | Name | Member | Unary | Binary | Omitted
 
 
 # ---------------------------------------------------------------------------------------------- statements
 
 
 class Assign(Node):
-    """`target = value, value …`; `repeat` is the trailing `;` that gives the last value to all other axes."""
+    """`target = value, value …`; `repeat` is the trailing `;` that gives the last value to all other axes.
+
+    An `Omitted` among the values leaves its axis as it is; the last value is never omitted.
+    """
 
     __slots__ = ("repeat", "target", "values")
 
@@ -179,12 +191,13 @@ class Dim(Node):
 
 
 class Const(Node):
-    """`Const name [As type] = value`."""
+    """`Const name [As type] = value, …`; the further names of the statement stand in `more`, each by itself."""
 
-    __slots__ = ("name", "type", "value")
+    __slots__ = ("more", "name", "type", "value")
 
     def __init__(self, at: int, name: str, type: TypeName | None, value: Expr) -> None:
         self.at, self.name, self.type, self.value = at, name, type, value
+        self.more: list[Const] = []
 
 
 class Define(Node):

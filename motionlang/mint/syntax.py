@@ -13,7 +13,7 @@ from motionlang.lang.places import Places
 from motionlang.lang.tables import DEEPEST, END
 from motionlang.lang.tables_stack import empty, expected, feed, feed_all
 from motionlang.mint import wording
-from motionlang.mint.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_line
+from motionlang.mint.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_lines
 from motionlang.mint.build import INFINITE, number
 from motionlang.mint.tables import TABLES
 
@@ -97,11 +97,18 @@ class _Reader:
         text = self.texts[at]
         if self.kinds[at] == "NUMBER" and number(text) == INFINITE:
             self.report("syntax", f"{wording.found('', text)} is too large for a number", at)
-        if self.kinds[at - 1] == "NEXT" and at - 1 == self.start and self.kinds[at] not in ("_NL", "COLON"):
-            variable = self.texts[opened_blocks(self.mark)[0].at + 1]
-            if variable.lower() != text.lower():
-                message = f"`Next {text}` ends the `For` of `{variable}`"
-                self.report("syntax", message, at, f"write Next {variable}")
+        if self.kinds[self.start] == "NEXT" and self.kinds[at - 1] in ("NEXT", "COMMA") and at > self.start:
+            self._check_next(at, text)
+
+    def _check_next(self, at: int, text: str) -> None:
+        """The variables after a `Next` are those of the loops it closes, from the innermost."""
+        if self.kinds[at] in ("_NL", "COLON"):
+            return
+        number = self.kinds[self.start : at].count("COMMA")
+        variable = self.texts[opened_blocks(self.mark)[number].at + 1]
+        if variable.lower() != text.lower():
+            message = f"`Next {text}` ends the `For` of `{variable}`"
+            self.report("syntax", message, at, f"write {variable}" if number else f"write Next {variable}")
 
     def _watch_columns(self, closer: str) -> None:
         """A closer that stands under an outer opener and closes an inner one: if one is missing, it is the inner's."""
@@ -219,10 +226,10 @@ class _Reader:
             kinds = expected(TABLES, self.before)
         self.report("syntax", wording.message(kinds, kind, text), at, wording.hint(kinds, before, text))
         end = self._line_end(at)
-        plain = plain_line(self.kinds[self.start : end])
-        if plain and (top := feed_all(self.mark, plain, self.start)):
-            self.top = top
-            return self._after_line(end)
+        for plain in plain_lines(self.kinds[self.start : end]):
+            if top := feed_all(self.mark, plain, self.start):
+                self.top = top
+                return self._after_line(end)
         return self._skip(at)
 
     # ------------------------------------------------------------------------------------------- recovery

@@ -4,7 +4,7 @@
 # mypy: ignore-errors
 # fmt: off
 
-from motionlang.lang.tables import Tables
+from motionlang.lang.tables import Tables, new
 from motionlang.mint.build import *
 from motionlang.mint.nodes import *
 
@@ -20,12 +20,17 @@ def _module_1(V, T):
 
 def _auto_2(V, T):
     v0 = V[-1]
-    V[-1] = Auto(v0)
+    V[-1] = n = new(Auto)
+    n.at = v0
 
 
 def _name_3(V, T):
     v0 = V[-1]
-    V[-1] = Name(v0, T[v0])
+    V[-1] = n = new(Name)
+    n.at = v0
+    n.name = T[v0]
+    n.args = None
+    n.axes = False
 
 
 def _skip_4(V, T):
@@ -39,17 +44,22 @@ def _dotted_5(V, T):
 
 def _end_6(V, T):
     v0 = V[-1]
-    V[-1] = End(v0, None if None is None else T[None])
+    V[-1] = n = new(End)
+    n.at = v0
+    n.name = None if None is None else T[None]
 
 
 def _exit_7(V, T):
     v0 = V[-1]
-    V[-1] = Exit(v0, "" if None is None else T[None].lower())
+    V[-1] = n = new(Exit)
+    n.at = v0
+    n.kind = '' if None is None else T[None].lower()
 
 
 def _return_8(V, T):
     v0 = V[-1]
-    V[-1] = Return(v0)
+    V[-1] = n = new(Return)
+    n.at = v0
 
 
 def _label_before_9(V, T):
@@ -60,472 +70,748 @@ def _label_before_9(V, T):
 
 def _call_10(V, T):
     v0 = V[-1]
-    V[-1] = Call(v0.at, v0)
+    V[-1] = n = new(Call)
+    n.at = v0.at
+    n.target = v0
 
 
 def _body_11(V, T):
     V.append(body(V))
 
 
-def _plain_one_12(V, T):
-    v0 = V[-1]
-    V[-1] = [declare(v0)]
-
-
-def _dim_13(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = Dim(v0, v1, None is not None)
-
-
-def _one_14(V, T):
+def _one_12(V, T):
     v0 = V[-1]
     V[-1] = [v0]
 
 
-def _end_15(V, T):
+def _const_13(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = End(v0, None if v1 is None else T[v1])
+    V[-1] = constants(v0, v1)
 
 
-def _exit_16(V, T):
+def _plain_one_14(V, T):
+    v0 = V[-1]
+    V[-1] = [declare(v0)]
+
+
+def _dim_15(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Exit(v0, "" if v1 is None else T[v1].lower())
+    V[-1] = n = new(Dim)
+    n.at = v0
+    n.variables = v1
+    n.nv = None is not None
 
 
-def _gosub_17(V, T):
+def _end_16(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Jump(v0, "gosub", T[v1])
+    V[-1] = n = new(End)
+    n.at = v0
+    n.name = None if v1 is None else T[v1]
 
 
-def _goto_18(V, T):
+def _exit_17(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Jump(v0, "goto", T[v1])
+    V[-1] = n = new(Exit)
+    n.at = v0
+    n.kind = '' if v1 is None else T[v1].lower()
 
 
-def _label_19(V, T):
+def _gosub_18(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Label(v0, T[v1])
+    V[-1] = n = new(Jump)
+    n.at = v0
+    n.kind = 'gosub'
+    n.name = T[v1]
 
 
-def _character_20(V, T):
-    v0 = V[-1]
-    V[-1] = Number(v0, ord(string(T[v0])))
-
-
-def _number_21(V, T):
-    v0 = V[-1]
-    V[-1] = literal(v0, T[v0])
-
-
-def _string_22(V, T):
-    v0 = V[-1]
-    V[-1] = String(v0, string(T[v0]))
-
-
-def _input_23(V, T):
+def _goto_19(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Input(v0, v1, None if None is None else String(None, string(T[None])), None or [], None)
+    V[-1] = n = new(Jump)
+    n.at = v0
+    n.kind = 'goto'
+    n.name = T[v1]
 
 
-def _bare_call_24(V, T):
+def _label_20(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Call(v0, Name(v0, T[v0], v1))
+    V[-1] = n = new(Label)
+    n.at = v0
+    n.name = T[v1]
 
 
-def _pause_25(V, T):
+def _character_21(V, T):
+    v0 = V[-1]
+    V[-1] = n = new(Number)
+    n.at = v0
+    n.value = ord(string(T[v0]))
+
+
+def _number_22(V, T):
+    v0 = V[-1]
+    V[-1] = n = new(Number)
+    n.at = v0
+    n.value = NUMBERS[T[v0]]
+
+
+def _string_23(V, T):
+    v0 = V[-1]
+    V[-1] = n = new(String)
+    n.at = v0
+    n.value = string(T[v0])
+
+
+def _input_24(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Pause(v0, v1)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v1
+    n.prompt = None if None is None else String(None, string(T[None]))
+    n.using = None or []
+    n.terminal = None
 
 
-def _print_26(V, T):
+def _bare_call_25(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Print(v0, v1 if None is None else [*v1, None], None)
+    V[-1] = n = new(Call)
+    n.at = v0
+    n.target = Name(v0, T[v0], v1)
 
 
-def _run_27(V, T):
+def _pause_26(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Run(v0, T[v1])
+    V[-1] = n = new(Pause)
+    n.at = v0
+    n.condition = v1
 
 
-def _more_28(V, T):
+def _print_27(V, T):
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = n = new(Print)
+    n.at = v0
+    n.items = v1 if None is None else [*v1, None]
+    n.terminal = None
+
+
+def _run_28(V, T):
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = n = new(Run)
+    n.at = v0
+    n.name = T[v1]
+
+
+def _more_29(V, T):
     V.pop()
     v1 = V.pop()
     V[-1].append(v1)
 
 
-def _name_empty_29(V, T):
+def _name_empty_30(V, T):
     V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Name(v0, T[v0], [])
+    V[-1] = n = new(Name)
+    n.at = v0
+    n.name = T[v0]
+    n.args = []
+    n.axes = False
 
 
-def _dim_30(V, T):
+def _dim_31(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Dim(v0, v2, v1 is not None)
+    V[-1] = n = new(Dim)
+    n.at = v0
+    n.variables = v2
+    n.nv = v1 is not None
 
 
-def _gosub_31(V, T):
+def _gosub_32(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Jump(v0, "gosub", T[v2])
+    V[-1] = n = new(Jump)
+    n.at = v0
+    n.kind = 'gosub'
+    n.name = T[v2]
 
 
-def _goto_32(V, T):
+def _goto_33(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Jump(v0, "goto", T[v2])
+    V[-1] = n = new(Jump)
+    n.at = v0
+    n.kind = 'goto'
+    n.name = T[v2]
 
 
-def _complement_33(V, T):
+def _complement_34(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Unary(v0, "~", v1)
+    V[-1] = n = new(Unary)
+    n.at = v0
+    n.op = '~'
+    n.operand = v1
 
 
-def _minus_34(V, T):
+def _minus_35(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Unary(v0, "-", v1)
+    V[-1] = n = new(Unary)
+    n.at = v0
+    n.op = '-'
+    n.operand = v1
 
 
-def _not_35(V, T):
+def _not_36(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Unary(v0, "Not", v1)
+    V[-1] = n = new(Unary)
+    n.at = v0
+    n.op = 'Not'
+    n.operand = v1
 
 
-def _plus_36(V, T):
+def _plus_37(V, T):
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Unary(v0, "+", v1)
+    V[-1] = n = new(Unary)
+    n.at = v0
+    n.op = '+'
+    n.operand = v1
 
 
-def _last_item_37(V, T):
+def _last_item_38(V, T):
     v0 = V[-1]
-    V[-1] = PrintItem(v0.at, v0, [], "")
+    V[-1] = n = new(PrintItem)
+    n.at = v0.at
+    n.value = v0
+    n.using = []
+    n.separator = ''
 
 
-def _print_38(V, T):
+def _print_39(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Print(v0, v1 if v2 is None else [*v1, v2], None)
+    V[-1] = n = new(Print)
+    n.at = v0
+    n.items = v1 if v2 is None else [*v1, v2]
+    n.terminal = None
 
 
-def _none_39(V, T):
+def _none_40(V, T):
     V[-1] = []
 
 
-def _member_40(V, T):
+def _for_41(V, T):
+    V.pop()
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = counted(v0, v1, None, T)
+
+
+def _for_shared_42(V, T):
+    v2 = V.pop()
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = counted(v0, v1, v2, T)
+
+
+def _member_43(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Member(v0.at, v0, T[v2])
+    V[-1] = n = new(Member)
+    n.at = v0.at
+    n.value = v0
+    n.field = T[v2]
+    n.args = None
 
 
-def _next_case_41(V, T):
+def _next_case_44(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = next_case(v0, v1, v2)
 
 
-def _assign_42(V, T):
+def _one_omitted_45(V, T):
+    v0 = V[-1]
+    V[-1] = [Omitted(v0)]
+
+
+def _assign_one_46(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Assign(v0.at, v0, v2, None is not None)
+    V[-1] = n = new(Assign)
+    n.at = v0.at
+    n.target = v0
+    n.values = [v2]
+    n.repeat = False
 
 
-def _name_args_43(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = Name(v0, T[v0], v2)
-
-
-def _name_axes_44(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = Name(v0, T[v0], v2, True)
-
-
-def _type_45(V, T):
-    v0 = V[-1]
-    V[-1] = TypeName(v0, T[v0])
-
-
-def _const_46(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = Const(v0, T[v1], None, v3)
-
-
-def _define_47(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = Define(v0, T[v1], v3)
-
-
-def _plain_more_48(V, T):
+def _assign_47(V, T):
     v2 = V.pop()
     V.pop()
-    V[-1].append(declare(v2))
+    v0 = V[-1]
+    V[-1] = n = new(Assign)
+    n.at = v0.at
+    n.target = v0
+    n.values = v2
+    n.repeat = None is not None
 
 
-def _more_49(V, T):
+def _name_arg_48(V, T):
+    v0 = V[-4]
+    v2 = V[-2]
+    del V[-3:]
+    V[-1] = n = new(Name)
+    n.at = v0
+    n.name = T[v0]
+    n.args = [v2]
+    n.axes = False
+
+
+def _name_args_49(V, T):
+    v0 = V[-4]
+    v2 = V[-2]
+    del V[-3:]
+    V[-1] = n = new(Name)
+    n.at = v0
+    n.name = T[v0]
+    n.args = v2
+    n.axes = False
+
+
+def _name_axes_50(V, T):
+    v0 = V[-4]
+    v2 = V[-2]
+    del V[-3:]
+    V[-1] = n = new(Name)
+    n.at = v0
+    n.name = T[v0]
+    n.args = v2
+    n.axes = True
+
+
+def _type_51(V, T):
+    v0 = V[-1]
+    V[-1] = n = new(TypeName)
+    n.at = v0
+    n.name = T[v0]
+    n.size = None
+
+
+def _constant_52(V, T):
+    v2 = V.pop()
+    V.pop()
+    v0 = V[-1]
+    V[-1] = Const(v0, T[v0], None, v2)
+
+
+def _more_53(V, T):
     v2 = V.pop()
     V.pop()
     V[-1].append(v2)
 
 
-def _variable_50(V, T):
+def _define_54(V, T):
+    v0 = V[-4]
+    v1 = V[-3]
+    v3 = V[-1]
+    del V[-3:]
+    V[-1] = n = new(Define)
+    n.at = v0
+    n.name = T[v1]
+    n.value = v3
+
+
+def _plain_more_55(V, T):
+    v2 = V.pop()
+    V.pop()
+    V[-1].append(declare(v2))
+
+
+def _variable_56(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = declare(v0, v2)
 
 
-def _valued_variable_51(V, T):
+def _valued_variable_57(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = declare(v0, None, v2)
 
 
-def _more_values_52(V, T):
+def _more_values_58(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = more_values(v0, v2)
 
 
-def _parameter_53(V, T):
+def _parameter_59(V, T):
     v0 = V[-1]
-    V[-1] = Parameter(v0, T[v0], None, False, None is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v0]
+    n.type = None
+    n.by_ref = False
+    n.is_array = None is not None
 
 
-def _none_54(V, T):
+def _none_60(V, T):
     V.pop()
     V[-1] = []
 
 
-def _inner_55(V, T):
+def _inner_61(V, T):
     V.pop()
     v1 = V.pop()
     V[-1] = v1
 
 
-def _and_56(V, T):
+def _and_62(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Binary(v0.at, "And", v0, v2)
+    V[-1] = n = new(Binary)
+    n.at = v0.at
+    n.op = 'And'
+    n.left = v0
+    n.right = v2
 
 
-def _binary_57(V, T):
+def _binary_63(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Binary(v0.at, T[v1], v0, v2)
+    V[-1] = n = new(Binary)
+    n.at = v0.at
+    n.op = T[v1]
+    n.left = v0
+    n.right = v2
 
 
-def _line_if_58(V, T):
+def _line_if_64(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
     del V[-3:]
-    V[-1] = If(v0, v1, v3, [])
+    V[-1] = n = new(If)
+    n.at = v0
+    n.condition = v1
+    n.body = v3
+    n.orelse = []
 
 
-def _or_59(V, T):
+def _or_65(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Binary(v0.at, "Or", v0, v2)
+    V[-1] = n = new(Binary)
+    n.at = v0.at
+    n.op = 'Or'
+    n.left = v0
+    n.right = v2
 
 
-def _xor_60(V, T):
+def _xor_66(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Binary(v0.at, "Xor", v0, v2)
+    V[-1] = n = new(Binary)
+    n.at = v0.at
+    n.op = 'Xor'
+    n.left = v0
+    n.right = v2
 
 
-def _mod_61(V, T):
+def _mod_67(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Binary(v0.at, "Mod", v0, v2)
+    V[-1] = n = new(Binary)
+    n.at = v0.at
+    n.op = 'Mod'
+    n.left = v0
+    n.right = v2
 
 
-def _input_62(V, T):
+def _input_68(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
     del V[-3:]
-    V[-1] = Input(v0, v3, None if v1 is None else String(v1, string(T[v1])), None or [], None)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v3
+    n.prompt = None if v1 is None else String(v1, string(T[v1]))
+    n.using = None or []
+    n.terminal = None
 
 
-def _input_63(V, T):
+def _input_69(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
     del V[-3:]
-    V[-1] = Input(v0, v1, None if None is None else String(None, string(T[None])), v3 or [], None)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v1
+    n.prompt = None if None is None else String(None, string(T[None]))
+    n.using = v3 or []
+    n.terminal = None
 
 
-def _loop_64(V, T):
+def _loop_70(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
-    V[-1] = Loop(v0, v2)
+    V[-1] = n = new(Loop)
+    n.at = v0
+    n.body = v2
 
 
-def _print_item_65(V, T):
+def _print_item_71(V, T):
     v2 = V.pop()
     v1 = V.pop()
-    V[-1].append(PrintItem(v1.at, v1, [], T[v2]))
+    n = new(PrintItem)
+    n.at = v1.at
+    n.value = v1
+    n.using = []
+    n.separator = T[v2]
+    V[-1].append(n)
 
 
-def _test_66(V, T):
+def _for_72(V, T):
+    v0 = V[-4]
+    v1 = V[-3]
+    v3 = V[-1]
+    del V[-3:]
+    V[-1] = counted(v0, v1, v3, T)
+
+
+def _test_73(V, T):
     v0 = V[-1]
-    V[-1] = CaseTest(v0.at, "=", v0)
+    V[-1] = n = new(CaseTest)
+    n.at = v0.at
+    n.op = '='
+    n.value = v0
+    n.high = None
 
 
-def _last_case_67(V, T):
+def _last_case_74(V, T):
     v0 = V[-4]
     v1 = V[-3]
     del V[-3:]
     V[-1] = last_case(v0, v1)
 
 
-def _assign_68(V, T):
+def _one_75(V, T):
+    V.pop()
+    v0 = V[-1]
+    V[-1] = [v0]
+
+
+def _assign_same_76(V, T):
+    v0 = V[-4]
+    v2 = V[-2]
+    del V[-3:]
+    V[-1] = n = new(Assign)
+    n.at = v0.at
+    n.target = v0
+    n.values = [v2]
+    n.repeat = True
+
+
+def _next_omitted_77(V, T):
+    v1 = V.pop()
+    n = new(Omitted)
+    n.at = v1
+    V[-1].append(n)
+
+
+def _last_78(V, T):
+    v1 = V.pop()
+    V[-1].append(v1)
+
+
+def _assign_79(V, T):
     v0 = V[-4]
     v2 = V[-2]
     v3 = V[-1]
     del V[-3:]
-    V[-1] = Assign(v0.at, v0, v2, v3 is not None)
+    V[-1] = n = new(Assign)
+    n.at = v0.at
+    n.target = v0
+    n.values = v2
+    n.repeat = v3 is not None
 
 
-def _parameter_by_reference_69(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = Parameter(v0, T[v1], None, True, None is not None)
-
-
-def _parameter_by_value_70(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = Parameter(v0, T[v1], None, False, None is not None)
-
-
-def _input_71(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = Input(v0, v4, None if None is None else String(None, string(T[None])), None or [], v2)
-
-
-def _print_72(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = Print(v0, v4 if None is None else [*v4, None], v2)
-
-
-def _last_using_73(V, T):
+def _pair_80(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = PrintItem(v0.at, v0, v2, "")
+    V[-1] = [v0, v2]
 
 
-def _repeat_74(V, T):
+def _parameter_by_reference_81(V, T):
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = None
+    n.by_ref = True
+    n.is_array = None is not None
+
+
+def _parameter_by_value_82(V, T):
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = None
+    n.by_ref = False
+    n.is_array = None is not None
+
+
+def _input_83(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
     del V[-4:]
-    V[-1] = Repeat(v0, v2, v4)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v4
+    n.prompt = None if None is None else String(None, string(T[None]))
+    n.using = None or []
+    n.terminal = v2
 
 
-def _select_75(V, T):
+def _print_84(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
     del V[-4:]
-    V[-1] = Select(v0, v2, [v4])
+    V[-1] = n = new(Print)
+    n.at = v0
+    n.items = v4 if None is None else [*v4, None]
+    n.terminal = v2
 
 
-def _startup_76(V, T):
+def _last_using_85(V, T):
+    v2 = V.pop()
+    V.pop()
+    v0 = V[-1]
+    V[-1] = n = new(PrintItem)
+    n.at = v0.at
+    n.value = v0
+    n.using = v2
+    n.separator = ''
+
+
+def _repeat_86(V, T):
+    v0 = V[-5]
+    v2 = V[-3]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = n = new(Repeat)
+    n.at = v0
+    n.body = v2
+    n.condition = v4
+
+
+def _select_87(V, T):
+    v0 = V[-5]
+    v2 = V[-3]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = n = new(Select)
+    n.at = v0
+    n.subject = v2
+    n.cases = [v4]
+
+
+def _startup_88(V, T):
     v0 = V[-5]
     v2 = V[-3]
     del V[-4:]
-    V[-1] = Startup(v0, v2)
+    V[-1] = n = new(Startup)
+    n.at = v0
+    n.body = v2
 
 
-def _while_77(V, T):
+def _while_89(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v3 = V[-2]
     del V[-4:]
-    V[-1] = While(v0, v1, v3)
+    V[-1] = n = new(While)
+    n.at = v0
+    n.condition = v1
+    n.body = v3
 
 
-def _case_else_78(V, T):
+def _case_else_90(V, T):
     V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Case(v0, [], [])
+    V[-1] = n = new(Case)
+    n.at = v0
+    n.tests = []
+    n.body = []
 
 
-def _case_79(V, T):
+def _case_91(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Case(v0, v1, [])
+    V[-1] = n = new(Case)
+    n.at = v0
+    n.tests = v1
+    n.body = []
 
 
-def _sized_type_80(V, T):
+def _sized_type_92(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = TypeName(v0, T[v0], v2)
+    V[-1] = n = new(TypeName)
+    n.at = v0
+    n.name = T[v0]
+    n.size = v2
 
 
-def _const_81(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v3 = V[-3]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = Const(v0, T[v1], v3, v5)
+def _constant_93(V, T):
+    v0 = V[-5]
+    v2 = V[-3]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = Const(v0, T[v0], v2, v4)
 
 
-def _typed_variable_82(V, T):
+def _typed_variable_94(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -533,94 +819,128 @@ def _typed_variable_82(V, T):
     V[-1] = declare(v0, v2, v4)
 
 
-def _event_83(V, T):
+def _event_95(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
     del V[-5:]
-    V[-1] = Event(v0, T[v1], v3)
+    V[-1] = n = new(Event)
+    n.at = v0
+    n.name = T[v1]
+    n.body = v3
 
 
-def _parameter_84(V, T):
+def _parameter_96(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = Parameter(v0, T[v0], v2, False, None is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v0]
+    n.type = v2
+    n.by_ref = False
+    n.is_array = None is not None
 
 
-def _parameter_85(V, T):
+def _parameter_97(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = Parameter(v0, T[v0], None, False, v1 is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v0]
+    n.type = None
+    n.by_ref = False
+    n.is_array = v1 is not None
 
 
-def _if_86(V, T):
+def _if_98(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v4 = V[-2]
     v5 = V[-1]
     del V[-5:]
-    V[-1] = If(v0, v1, v4, v5)
+    V[-1] = n = new(If)
+    n.at = v0
+    n.condition = v1
+    n.body = v4
+    n.orelse = v5
 
 
-def _line_if_else_87(V, T):
+def _line_if_else_99(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
     v5 = V[-1]
     del V[-5:]
-    V[-1] = If(v0, v1, v3, v5)
+    V[-1] = n = new(If)
+    n.at = v0
+    n.condition = v1
+    n.body = v3
+    n.orelse = v5
 
 
-def _input_88(V, T):
+def _input_100(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
     v5 = V[-1]
     del V[-5:]
-    V[-1] = Input(v0, v3, None if v1 is None else String(v1, string(T[v1])), v5 or [], None)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v3
+    n.prompt = None if v1 is None else String(v1, string(T[v1]))
+    n.using = v5 or []
+    n.terminal = None
 
 
-def _pair_89(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = [v0, v2]
-
-
-def _print_90(V, T):
+def _print_101(V, T):
     v0 = V[-6]
     v2 = V[-4]
     v4 = V[-2]
     v5 = V[-1]
     del V[-5:]
-    V[-1] = Print(v0, v4 if v5 is None else [*v4, v5], v2)
+    V[-1] = n = new(Print)
+    n.at = v0
+    n.items = v4 if v5 is None else [*v4, v5]
+    n.terminal = v2
 
 
-def _last_open_91(V, T):
+def _last_open_102(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
-    V[-1] = PrintItem(v0.at, v0, [v2], ",")
+    V[-1] = n = new(PrintItem)
+    n.at = v0.at
+    n.value = v0
+    n.using = [v2]
+    n.separator = ','
 
 
-def _print_using_92(V, T):
+def _print_using_103(V, T):
     v1 = V[-4]
     v3 = V[-2]
     v4 = V[-1]
     del V[-4:]
-    V[-1].append(PrintItem(v1.at, v1, [v3], T[v4]))
+    n = new(PrintItem)
+    n.at = v1.at
+    n.value = v1
+    n.using = [v3]
+    n.separator = T[v4]
+    V[-1].append(n)
 
 
-def _select_nothing_93(V, T):
+def _select_nothing_104(V, T):
     v0 = V[-6]
     v2 = V[-4]
     del V[-5:]
-    V[-1] = Select(v0, v2, [])
+    V[-1] = n = new(Select)
+    n.at = v0
+    n.subject = v2
+    n.cases = []
 
 
-def _task_94(V, T):
+def _task_105(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -628,212 +948,324 @@ def _task_94(V, T):
     V[-1] = task(v0, T[v1], v3)
 
 
-def _user_type_95(V, T):
+def _user_type_106(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
     del V[-5:]
-    V[-1] = UserType(v0, T[v1], v3)
+    V[-1] = n = new(UserType)
+    n.at = v0
+    n.name = T[v1]
+    n.members = v3
 
 
-def _extend_96(V, T):
+def _extend_107(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = extended(v0, v1)
 
 
-def _member_args_97(V, T):
+def _shared_further_108(V, T):
+    v1 = V[-4]
+    v2 = V[-3]
+    v3 = V[-2]
+    del V[-4:]
+    V[-1].append(counted(v1, v2, v3, T))
+
+
+def _member_args_109(V, T):
     v0 = V[-6]
     v2 = V[-4]
     v4 = V[-2]
     del V[-5:]
-    V[-1] = Member(v0.at, v0, T[v2], v4)
+    V[-1] = n = new(Member)
+    n.at = v0.at
+    n.value = v0
+    n.field = T[v2]
+    n.args = v4
 
 
-def _test_is_98(V, T):
+def _test_is_110(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
-    V[-1] = CaseTest(v0, T[v1], v2)
+    V[-1] = n = new(CaseTest)
+    n.at = v0
+    n.op = T[v1]
+    n.value = v2
+    n.high = None
 
 
-def _test_range_99(V, T):
+def _test_range_111(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
-    V[-1] = CaseTest(v0.at, "To", v0, v2)
+    V[-1] = n = new(CaseTest)
+    n.at = v0.at
+    n.op = 'To'
+    n.value = v0
+    n.high = v2
 
 
-def _parameter_by_reference_100(V, T):
+def _for_head_112(V, T):
+    v0 = V[-7]
+    v1 = V[-6]
+    v3 = V[-4]
+    v5 = V[-2]
+    del V[-6:]
+    V[-1] = n = new(For)
+    n.at = v0
+    n.variable = Name(v1, T[v1])
+    n.start = v3
+    n.stop = v5
+    n.step = None
+    n.body = []
+
+
+def _parameter_by_reference_113(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
     del V[-3:]
-    V[-1] = Parameter(v0, T[v1], v3, True, None is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = v3
+    n.by_ref = True
+    n.is_array = None is not None
 
 
-def _parameter_by_reference_101(V, T):
+def _parameter_by_reference_114(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v2 = V[-2]
     del V[-3:]
-    V[-1] = Parameter(v0, T[v1], None, True, v2 is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = None
+    n.by_ref = True
+    n.is_array = v2 is not None
 
 
-def _parameter_by_value_102(V, T):
+def _parameter_by_value_115(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
     del V[-3:]
-    V[-1] = Parameter(v0, T[v1], v3, False, None is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = v3
+    n.by_ref = False
+    n.is_array = None is not None
 
 
-def _parameter_by_value_103(V, T):
+def _parameter_by_value_116(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v2 = V[-2]
     del V[-3:]
-    V[-1] = Parameter(v0, T[v1], None, False, v2 is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = None
+    n.by_ref = False
+    n.is_array = v2 is not None
 
 
-def _function_104(V, T):
+def _function_117(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v2 = V[-5]
     v4 = V[-3]
     del V[-6:]
-    V[-1] = Sub(v0, T[v1], v2, v4, True, None)
+    V[-1] = n = new(Sub)
+    n.at = v0
+    n.name = T[v1]
+    n.parameters = v2
+    n.body = v4
+    n.function = True
+    n.result = None
 
 
-def _input_105(V, T):
+def _input_118(V, T):
     v0 = V[-7]
     v2 = V[-5]
     v4 = V[-3]
     v6 = V[-1]
     del V[-6:]
-    V[-1] = Input(v0, v6, None if v4 is None else String(v4, string(T[v4])), None or [], v2)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v6
+    n.prompt = None if v4 is None else String(v4, string(T[v4]))
+    n.using = None or []
+    n.terminal = v2
 
 
-def _input_106(V, T):
+def _input_119(V, T):
     v0 = V[-7]
     v2 = V[-5]
     v4 = V[-3]
     v6 = V[-1]
     del V[-6:]
-    V[-1] = Input(v0, v4, None if None is None else String(None, string(T[None])), v6 or [], v2)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v4
+    n.prompt = None if None is None else String(None, string(T[None]))
+    n.using = v6 or []
+    n.terminal = v2
 
 
-def _sub_107(V, T):
+def _sub_120(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v2 = V[-5]
     v4 = V[-3]
     del V[-6:]
-    V[-1] = Sub(v0, T[v1], v2, v4)
+    V[-1] = n = new(Sub)
+    n.at = v0
+    n.name = T[v1]
+    n.parameters = v2
+    n.body = v4
+    n.function = False
+    n.result = None
 
 
-def _extend_108(V, T):
+def _extend_121(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
     V[-1] = extended(v0, v2)
 
 
-def _parameter_109(V, T):
+def _shared_122(V, T):
+    v1 = V[-5]
+    v2 = V[-4]
+    v4 = V[-2]
+    del V[-5:]
+    V[-1].append(counted(v1, v2, v4, T))
+
+
+def _parameter_123(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v4 = V[-1]
     del V[-4:]
-    V[-1] = Parameter(v0, T[v0], v4, False, v1 is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v0]
+    n.type = v4
+    n.by_ref = False
+    n.is_array = v1 is not None
 
 
-def _print_using_two_110(V, T):
+def _print_using_two_124(V, T):
     v1 = V[-6]
     v3 = V[-4]
     v5 = V[-2]
     v6 = V[-1]
     del V[-6:]
-    V[-1].append(PrintItem(v1.at, v1, [v3, v5], T[v6]))
+    n = new(PrintItem)
+    n.at = v1.at
+    n.value = v1
+    n.using = [v3, v5]
+    n.separator = T[v6]
+    V[-1].append(n)
 
 
-def _for_111(V, T):
+def _for_head_125(V, T):
     v0 = V[-9]
     v1 = V[-8]
     v3 = V[-6]
     v5 = V[-4]
     v7 = V[-2]
     del V[-8:]
-    V[-1] = counted(For(v0, Name(v1, T[v1]), v3, v5, None, v7), None, T)
+    V[-1] = n = new(For)
+    n.at = v0
+    n.variable = Name(v1, T[v1])
+    n.start = v3
+    n.stop = v5
+    n.step = v7
+    n.body = []
 
 
-def _parameter_by_reference_112(V, T):
+def _parameter_by_reference_126(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v2 = V[-4]
     v5 = V[-1]
     del V[-5:]
-    V[-1] = Parameter(v0, T[v1], v5, True, v2 is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = v5
+    n.by_ref = True
+    n.is_array = v2 is not None
 
 
-def _parameter_by_value_113(V, T):
+def _parameter_by_value_127(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v2 = V[-4]
     v5 = V[-1]
     del V[-5:]
-    V[-1] = Parameter(v0, T[v1], v5, False, v2 is not None)
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = v5
+    n.by_ref = False
+    n.is_array = v2 is not None
 
 
-def _function_114(V, T):
+def _function_128(V, T):
     v0 = V[-9]
     v1 = V[-8]
     v2 = V[-7]
     v4 = V[-5]
     v6 = V[-3]
     del V[-8:]
-    V[-1] = Sub(v0, T[v1], v2, v6, True, v4)
+    V[-1] = n = new(Sub)
+    n.at = v0
+    n.name = T[v1]
+    n.parameters = v2
+    n.body = v6
+    n.function = True
+    n.result = v4
 
 
-def _third_115(V, T):
+def _third_129(V, T):
     v2 = V[-2]
     del V[-3:]
     V[-1] = v2
 
 
-def _input_116(V, T):
+def _input_130(V, T):
     v0 = V[-9]
     v2 = V[-7]
     v4 = V[-5]
     v6 = V[-3]
     v8 = V[-1]
     del V[-8:]
-    V[-1] = Input(v0, v6, None if v4 is None else String(v4, string(T[v4])), v8 or [], v2)
+    V[-1] = n = new(Input)
+    n.at = v0
+    n.target = v6
+    n.prompt = None if v4 is None else String(v4, string(T[v4]))
+    n.using = v8 or []
+    n.terminal = v2
 
 
-def _for_117(V, T):
-    v0 = V[-10]
-    v1 = V[-9]
-    v3 = V[-7]
-    v5 = V[-5]
-    v7 = V[-3]
-    v9 = V[-1]
-    del V[-9:]
-    V[-1] = counted(For(v0, Name(v1, T[v1]), v3, v5, None, v7), v9, T)
+def _else_if_131(V, T):
+    v0 = V[-5]
+    v1 = V[-4]
+    v3 = V[-2]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = [If(v0, v1, v3, v4)]
 
 
-def _for_118(V, T):
-    v0 = V[-11]
-    v1 = V[-10]
-    v3 = V[-8]
-    v5 = V[-6]
-    v7 = V[-4]
-    v9 = V[-2]
-    del V[-10:]
-    V[-1] = counted(For(v0, Name(v1, T[v1]), v3, v5, v7, v9), None, T)
-
-
-def _else_if_119(V, T):
+def _else_if_do_132(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v4 = V[-2]
@@ -842,21 +1274,9 @@ def _else_if_119(V, T):
     V[-1] = [If(v0, v1, v4, v5)]
 
 
-def _for_120(V, T):
-    v0 = V[-12]
-    v1 = V[-11]
-    v3 = V[-9]
-    v5 = V[-7]
-    v7 = V[-5]
-    v9 = V[-3]
-    v11 = V[-1]
-    del V[-11:]
-    V[-1] = counted(For(v0, Name(v1, T[v1]), v3, v5, v7, v9), v11, T)
+TOKEN = '[ \t]*+([A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?+|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?+|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?+(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
 
-
-TOKEN = '(?:[ \t]+)?((?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)++|(?!(?:[Rr][Ee][Mm]\\b|REM[A-Z][a-z]))[A-Za-z_][A-Za-z0-9_]*+(?!\\.[0-9])|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|(?:0[xX][0-9a-fA-F]++|0[bB][01]++|(?:[0-9]++\\.?[0-9]*+|\\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)(?![A-Za-z0-9_])|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
-
-CONTINUED = '(?:[ \t]+|[\\\\_][ \t]*+(?:\'[^\n]*+)?\n)*((?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)++|(?!(?:[Rr][Ee][Mm]\\b|REM[A-Z][a-z]))[A-Za-z_][A-Za-z0-9_]*+(?!\\.[0-9])|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|(?:0[xX][0-9a-fA-F]++|0[bB][01]++|(?:[0-9]++\\.?[0-9]*+|\\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)(?![A-Za-z0-9_])|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
+CONTINUED = '(?:[ \t]++|[\\\\_][ \t]*+(?:\'[^\n]*+)?\n)*([A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?+|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?+|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?+(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
 
 LITERALS = {
     '!': 'COMPLEMENT',
@@ -942,11 +1362,11 @@ LITERALS = {
 }
 
 CLASSES = {
-    '_NL': "(?:(?:'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)++",
-    'NAME': '(?!(?:[Rr][Ee][Mm]\\b|REM[A-Z][a-z]))[A-Za-z_][A-Za-z0-9_]*+(?!\\.[0-9])',
-    'DOTTED': '[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++',
-    'NUMBER': '(?:0[xX][0-9a-fA-F]++|0[bB][01]++|(?:[0-9]++\\.?[0-9]*+|\\.[0-9]++)(?:[eE][+-]?[0-9]++)?+)(?![A-Za-z0-9_])',
+    'NAME': '[A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])',
+    'NUMBER': '[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?+|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?+|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])',
+    '_NL': "[\n':Rr](?:(?<=\n)|(?<=')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?+(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+",
     'STRING': '"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"',
+    'DOTTED': '[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++',
     'CHARACTER': '`(?:[^`\\\\\n]|\\\\[^\n])`',
 }
 
@@ -1016,10 +1436,10 @@ SPELLINGS = {
     'LSQB': '[',
     'RSQB': ']',
     'DOT': '.',
-    'PERCENT': '%',
-    'CIRCUMFLEX': '^',
     'VBAR': '|',
+    'PERCENT': '%',
     'AMPERSAND': '&',
+    'CIRCUMFLEX': '^',
 }
 
 RULES = (
@@ -1045,29 +1465,31 @@ RULES = (
     (1, 'target', None),
     (1, 'call', None),
     (1, 'inline_statement', _call_10),
+    (0, 'body', _body_11),
     (1, 'ref{name{NAME}}', None),
     (1, 'call', None),
     (1, 'target', None),
     (1, 'target', None),
-    (0, 'body', _body_11),
+    (1, 'constants', _one_12),
+    (2, 'inline_statement', _const_13),
     (1, 'declared', _name_3),
     (1, 'leading', None),
     (1, 'dims', None),
-    (1, 'closed_dims', _plain_one_12),
-    (2, 'inline_statement', _dim_13),
+    (1, 'closed_dims', _plain_one_14),
+    (2, 'inline_statement', _dim_15),
     (1, 'dims', None),
-    (1, 'closed_dims', _one_14),
-    (1, 'open_dims', _one_14),
-    (2, 'inline_statement', _end_15),
-    (2, 'inline_statement', _exit_16),
+    (1, 'closed_dims', _one_12),
+    (1, 'open_dims', _one_12),
+    (2, 'inline_statement', _end_16),
+    (2, 'inline_statement', _exit_17),
     (0, 'parameters', _none_0),
-    (2, 'inline_statement', _gosub_17),
-    (2, 'inline_statement', _goto_18),
-    (2, 'inline_statement', _label_19),
+    (2, 'inline_statement', _gosub_18),
+    (2, 'inline_statement', _goto_19),
+    (2, 'inline_statement', _label_20),
     (1, 'name{word}', _name_3),
-    (1, 'operand', _character_20),
-    (1, 'operand', _number_21),
-    (1, 'operand', _string_22),
+    (1, 'operand', _character_21),
+    (1, 'operand', _number_22),
+    (1, 'operand', _string_23),
     (1, 'or{atom}', None),
     (1, 'term{atom}', None),
     (1, 'bit_or{atom}', None),
@@ -1078,732 +1500,809 @@ RULES = (
     (1, 'compare{atom}', None),
     (1, 'shift{atom}', None),
     (1, 'sum{atom}', None),
-    (2, 'inline_statement', _input_23),
+    (2, 'inline_statement', _input_24),
     (1, 'or{operand}', None),
     (1, 'term{operand}', None),
-    (2, 'inline_statement', _bare_call_24),
+    (2, 'inline_statement', _bare_call_25),
     (1, 'bit_or{operand}', None),
     (1, 'not{operand}', None),
     (1, 'bit_and{operand}', None),
-    (1, 'bare', _one_14),
+    (1, 'bare', _one_12),
     (1, 'compare{operand}', None),
     (1, 'shift{operand}', None),
     (1, 'sum{operand}', None),
-    (2, 'inline_statement', _pause_25),
-    (2, 'inline_statement', _print_26),
-    (2, 'inline_statement', _run_27),
-    (3, 'items', _more_28),
-    (3, 'items', _more_28),
-    (3, 'items', _more_28),
-    (3, 'items', _more_28),
-    (3, 'items', _more_28),
-    (3, 'name{leading}', _name_empty_29),
-    (1, 'exprs', _one_14),
-    (3, 'inline_statement', _dim_30),
-    (3, 'inline_statement', _gosub_31),
-    (3, 'inline_statement', _goto_32),
-    (2, 'unary{atom}', _complement_33),
-    (2, 'unary{atom}', _minus_34),
-    (2, 'not{atom}', _not_35),
-    (2, 'unary{atom}', _plus_36),
-    (2, 'unary{operand}', _complement_33),
-    (3, 'name{NAME}', _name_empty_29),
-    (2, 'unary{operand}', _minus_34),
-    (2, 'not{operand}', _not_35),
-    (2, 'unary{operand}', _plus_36),
-    (1, 'print_last', _last_item_37),
-    (3, 'inline_statement', _print_38),
+    (2, 'inline_statement', _pause_26),
+    (2, 'inline_statement', _print_27),
+    (2, 'inline_statement', _run_28),
+    (3, 'items', _more_29),
+    (3, 'items', _more_29),
+    (3, 'items', _more_29),
+    (3, 'items', _more_29),
+    (3, 'items', _more_29),
+    (3, 'name{leading}', _name_empty_30),
+    (1, 'exprs', _one_12),
+    (3, 'inline_statement', _dim_31),
+    (3, 'inline_statement', _gosub_32),
+    (3, 'inline_statement', _goto_33),
+    (2, 'unary{atom}', _complement_34),
+    (2, 'unary{atom}', _minus_35),
+    (2, 'negated', _not_36),
+    (2, 'unary{atom}', _plus_37),
+    (1, 'line_then', None),
+    (2, 'unary{operand}', _complement_34),
+    (3, 'name{NAME}', _name_empty_30),
+    (2, 'unary{operand}', _minus_35),
+    (2, 'unary{operand}', _plus_37),
+    (1, 'print_last', _last_item_38),
+    (3, 'inline_statement', _print_39),
     (0, 'task_body', _body_11),
-    (1, 'seps', _none_39),
+    (1, 'seps', _none_40),
     (0, 'members', _none_0),
-    (3, 'ref{name{leading}}', _member_40),
-    (3, 'ref{name{NAME}}', _member_40),
     (2, 'body', _skip_4),
+    (3, 'inline_statement', _for_41),
     (2, 'body', _label_before_9),
-    (3, 'select_head', _next_case_41),
-    (3, 'inline_statement', _assign_42),
-    (4, 'name{leading}', _name_args_43),
-    (4, 'name{leading}', _name_axes_44),
-    (1, 'type', _type_45),
-    (4, 'inline_statement', _const_46),
-    (4, 'inline_statement', _define_47),
-    (3, 'closed_dims', _plain_more_48),
-    (3, 'closed_dims', _more_49),
-    (3, 'open_dims', _more_49),
-    (3, 'typed', _variable_50),
-    (3, 'valued', _valued_variable_51),
-    (3, 'open_dims', _more_values_52),
-    (3, 'closed_dims', _more_49),
-    (3, 'open_dims', _more_49),
-    (1, 'parameter', _parameter_53),
+    (3, 'inline_statement', _for_shared_42),
+    (3, 'ref{name{leading}}', _member_43),
+    (3, 'ref{name{NAME}}', _member_43),
+    (3, 'select_head', _next_case_44),
+    (1, 'slots', _one_omitted_45),
+    (3, 'inline_statement', _assign_one_46),
+    (3, 'inline_statement', _assign_47),
+    (4, 'name{leading}', _name_arg_48),
+    (4, 'name{leading}', _name_args_49),
+    (4, 'name{leading}', _name_axes_50),
+    (1, 'type', _type_51),
+    (3, 'constant', _constant_52),
+    (3, 'constants', _more_53),
+    (4, 'inline_statement', _define_54),
+    (3, 'closed_dims', _plain_more_55),
+    (3, 'closed_dims', _more_53),
+    (3, 'open_dims', _more_53),
+    (3, 'typed', _variable_56),
+    (3, 'valued', _valued_variable_57),
+    (3, 'open_dims', _more_values_58),
+    (3, 'closed_dims', _more_53),
+    (3, 'open_dims', _more_53),
+    (1, 'parameter', _parameter_59),
     (1, 'leading', None),
     (1, 'leading', None),
-    (2, 'parameters', _none_54),
-    (1, 'parameter_list', _one_14),
-    (3, 'name{word}', _name_empty_29),
-    (3, 'atom', _inner_55),
-    (3, 'and{atom}', _and_56),
-    (3, 'power{atom}', _binary_57),
-    (3, 'bit_and{atom}', _binary_57),
-    (3, 'bit_or{atom}', _binary_57),
-    (3, 'compare{atom}', _binary_57),
-    (3, 'compare{atom}', _binary_57),
-    (1, 'closed', _one_14),
+    (2, 'parameters', _none_60),
+    (1, 'parameter_list', _one_12),
+    (3, 'name{word}', _name_empty_30),
+    (3, 'atom', _inner_61),
+    (3, 'and{atom}', _and_62),
+    (3, 'power{atom}', _binary_63),
+    (3, 'bit_and_not{atom}', _binary_63),
+    (3, 'bit_and{atom}', _binary_63),
+    (3, 'bit_and_not{atom}', _binary_63),
+    (3, 'bit_or_not{atom}', _binary_63),
+    (3, 'bit_or{atom}', _binary_63),
+    (3, 'bit_or_not{atom}', _binary_63),
+    (3, 'compare_not{atom}', _binary_63),
+    (3, 'compare{atom}', _binary_63),
+    (3, 'compare_not{atom}', _binary_63),
+    (3, 'compare{atom}', _binary_63),
+    (2, 'line_then', _skip_4),
+    (1, 'closed', _one_12),
     (1, 'line_tail', None),
     (1, 'closed', None),
-    (1, 'inline', _one_14),
-    (1, 'line_tail', _one_14),
-    (4, 'line_if', _line_if_58),
-    (3, 'ref{name{word}}', _member_40),
-    (3, 'or{atom}', _or_59),
-    (3, 'or{atom}', _xor_60),
-    (3, 'shift{atom}', _binary_57),
-    (3, 'sum{atom}', _binary_57),
-    (3, 'sum{atom}', _binary_57),
-    (3, 'term{atom}', _binary_57),
-    (3, 'term{atom}', _mod_61),
-    (3, 'term{atom}', _mod_61),
-    (3, 'term{atom}', _binary_57),
-    (4, 'inline_statement', _input_62),
-    (4, 'inline_statement', _input_62),
-    (1, 'formats', _one_14),
-    (4, 'inline_statement', _input_63),
+    (1, 'inline', _one_12),
+    (1, 'line_tail', _one_12),
+    (4, 'line_if', _line_if_64),
+    (3, 'ref{name{word}}', _member_43),
+    (3, 'or{atom}', _or_65),
+    (3, 'or{atom}', _xor_66),
+    (3, 'shift{atom}', _binary_63),
+    (3, 'sum{atom}', _binary_63),
+    (3, 'sum{atom}', _binary_63),
+    (3, 'term{atom}', _binary_63),
+    (3, 'term{atom}', _mod_67),
+    (3, 'term{atom}', _mod_67),
+    (3, 'term{atom}', _binary_63),
+    (4, 'inline_statement', _input_68),
+    (4, 'inline_statement', _input_68),
+    (1, 'formats', _one_12),
+    (4, 'inline_statement', _input_69),
     (1, 'end_loop', None),
     (1, 'end_loop', None),
-    (4, 'inline_statement', _loop_64),
-    (4, 'name{NAME}', _name_args_43),
-    (4, 'name{NAME}', _name_axes_44),
-    (3, 'and{operand}', _and_56),
-    (3, 'power{operand}', _binary_57),
-    (3, 'bare', _more_49),
-    (3, 'bit_and{operand}', _binary_57),
-    (3, 'bit_or{operand}', _binary_57),
-    (3, 'compare{operand}', _binary_57),
-    (3, 'compare{operand}', _binary_57),
-    (3, 'or{operand}', _or_59),
-    (3, 'or{operand}', _xor_60),
-    (3, 'shift{operand}', _binary_57),
-    (3, 'sum{operand}', _binary_57),
-    (3, 'sum{operand}', _binary_57),
-    (3, 'term{operand}', _binary_57),
-    (3, 'term{operand}', _mod_61),
-    (3, 'term{operand}', _mod_61),
-    (3, 'term{operand}', _binary_57),
-    (3, 'print_list', _print_item_65),
-    (3, 'print_list', _print_item_65),
+    (4, 'inline_statement', _loop_70),
+    (4, 'name{NAME}', _name_arg_48),
+    (4, 'name{NAME}', _name_args_49),
+    (4, 'name{NAME}', _name_axes_50),
+    (3, 'and{operand}', _and_62),
+    (3, 'power{operand}', _binary_63),
+    (3, 'bare', _more_53),
+    (3, 'bit_and_not{operand}', _binary_63),
+    (3, 'bit_and{operand}', _binary_63),
+    (3, 'bit_and_not{operand}', _binary_63),
+    (3, 'bit_or_not{operand}', _binary_63),
+    (3, 'bit_or{operand}', _binary_63),
+    (3, 'bit_or_not{operand}', _binary_63),
+    (3, 'compare_not{operand}', _binary_63),
+    (3, 'compare{operand}', _binary_63),
+    (3, 'compare_not{operand}', _binary_63),
+    (3, 'compare{operand}', _binary_63),
+    (3, 'or{operand}', _or_65),
+    (3, 'or{operand}', _xor_66),
+    (3, 'shift{operand}', _binary_63),
+    (3, 'sum{operand}', _binary_63),
+    (3, 'sum{operand}', _binary_63),
+    (3, 'term{operand}', _binary_63),
+    (3, 'term{operand}', _mod_67),
+    (3, 'term{operand}', _mod_67),
+    (3, 'term{operand}', _binary_63),
+    (3, 'print_list', _print_item_71),
+    (3, 'print_list', _print_item_71),
     (2, 'seps', _skip_4),
-    (1, 'test', _test_66),
-    (1, 'tests', _one_14),
-    (4, 'select', _last_case_67),
-    (3, 'body', _more_28),
-    (3, 'body', _more_28),
-    (3, 'body', _more_28),
-    (4, 'inline_statement', _assign_68),
-    (3, 'exprs', _more_49),
-    (4, 'declared', _name_args_43),
-    (2, 'parameter', _parameter_by_reference_69),
-    (2, 'parameter', _parameter_by_value_70),
-    (3, 'parameters', _inner_55),
-    (4, 'name{word}', _name_args_43),
-    (4, 'name{word}', _name_axes_44),
-    (5, 'inline_statement', _input_71),
+    (4, 'inline_statement', _for_72),
+    (3, 'body', _more_29),
+    (3, 'body', _more_29),
+    (3, 'body', _more_29),
+    (1, 'test', _test_73),
+    (1, 'tests', _one_12),
+    (4, 'select', _last_case_74),
+    (2, 'slots', _one_75),
+    (4, 'inline_statement', _assign_same_76),
+    (2, 'slots', _next_omitted_77),
+    (2, 'values', _last_78),
+    (4, 'inline_statement', _assign_79),
+    (3, 'several', _pair_80),
+    (3, 'several', _more_53),
+    (3, 'exprs', _more_53),
+    (4, 'declared', _name_arg_48),
+    (4, 'declared', _name_args_49),
+    (2, 'parameter', _parameter_by_reference_81),
+    (2, 'parameter', _parameter_by_value_82),
+    (3, 'parameters', _inner_61),
+    (4, 'name{word}', _name_arg_48),
+    (4, 'name{word}', _name_args_49),
+    (4, 'name{word}', _name_axes_50),
+    (2, 'inline', _skip_4),
+    (5, 'inline_statement', _input_83),
     (2, 'end_loop', _skip_4),
-    (5, 'inline_statement', _print_72),
-    (3, 'print_last', _last_using_73),
-    (5, 'inline_statement', _repeat_74),
-    (5, 'select_head', _select_75),
-    (5, 'declaration', _startup_76),
+    (5, 'inline_statement', _print_84),
+    (3, 'print_last', _last_using_85),
+    (5, 'inline_statement', _repeat_86),
+    (5, 'select_head', _select_87),
+    (5, 'declaration', _startup_88),
     (2, 'task_body', _skip_4),
     (2, 'task_body', _label_before_9),
-    (1, 'member_list', _one_14),
+    (1, 'member_list', _one_12),
     (1, 'end_while', None),
     (1, 'end_while', None),
     (1, 'end_while', None),
-    (5, 'inline_statement', _while_77),
-    (3, 'case', _case_else_78),
-    (3, 'case', _case_79),
-    (3, 'type', _sized_type_80),
-    (6, 'inline_statement', _const_81),
-    (5, 'valued', _typed_variable_82),
-    (6, 'declaration', _event_83),
-    (3, 'parameter', _parameter_84),
-    (3, 'parameter', _parameter_85),
-    (3, 'parameter_list', _more_49),
+    (5, 'inline_statement', _while_89),
+    (3, 'case', _case_else_90),
+    (3, 'case', _case_91),
+    (3, 'slots', _more_29),
+    (3, 'type', _sized_type_92),
+    (5, 'constant', _constant_93),
+    (5, 'valued', _typed_variable_94),
+    (6, 'declaration', _event_95),
+    (3, 'parameter', _parameter_96),
+    (3, 'parameter', _parameter_97),
+    (3, 'parameter_list', _more_53),
     (1, 'end_if', None),
-    (1, 'if_tail', _none_39),
-    (6, 'statement', _if_86),
-    (6, 'statement', _if_86),
-    (6, 'line_if', _line_if_else_87),
-    (3, 'closed', _more_49),
-    (3, 'inline', _more_49),
-    (3, 'line_tail', _more_49),
-    (6, 'inline_statement', _input_88),
-    (6, 'inline_statement', _input_88),
-    (3, 'formats', _pair_89),
-    (6, 'inline_statement', _print_90),
-    (4, 'print_last', _last_open_91),
-    (5, 'print_list', _print_using_92),
-    (6, 'select', _select_nothing_93),
-    (6, 'declaration', _task_94),
-    (3, 'task_body', _more_28),
-    (3, 'task_body', _more_28),
-    (3, 'task_body', _more_28),
-    (3, 'task_body', _more_28),
-    (3, 'task_body', _more_28),
-    (6, 'declaration', _user_type_95),
-    (3, 'members', _extend_96),
-    (3, 'members', _extend_96),
+    (1, 'if_tail', _none_40),
+    (6, 'statement', _if_98),
+    (6, 'statement', _if_98),
+    (2, 'line_else', _skip_4),
+    (6, 'line_if', _line_if_else_99),
+    (3, 'closed', _more_53),
+    (3, 'inline', _more_53),
+    (3, 'line_tail', _more_53),
+    (6, 'inline_statement', _input_100),
+    (6, 'inline_statement', _input_100),
+    (3, 'formats', _pair_80),
+    (6, 'inline_statement', _print_101),
+    (4, 'print_last', _last_open_102),
+    (5, 'print_list', _print_using_103),
+    (6, 'select', _select_nothing_104),
+    (6, 'declaration', _task_105),
+    (3, 'task_body', _more_29),
+    (3, 'task_body', _more_29),
+    (3, 'task_body', _more_29),
+    (3, 'task_body', _more_29),
+    (3, 'task_body', _more_29),
+    (6, 'declaration', _user_type_106),
+    (3, 'members', _extend_107),
+    (3, 'members', _extend_107),
     (2, 'end_while', _skip_4),
-    (6, 'ref{name{leading}}', _member_args_97),
-    (6, 'ref{name{NAME}}', _member_args_97),
-    (3, 'test', _test_is_98),
-    (3, 'test', _test_is_98),
-    (3, 'test', _test_range_99),
-    (3, 'tests', _more_49),
-    (4, 'parameter', _parameter_by_reference_100),
-    (4, 'parameter', _parameter_by_reference_101),
-    (4, 'parameter', _parameter_by_value_102),
-    (4, 'parameter', _parameter_by_value_103),
-    (7, 'routine', _function_104),
+    (5, 'shared', _shared_further_108),
+    (6, 'ref{name{leading}}', _member_args_109),
+    (6, 'ref{name{NAME}}', _member_args_109),
+    (3, 'test', _test_is_110),
+    (3, 'test', _test_is_110),
+    (3, 'test', _test_range_111),
+    (3, 'tests', _more_53),
+    (7, 'for_head', _for_head_112),
+    (4, 'parameter', _parameter_by_reference_113),
+    (4, 'parameter', _parameter_by_reference_114),
+    (4, 'parameter', _parameter_by_value_115),
+    (4, 'parameter', _parameter_by_value_116),
+    (7, 'routine', _function_117),
     (2, 'else_if', _skip_4),
     (2, 'end_if', _skip_4),
-    (6, 'ref{name{word}}', _member_args_97),
-    (7, 'inline_statement', _input_105),
-    (7, 'inline_statement', _input_105),
-    (7, 'inline_statement', _input_106),
-    (7, 'routine', _sub_107),
-    (4, 'members', _extend_108),
-    (4, 'members', _extend_108),
-    (3, 'member_list', _more_49),
-    (5, 'parameter', _parameter_109),
-    (7, 'print_list', _print_using_two_110),
-    (7, 'print_list', _print_using_two_110),
-    (9, 'inline_statement', _for_111),
-    (6, 'parameter', _parameter_by_reference_112),
-    (6, 'parameter', _parameter_by_value_113),
-    (9, 'routine', _function_114),
-    (4, 'if_tail', _third_115),
-    (6, 'closed_if', _line_if_else_87),
-    (9, 'inline_statement', _input_116),
-    (9, 'inline_statement', _input_116),
-    (10, 'inline_statement', _for_117),
-    (11, 'inline_statement', _for_118),
-    (6, 'if_tail', _else_if_119),
-    (6, 'if_tail', _else_if_119),
-    (12, 'inline_statement', _for_120),
+    (6, 'ref{name{word}}', _member_args_109),
+    (7, 'inline_statement', _input_118),
+    (7, 'inline_statement', _input_118),
+    (7, 'inline_statement', _input_119),
+    (7, 'routine', _sub_120),
+    (4, 'members', _extend_121),
+    (4, 'members', _extend_121),
+    (3, 'member_list', _more_53),
+    (6, 'shared', _shared_122),
+    (5, 'parameter', _parameter_123),
+    (7, 'print_list', _print_using_two_124),
+    (7, 'print_list', _print_using_two_124),
+    (9, 'for_head', _for_head_125),
+    (6, 'parameter', _parameter_by_reference_126),
+    (6, 'parameter', _parameter_by_value_127),
+    (9, 'routine', _function_128),
+    (4, 'if_tail', _third_129),
+    (6, 'closed_if', _line_if_else_99),
+    (9, 'inline_statement', _input_130),
+    (9, 'inline_statement', _input_130),
+    (5, 'if_tail', _else_if_131),
+    (6, 'if_tail', _else_if_do_132),
 )
 
 ROWS = (
     '1=items 2=start d0',
-    '3=AUTO 4=BYREF,BYVAL,NV,STEP,TO,USING,leading 5=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 11=EVENT 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 28=STARTUP 29=SUB 30=TASK 31=TYPE 32=WHILE 33=_NL 34=axes 35=call 36=declaration,routine 37=inline_statement,select,statement 38=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target d1',
+    '3=AUTO 4=BYREF,BYVAL,NV,STEP,TO,USING,leading 5=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 11=EVENT 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 28=STARTUP 29=SUB 30=TASK 31=TYPE 32=WHILE 33=_NL 34=axes 35=call 36=declaration,routine 37=for_head 38=inline_statement,select,statement 39=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d1',
     '',
     'r2=COLON,ELSE,_NL d3',
-    '44=LPAR 45=LSQB d4',
+    '45=LPAR 46=LSQB d4',
     'd5',
-    '46=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 49=NV 50=closed_dims 51=declared 52=dims 53=open_dims 54=typed 55=valued',
+    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 48=constant 49=constants',
+    '50=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 52=NV 53=closed_dims 54=declared 55=dims 56=open_dims 57=typed 58=valued',
     'd6',
-    '56=NAME d7',
-    '57=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d8',
-    '58=EVENT,FOR,FUNCTION,LOOP,REPEAT,SELECT,SUB,TASK,WHILE,exit_kind d9',
-    '59=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '60=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '61=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 62=HASH',
-    '63=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 64=HASH',
-    '65=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 80=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 86=HASH 87=STRING 88=axes,variable 81=name{word},ref{name{word}} d10',
-    '89=COLON,_NL,sep',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 90=COMPLEMENT 9=DOTTED 91=LPAR 92=LSQB 93=MINUS 94=NOT 72=NUMBER 95=PLUS 74=STRING 96=and{operand},not{operand} 97=axes,operand,power{operand},unary{operand},variable 98=bare 99=bit_and{operand} 100=bit_or{operand} 101=compare{operand} 81=name{word},ref{name{word}} 102=or{operand} 103=shift{operand} 104=sum{operand} 105=term{operand} d11',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 106=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '107=HASH 108=print_list d12',
-    '109=COLON,_NL,sep',
+    '59=NAME d7',
+    '60=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d8',
+    '61=EVENT,FOR,FUNCTION,LOOP,REPEAT,SELECT,SUB,TASK,WHILE,exit_kind d9',
+    '62=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '63=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '64=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 65=HASH',
+    '66=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 67=HASH',
+    '68=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 83=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 89=HASH 90=STRING 91=axes,variable 84=name{word},ref{name{word}} d10',
+    '92=COLON,_NL,sep',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 93=COMPLEMENT 9=DOTTED 94=LPAR 95=LSQB 96=MINUS 74=NOT 75=NUMBER 97=PLUS 77=STRING 98=and{operand},bit_and_not{operand},bit_or_not{operand},compare_not{operand},negated,not{operand} 99=axes,operand,power{operand},unary{operand},variable 100=bare 101=bit_and{operand} 102=bit_or{operand} 103=compare{operand} 84=name{word},ref{name{word}} 104=or{operand} 105=shift{operand} 106=sum{operand} 107=term{operand} d11',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 108=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '109=HASH 110=print_list d12',
+    '111=COLON,_NL,sep',
     'd13',
-    '110=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d14',
-    '111=CASE',
-    '112=COLON,_NL,sep d15',
-    '113=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '114=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d16',
-    '115=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d17',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 116=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
+    '112=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d14',
+    '113=CASE',
+    '114=COLON,_NL,sep d15',
+    '115=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '116=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d16',
+    '117=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d17',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 118=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd18',
     'r19=EQUAL d20',
     'd21',
-    '117=COLON 118=_NL',
     '119=COLON 120=_NL',
-    '121=_NL',
-    'r22=DOT,EQUAL d23',
-    '122=DOT d24',
-    '123=DOT d25',
-    '124=body d26',
-    '125=EQUAL',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 126=RPAR 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 128=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 129=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '130=AS 131=EQUAL',
-    '132=EQUAL',
-    '133=LPAR d27',
-    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 50=closed_dims 51=declared 134=dims 53=open_dims 54=typed 55=valued d28',
-    '135=COMMA d29',
-    '136=AS 137=EQUAL d30',
-    'd31',
-    '138=COMMA d32',
+    '121=body 122=shared d22',
+    '123=COLON 124=_NL',
+    '125=_NL',
+    'r23=DOT,EQUAL d24',
+    '126=DOT d25',
+    '127=DOT d26',
+    '128=body d22',
+    '129=EQUAL',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 130=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 131=expr 84=name{word},ref{name{word}} 85=or{atom} 132=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 134=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '135=AS 136=EQUAL',
+    'd27',
+    '137=COMMA d28',
+    '138=EQUAL',
+    '139=LPAR d29',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 53=closed_dims 54=declared 140=dims 56=open_dims 57=typed 58=valued d30',
+    '141=COMMA d31',
+    '142=AS 143=EQUAL d32',
     'd33',
-    'd34',
+    '144=COMMA d34',
     'd35',
-    '139=COLON,_NL,sep',
     'd36',
-    '140=EQUAL',
-    '141=LPAR 142=parameters d37',
+    'd37',
+    '145=COLON,_NL,sep',
     'd38',
-    '143=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
-    'd39',
-    '144=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
+    '146=EQUAL',
+    '147=LPAR 148=parameters d39',
     'd40',
-    '145=LPAR 146=LSQB d41',
+    '149=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
+    'd41',
+    '150=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
     'd42',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 147=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 148=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 149=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 150=not{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    'd43',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 151=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
+    '151=LPAR 152=LSQB d43',
     'd44',
-    '152=AND d45',
-    '153=CIRCUMFLEX d46',
-    '154=AMPERSAND d47',
-    '155=VBAR d48',
-    '156=COMPARE 157=EQUAL d49',
-    '158=DO 159=THEN',
-    '160=DOT d50',
-    '161=OR 162=XOR d51',
-    '163=SHIFT d52',
-    '164=MINUS 165=PLUS d53',
-    '166=DIVIDE 167=MOD 168=PERCENT 169=STAR d54',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 170=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '171=COMMA 172=SEMICOLON',
-    '173=USING d55',
-    '174=body d26',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 175=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 176=RPAR 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 177=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 178=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 179=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 180=not{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 181=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '182=AND d56',
-    '183=CIRCUMFLEX d57',
-    '184=COMMA d58',
-    '185=AMPERSAND d59',
-    '186=VBAR d60',
-    '187=COMPARE 188=EQUAL d61',
-    '189=OR 190=XOR d62',
-    '191=SHIFT d63',
-    '192=MINUS 193=PLUS d64',
-    '194=DIVIDE 195=MOD 196=PERCENT 197=STAR d65',
-    'd66',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 198=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 199=expr 81=name{word},ref{name{word}} 82=or{atom} 200=print_last 83=shift{atom} 84=sum{atom} 85=term{atom} d67',
-    '201=body d26',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 153=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 154=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 155=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 156=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd45',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 157=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    'd46',
+    '158=AND d47',
+    '159=CIRCUMFLEX d48',
+    '160=AMPERSAND d49',
+    '161=VBAR d50',
+    '162=COMPARE 163=EQUAL d51',
+    '164=DO 165=THEN 166=line_then',
+    '167=DOT d52',
+    '168=OR 169=XOR d53',
+    '170=SHIFT d54',
+    '171=MINUS 172=PLUS d55',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d56',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 177=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '178=COMMA 179=SEMICOLON',
+    '180=USING d57',
+    '181=body d22',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 182=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 183=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 184=expr 84=name{word},ref{name{word}} 85=or{atom} 185=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 186=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 187=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 188=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '189=AND d58',
+    '190=CIRCUMFLEX d59',
+    '191=COMMA d60',
+    '192=AMPERSAND d61',
+    '193=VBAR d62',
+    '194=COMPARE 195=EQUAL d63',
+    '196=OR 197=XOR d64',
+    '198=SHIFT d65',
+    '199=MINUS 200=PLUS d66',
+    '201=DIVIDE 202=MOD 203=PERCENT 204=STAR d67',
     'd68',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 202=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '203=body d26',
-    '141=LPAR 204=parameters d37',
-    '205=COLON,_NL,sep',
-    '206=COLON,_NL,sep 207=seps',
-    '208=COLON,_NL,sep',
-    'd69',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 205=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 206=expr 84=name{word},ref{name{word}} 85=or{atom} 207=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d69',
+    '208=body d22',
     'd70',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '210=body d22',
+    '147=LPAR 211=parameters d39',
+    '212=COLON,_NL,sep',
+    '213=COLON,_NL,sep 214=seps',
+    '215=COLON,_NL,sep',
     'd71',
     'd72',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 217=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 219=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
     'd73',
-    '209=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '210=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 211=CASE 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 213=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 215=case 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 218=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
     'd74',
     'd75',
-    '219=COMMA 220=RPAR',
-    '219=COMMA 221=RSQB',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 223=type',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 224=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 225=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 226=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
+    '223=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '224=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 225=CASE 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 226=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 227=case 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 228=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 229=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 230=slots 87=sum{atom} 88=term{atom} 231=values',
     'd76',
-    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 227=declared 228=typed 229=valued',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 230=type',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 231=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '232=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 233=declared 81=name{word},ref{name{word}} 234=shift{atom} 84=sum{atom} 85=term{atom} 235=typed 236=valued',
-    '237=body d26',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 238=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '239=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 240=BYREF 241=BYVAL 242=RPAR 243=parameter 244=parameter_list',
-    '245=AS 246=COLON,_NL,sep',
+    '232=COMMA 233=RPAR',
+    '234=COMMA 235=RPAR',
     'd77',
+    '236=COMMA 237=RSQB',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 239=type',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 240=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 241=constant',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 242=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 243=expr 84=name{word},ref{name{word}} 85=or{atom} 244=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd78',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 247=RPAR 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 248=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 249=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 245=declared 246=typed 247=valued',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 248=type',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 249=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '250=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 251=declared 84=name{word},ref{name{word}} 252=shift{atom} 87=sum{atom} 88=term{atom} 253=typed 254=valued',
+    '255=body d22',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 256=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '257=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=BYREF 259=BYVAL 260=RPAR 261=parameter 262=parameter_list',
+    '263=AS 264=COLON,_NL,sep',
     'd79',
-    '250=RPAR',
     'd80',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 265=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 266=expr 84=name{word},ref{name{word}} 85=or{atom} 267=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 268=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd81',
+    '269=RPAR',
     'd82',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 251=not{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 252=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 253=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 254=bit_and{atom} 79=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 255=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 256=shift{atom} 84=sum{atom} 85=term{atom}',
-    '257=COLON,_NL,sep',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 258=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 259=_NL 34=axes 35=call 260=closed 261=closed_if 262=inline 263=inline_statement,select 264=line_if 265=line_tail 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '266=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 267=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 268=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 269=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 270=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 271=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 272=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 273=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 274=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 275=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '276=COMMA',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 277=axes,variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 278=axes,variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 279=expr 280=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 281=END 282=ENDL 283=ENDLOOP 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 284=end_loop 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
     'd83',
     'd84',
-    '219=COMMA 285=RPAR',
-    '219=COMMA 286=RSQB',
-    'd85',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 270=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 271=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 272=compare_not{atom} 273=compare{atom} 84=name{word},ref{name{word}} 274=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 275=bit_and_not{atom},compare_not{atom} 276=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 277=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 278=negated 279=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 280=negated 281=shift{atom} 87=sum{atom} 88=term{atom}',
+    '282=COLON,_NL,sep',
+    '283=_NL d85',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 286=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '292=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 293=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 294=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 295=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 296=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 297=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 298=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 299=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 300=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 301=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '302=COMMA',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 303=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 304=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 306=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 307=END 308=ENDL 309=ENDLOOP 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 310=end_loop 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd86',
     'd87',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 287=not{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 288=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 289=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 290=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 291=bit_and{atom} 79=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 292=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 293=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 294=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 295=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 81=name{word},ref{name{word}} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 296=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 297=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 76=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}} 298=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 299=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 300=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 301=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 302=atom,axes,operand,power{atom},unary{atom},variable 81=name{word},ref{name{word}}',
-    '303=COMMA',
-    '304=COMMA 305=SEMICOLON 306=USING d88',
+    '232=COMMA 311=RPAR',
+    '234=COMMA 312=RPAR',
+    '236=COMMA 313=RSQB',
+    'd88',
     'd89',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 307=UNTIL 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '206=COLON,_NL,sep 308=seps',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 309=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '310=COLON,_NL,sep',
-    '311=task_body d90',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 314=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 315=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 316=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 317=compare_not{atom} 318=compare{atom} 84=name{word},ref{name{word}} 319=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 320=bit_and_not{atom},compare_not{atom} 321=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 322=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 323=negated 324=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 325=negated 326=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 327=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 328=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 329=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 330=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 331=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 332=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 333=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 334=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 335=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '336=COMMA',
+    '337=COMMA 338=SEMICOLON 339=USING d90',
     'd91',
-    '312=COLON,_NL,sep 313=members d92',
-    '314=body d26',
-    '315=LPAR d93',
-    '316=LPAR d94',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 317=ELSE 318=IS 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 319=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom} 320=test 321=tests',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 340=UNTIL 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '213=COLON,_NL,sep 341=seps',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 342=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '343=COLON,_NL,sep',
+    '344=task_body d92',
+    'd93',
+    '345=COLON,_NL,sep 346=members d94',
+    '347=body d22',
     'd95',
-    '56=NAME 322=SELECT d7',
-    'd96',
+    '348=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d96',
     'd97',
-    '323=COLON 324=_NL',
-    '325=_NL',
-    '219=COMMA 326=SEMICOLON d98',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 327=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    'd99',
-    'd100',
-    '328=STAR d101',
-    '329=EQUAL',
+    '349=body 350=shared d22',
+    '351=COLON 352=_NL',
+    '353=_NL',
+    'd98',
+    '354=LPAR d99',
+    '355=LPAR d100',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 356=ELSE 357=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 358=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 359=test 360=tests',
+    '59=NAME 361=SELECT d7',
+    'd101',
     'd102',
-    'd103',
-    '219=COMMA 330=RPAR',
-    '136=AS 137=EQUAL d104',
+    '362=COMMA 363=SEMICOLON d103',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 364=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 365=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '366=SEMICOLON d104',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 367=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd105',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 368=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd106',
-    '331=EQUAL d107',
-    'd108',
-    'r27=AS,EQUAL 332=LPAR 146=LSQB d41',
-    '136=AS 137=EQUAL',
-    '163=SHIFT d109',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 369=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd107',
+    '370=STAR d108',
+    '371=EQUAL',
+    'd109',
     'd110',
     'd111',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 333=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '334=TO',
-    '335=AS 336=LPAR d112',
-    '337=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d113',
-    '338=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d114',
-    'd115',
+    '232=COMMA 372=RPAR',
+    '234=COMMA 373=RPAR',
+    '142=AS 143=EQUAL d112',
+    'd113',
+    'd114',
+    '374=EQUAL d115',
     'd116',
-    '339=COMMA 340=RPAR',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 341=type',
-    '342=body d26',
-    'd117',
-    '219=COMMA 343=RPAR',
-    '219=COMMA 344=RSQB',
+    'r29=AS,EQUAL 375=LPAR 152=LSQB d43',
+    '142=AS 143=EQUAL',
+    '170=SHIFT d117',
     'd118',
     'd119',
-    'd120',
-    '156=COMPARE 157=EQUAL d121',
-    '154=AMPERSAND d122',
-    '163=SHIFT d123',
-    '163=SHIFT d124',
-    '345=body d26',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 346=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '347=body d26',
-    '348=ELSE',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 376=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '377=TO',
+    '378=AS 379=LPAR d120',
+    '380=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d121',
+    '381=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d122',
+    'd123',
+    'd124',
+    '382=COMMA 383=RPAR',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 384=type',
+    '385=body d22',
     'd125',
-    '349=COLON r126=_NL d127',
+    '232=COMMA 386=RPAR',
+    '234=COMMA 387=RPAR',
+    '236=COMMA 388=RSQB',
+    'd126',
+    'd127',
     'd128',
     'd129',
-    'd130',
-    '350=LPAR d131',
-    '152=AND d132',
-    '152=AND d133',
-    '164=MINUS 165=PLUS d134',
-    '166=DIVIDE 167=MOD 168=PERCENT 169=STAR d135',
-    '166=DIVIDE 167=MOD 168=PERCENT 169=STAR d136',
-    '153=CIRCUMFLEX d137',
-    '153=CIRCUMFLEX d138',
-    '153=CIRCUMFLEX d139',
-    '153=CIRCUMFLEX d140',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 351=STRING 352=axes,variable 81=name{word},ref{name{word}}',
-    '353=USING d141',
-    '354=USING d142',
-    '355=COMMA d143',
+    '162=COMPARE 163=EQUAL d130',
+    'd131',
+    'd132',
+    '160=AMPERSAND d133',
+    'd134',
+    'd135',
+    '170=SHIFT d136',
+    'd137',
+    '170=SHIFT d138',
+    '389=body d22',
+    '390=body d22',
+    'd139',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 391=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '392=ELSE,line_else',
+    'd140',
+    '393=COLON r141=_NL d142',
+    'd143',
     'd144',
-    '356=LOOP 56=NAME d7',
     'd145',
-    'd146',
-    'd147',
-    'd148',
-    'd149',
-    'd150',
-    'd151',
-    'd152',
-    '156=COMPARE 157=EQUAL d153',
-    '154=AMPERSAND d154',
-    '163=SHIFT d155',
-    '163=SHIFT d156',
-    '152=AND d157',
-    '152=AND d158',
-    '164=MINUS 165=PLUS d159',
-    '166=DIVIDE 167=MOD 168=PERCENT 169=STAR d160',
-    '166=DIVIDE 167=MOD 168=PERCENT 169=STAR d161',
-    '153=CIRCUMFLEX d162',
-    '153=CIRCUMFLEX d163',
-    '153=CIRCUMFLEX d164',
-    '153=CIRCUMFLEX d165',
-    '357=print_list d12',
+    '394=LPAR d146',
+    '158=AND d147',
+    '158=AND d148',
+    '171=MINUS 172=PLUS d149',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d150',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d151',
+    '159=CIRCUMFLEX d152',
+    '159=CIRCUMFLEX d153',
+    '159=CIRCUMFLEX d154',
+    '159=CIRCUMFLEX d155',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 395=STRING 396=axes,variable 84=name{word},ref{name{word}}',
+    '397=USING d156',
+    '398=USING d157',
+    '399=COMMA d158',
+    'd159',
+    '400=LOOP 59=NAME d7',
+    'd160',
+    'd161',
+    'd162',
+    'd163',
+    'd164',
+    'd165',
     'd166',
     'd167',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 358=expr 359=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 360=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '211=CASE 312=COLON,_NL,sep 361=END 362=case',
-    '56=NAME 363=STARTUP d7',
-    '364=body d26',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 365=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 366=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 367=_NL 34=axes 35=call 368=inline_statement,select,statement 369=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 370=routine 42=select_head 43=target',
     'd168',
-    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 371=DIM 372=END 373=declared 374=member_list 375=typed',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 376=END 377=ENDW 378=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 379=WEND 32=WHILE 214=_NL 34=axes 35=call 380=end_while 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 381=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 382=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '383=COLON,_NL,sep',
-    '384=COMPARE 385=EQUAL',
-    '386=TO d169',
-    'd170',
-    '387=COLON,_NL,sep 388=COMMA',
+    'd169',
+    '162=COMPARE 163=EQUAL d170',
     'd171',
     'd172',
-    'd173',
+    '160=AMPERSAND d173',
     'd174',
     'd175',
-    'd176',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 72=NUMBER 73=PLUS 74=STRING 389=atom,axes,operand,unary{atom},variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 390=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
+    '170=SHIFT d176',
     'd177',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 391=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 247=RPAR 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 392=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '393=EVENT 56=NAME d7',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 394=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 395=type',
-    '396=RPAR',
-    '397=AS 398=LPAR d178',
-    '399=AS 400=LPAR d179',
-    '239=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 240=BYREF 241=BYVAL 401=parameter',
-    'd180',
-    '402=COLON,_NL,sep',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 403=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    'd181',
-    'd182',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 404=ELSE 405=ELSEIF,else_if 406=END 407=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 408=end_if 409=if_tail 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '410=THEN',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 404=ELSE 405=ELSEIF,else_if 406=END 407=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 408=end_if 411=if_tail 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 412=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 413=inline 263=inline_statement,select 264=line_if 414=line_tail 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 258=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 415=closed_if 416=inline_statement,select 417=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 127=expr 418=exprs 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '419=COMMA 420=SEMICOLON',
-    '421=USING d183',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 279=expr 422=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 279=expr 423=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 424=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    'd184',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 199=expr 81=name{word},ref{name{word}} 82=or{atom} 425=print_last 83=shift{atom} 84=sum{atom} 85=term{atom} d185',
-    '426=COMMA 427=SEMICOLON d143',
-    'd186',
-    'd187',
-    '428=SELECT',
+    '170=SHIFT d178',
+    '158=AND d179',
+    '158=AND d180',
+    '171=MINUS 172=PLUS d181',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d182',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d183',
+    '159=CIRCUMFLEX d184',
+    '159=CIRCUMFLEX d185',
+    '159=CIRCUMFLEX d186',
+    '159=CIRCUMFLEX d187',
+    '401=print_list d12',
     'd188',
     'd189',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 429=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 402=expr 403=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 404=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '225=CASE 345=COLON,_NL,sep 405=END 406=case',
+    '59=NAME 407=STARTUP d7',
+    '408=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 409=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 410=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 411=_NL 34=axes 35=call 37=for_head 412=inline_statement,select,statement 413=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 414=routine 43=select_head 44=target',
     'd190',
-    '56=NAME 430=TASK d7',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 415=DIM 416=END 417=declared 418=member_list 419=typed',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 420=END 421=ENDW 422=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 423=WEND 32=WHILE 218=_NL 34=axes 35=call 424=end_while 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd191',
-    '431=COLON 432=_NL',
-    '433=_NL',
-    '434=COLON 435=_NL',
-    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 373=declared 436=member_list 375=typed',
-    '437=TYPE',
-    '438=AS',
-    '439=COLON 440=COMMA 441=_NL',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 425=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 219=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '426=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
     'd192',
-    '56=NAME 442=WHILE d7',
     'd193',
     'd194',
-    'd195',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 427=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 428=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '429=COLON,_NL,sep',
+    '430=COMPARE 431=EQUAL',
+    '432=TO d195',
     'd196',
-    '219=COMMA 443=RPAR',
-    '219=COMMA 444=RPAR',
+    '433=COLON,_NL,sep 434=COMMA',
     'd197',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 445=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 446=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 447=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
     'd198',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 318=IS 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 319=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom} 448=test',
     'd199',
     'd200',
-    'd201',
-    '219=COMMA 449=RPAR',
+    '435=COMMA d201',
     'd202',
-    '450=COLON,_NL,sep 451=STEP',
     'd203',
-    '452=AS d204',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 453=type',
-    '454=RPAR',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 455=type',
-    '456=RPAR',
+    'd204',
     'd205',
-    '457=body d26',
-    '458=FUNCTION 56=NAME d7',
-    '459=COLON,_NL,sep 460=IF',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 461=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '462=IF 56=NAME d7',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 436=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 437=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd206',
     'd207',
-    'd208',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 258=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 463=closed 261=closed_if 262=inline 263=inline_statement,select 264=line_if 265=line_tail 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    'd209',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 464=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '465=COLON d126',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 438=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 265=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 439=expr 84=name{word},ref{name{word}} 85=or{atom} 440=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '441=EVENT 59=NAME d7',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 442=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 443=type',
+    '444=RPAR',
+    '445=AS 446=LPAR d208',
+    '447=AS 448=LPAR d209',
+    '257=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=BYREF 259=BYVAL 449=parameter',
     'd210',
+    '450=COLON,_NL,sep',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 451=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd211',
     'd212',
     'd213',
-    '219=COMMA 466=RPAR',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 467=axes,variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 468=axes,variable 81=name{word},ref{name{word}}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 279=expr 469=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    'd214',
-    'd215',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 457=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 458=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '459=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 460=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 461=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 462=inline 289=inline_statement,select 290=line_if 463=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 464=closed_if 37=for_head 465=inline_statement,select 466=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d214',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 467=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '468=COMMA 469=SEMICOLON',
+    '470=USING d215',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 471=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 472=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 473=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd216',
-    'd217',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 470=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom} d218',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 206=expr 84=name{word},ref{name{word}} 85=or{atom} 474=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d217',
+    '475=COMMA 476=SEMICOLON d158',
+    'd218',
     'd219',
+    '477=SELECT',
     'd220',
-    '56=NAME 471=SUB d7',
     'd221',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 478=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd222',
+    '59=NAME 479=TASK d7',
     'd223',
+    '480=COLON 481=_NL',
+    '482=_NL',
+    '483=COLON 484=_NL',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 417=declared 485=member_list 419=typed',
+    '486=TYPE',
+    '487=AS',
+    '488=COLON 489=COMMA 490=_NL',
     'd224',
+    '59=NAME 491=WHILE d7',
     'd225',
     'd226',
-    '472=COLON 440=COMMA 473=_NL',
     'd227',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 474=type',
     'd228',
-    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 373=declared 475=typed',
+    '492=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d96',
+    '493=COMMA d98',
+    '236=COMMA 494=RPAR',
+    '236=COMMA 495=RPAR',
     'd229',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 496=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 497=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 498=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd230',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 357=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 358=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 499=test',
     'd231',
     'd232',
     'd233',
     'd234',
+    '232=COMMA 500=RPAR',
+    '234=COMMA 501=RPAR',
     'd235',
+    '502=COLON,_NL,sep 503=STEP',
     'd236',
-    'r177=AS,EQUAL d181',
-    '476=body d26',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 477=expr 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 478=type',
-    'd237',
-    '479=AS d238',
+    '504=AS d237',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 505=type',
+    '506=RPAR',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 507=type',
+    '508=RPAR',
+    'd238',
+    '509=body d22',
+    '510=FUNCTION 59=NAME d7',
+    '511=COLON,_NL,sep 512=IF',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 513=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '514=IF 59=NAME d7',
     'd239',
-    '480=AS d240',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 481=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
+    'd240',
     'd241',
-    '482=body d26',
     'd242',
-    '483=DO 484=THEN',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 515=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd243',
-    '485=ELSE',
-    '486=THEN',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 412=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 416=inline_statement,select 417=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 516=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '517=COLON d141',
     'd244',
-    '487=USING d245',
-    '488=USING d246',
+    'd245',
+    'd246',
     'd247',
-    '489=COMMA 490=SEMICOLON d216',
+    '236=COMMA 518=RPAR',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 519=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 520=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 521=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd248',
     'd249',
     'd250',
-    'd107',
     'd251',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 491=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '492=COLON,_NL,sep',
-    'd252',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 493=type',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 494=type',
-    '495=FUNCTION 56=NAME d7',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 406=END 407=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 496=end_if 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '497=COLON,_NL,sep',
-    '498=COLON,_NL,sep',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 258=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 499=closed 261=closed_if 262=inline 263=inline_statement,select 264=line_if 414=line_tail 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 258=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 260=closed 261=closed_if 262=inline 263=inline_statement,select 264=line_if 265=line_tail 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 279=expr 500=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
-    '66=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 67=CHARACTER 68=COMPLEMENT 9=DOTTED 69=LPAR 70=MINUS 71=NOT 72=NUMBER 73=PLUS 74=STRING 75=and{atom},not{atom} 76=atom,axes,operand,power{atom},unary{atom},variable 77=bit_and{atom} 78=bit_or{atom} 79=compare{atom} 279=expr 501=formats 81=name{word},ref{name{word}} 82=or{atom} 83=shift{atom} 84=sum{atom} 85=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 522=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} d252',
     'd253',
     'd254',
-    '502=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d255',
-    '503=body d26',
+    '59=NAME 523=SUB d7',
+    'd255',
     'd256',
     'd257',
     'd258',
     'd259',
-    '504=body d26',
-    '505=body d26',
     'd260',
+    '524=COLON 489=COMMA 525=_NL',
     'd261',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 526=type',
     'd262',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 417=declared 527=typed',
     'd263',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 506=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 404=ELSE 405=ELSEIF,else_if 406=END 407=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 408=end_if 507=if_tail 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 212=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 404=ELSE 405=ELSEIF,else_if 406=END 407=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 214=_NL 34=axes 35=call 408=end_if 508=if_tail 216=inline_statement,select,statement 217=line_if 39=name{NAME} 40=name{leading},ref{name{leading}} 41=ref{name{NAME}} 42=select_head 43=target',
-    '509=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d264',
+    'd264',
+    '528=COMMA d191',
     'd265',
     'd266',
     'd267',
+    'd268',
+    'd269',
+    'd270',
+    'd271',
+    'r206=AS,EQUAL d211',
+    'r207=AS,EQUAL d212',
+    'd272',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 529=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 530=type',
+    'd273',
+    '531=AS d274',
+    'd275',
+    '532=AS d276',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 533=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    'd277',
+    '534=body d22',
+    'd278',
+    '535=DO 536=THEN',
+    'd279',
+    '537=ELSE,line_else',
+    '166=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 461=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 465=inline_statement,select 466=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d214',
+    'd280',
+    '538=USING d281',
+    '539=USING d282',
+    'd283',
+    '540=COMMA 541=SEMICOLON d250',
+    'd284',
+    'd285',
+    'd286',
+    'd115',
+    'd287',
+    'd288',
+    '542=COLON,_NL,sep',
+    'd289',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 543=type',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 544=type',
+    '545=FUNCTION 59=NAME d7',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 546=end_if 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '547=COLON,_NL,sep',
+    '548=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 460=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 549=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 463=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 550=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 551=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd290',
+    'd291',
+    'd292',
+    'd293',
+    'd294',
+    'd295',
+    'd296',
+    '552=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 553=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    'd297',
+    'd298',
+    'd299',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 554=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    'd300',
+    'd301',
 )
 
 TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, 2)
