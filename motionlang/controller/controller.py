@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from motionlang.controller.entries import Make, Table
     from motionlang.controller.latch import Compare, Latch
     from motionlang.controller.trace import Trace
+    from motionlang.profile.reference import Slope
 
 
 class Controller(Core):
@@ -76,6 +77,28 @@ class Controller(Core):
 
         run = run_of(self.axes[axis])
         return run.remaining if run is not None else 0.0
+
+    # ------------------------------------------------------------------------------------------------ references
+
+    def refer_speed(
+        self,
+        axis: int,
+        velocity: float,
+        slopes: tuple[Slope, Slope],
+        error_rate: float = 0.0,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Ramp to a speed reference, counts/s, by `slopes`, up and down; an error brakes at `error_rate`."""
+        from motionlang.controller.reference import refer_speed
+
+        refer_speed(self, self._ready(axis), velocity, slopes, error_rate, command, line)
+
+    def refer_position(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
+        """Follow a position reference: be there within a period of the profiler."""
+        from motionlang.controller.reference import refer_position
+
+        refer_position(self, self._ready(axis), position, command, line)
 
     # -------------------------------------------------------------------------------------- following a master
 

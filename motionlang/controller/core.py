@@ -13,7 +13,7 @@ from motionlang.controller.faults import Refusal, names
 from motionlang.controller.move import Move
 from motionlang.controller.readings import Readings
 from motionlang.controller.watch import arm
-from motionlang.profile import hold, plan, plan_velocity
+from motionlang.profile import hold, plan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -68,6 +68,8 @@ class Core(Readings):
         """Set one of `SETTINGS`; a rate and the time for it replace each other."""
         assert name in SETTINGS, name
         a = self.axes[axis]
+        if a.move is not None and name in feedrate.LIVE and feedrate.unchanged(a, name, value):
+            return
         setattr(a, name, value)
         if name == "accel":
             a.accel_time = None
@@ -196,14 +198,19 @@ class Core(Readings):
         """Let the move in progress end `distance` further on; an axis at rest starts at once."""
         self.retarget_to(axis, self.axes[axis].target + distance, command, line)
 
-    def jog(self, axis: int, velocity: float, command: str = "", line: int = 0) -> None:
-        """Ramp to `velocity`, counts/s, and keep it."""
-        a = self._ready(axis)
-        move = Move(axis, command, line, INFINITY)
-        move.action = halt.Jog(velocity)
-        profile = self._plan_jog(a, velocity)
-        self._end_move(a, "retarget")
-        self._run(a, move, profile)
+    def jog(
+        self,
+        axis: int,
+        velocity: float,
+        command: str = "",
+        line: int = 0,
+        rates: tuple[float | None, float | None] | None = None,
+        ends: bool = False,
+    ) -> None:
+        """Ramp to `velocity`, counts/s, and keep it; with `ends` a jog to 0 is over when the axis stands."""
+        from motionlang.controller.jog import jog
+
+        jog(self, self._ready(axis), velocity, command, line, rates, ends)
 
     def play(
         self, axis: int, profile: Profile, command: str = "", line: int = 0, on_path: bool = False
@@ -336,19 +343,6 @@ class Core(Readings):
             )
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
-
-    def _plan_jog(self, a: Axis, velocity: float) -> Profile:
-        """From the state of the axis to a velocity."""
-        accel, decel = self.rates(a, a.speed)
-        accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
-        velocity = 0.0 if a.suspended else max(-a.max_speed, min(velocity, a.max_speed))
-        s = a.at(self.clock.now)
-        try:
-            return plan_velocity(
-                a.shape, s.position, s.velocity, velocity, accel, decel, a.ramp, a.accel_jerk, a.decel_jerk
-            )
-        except ValueError as problem:
-            raise Refusal("range", f"axis {a.index} cannot jog: {problem}") from None
 
     def _start(self, a: Axis, move: Move) -> None:
         try:

@@ -20,6 +20,8 @@ def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None
     if not (abs(velocity) < 1e300 and 0.0 <= accel < 1e300):
         raise Refusal("range", f"an encoder cannot be turned at {velocity:g} counts/s, ramping at {accel:g}")
     state = encoder.at(controller.clock.now)
+    if state.velocity == velocity == encoder.profiles[-1].end_velocity and not state.acceleration:
+        return
     if accel:
         profile = plan_velocity("trapezoid", state.position, state.velocity, velocity, accel, accel)
     else:

@@ -30,6 +30,18 @@ def changed(controller: Core, a: Axis, name: str) -> None:
         _new_rates(controller, a)
 
 
+def unchanged(a: Axis, name: str, value: object) -> bool:
+    """Whether one of `LIVE` has its value already: a loop that writes it again and again changes no motion.
+
+    A speed or rate of 0 stands for no motion at all; it is refused as often as it is written.
+    """
+    if getattr(a, name) != value or (not value and name in ("speed", "accel", "decel")):
+        return False
+    if name in ("accel", "decel"):
+        return getattr(a, f"{name}_time") is None
+    return name != "feedrate_mode" or (a.move is not None and a.move.overridden is (a.feedrate_mode > 1))
+
+
 def _concerns(a: Axis, name: str) -> bool:
     """Whether the move in progress goes by the setting."""
     move = a.move

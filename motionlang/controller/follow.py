@@ -195,7 +195,7 @@ class Follow(Action):
 class Gear(Follow):
     """`ratio` times the master's motion; with `ramp` the slave ramps to that velocity at its own rates first."""
 
-    __slots__ = ("_locks_at", "ramp", "ratio")
+    __slots__ = ("_chased_at", "_locks_at", "ramp", "ratio")
 
     def __init__(
         self, controller: Core, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool
@@ -204,9 +204,15 @@ class Gear(Follow):
         self.ratio, self.ramp = ratio, ramp
         # When the slave will have, or has, the velocity that the ratio wants.
         self._locks_at = INFINITY if ramp else 0.0
+        # The rates of the ramp to that velocity.
+        self._chased_at = (0.0, 0.0)
 
     def set_ratio(self, ratio: float, ramp: bool) -> None:
-        """Another ratio from now on."""
+        """Another ratio from now on; the one in force changes nothing."""
+        if ratio == self.ratio and ramp == self.ramp:
+            locked = self._locks_at <= self.controller.clock.now
+            if locked or self._chased_at == self.controller.rates(self.a, self.a.speed):
+                return
         self.ratio, self.ramp = ratio, ramp
         self._locks_at = INFINITY if ramp else 0.0
         self.renew()
@@ -239,7 +245,7 @@ class Gear(Follow):
         wanted = coming.scaled(0.0, self.ratio)
         have = self.a.velocity(now) - self.offset_left()[1]
         want = wanted.velocity(0.0)
-        accel, decel = self.controller.rates(self.a, self.a.speed)
+        accel, decel = self._chased_at = self.controller.rates(self.a, self.a.speed)
         if abs(want - have) <= _STILL * (1.0 + abs(want)):
             self._locks_at = now
             return self._geared(coming, position)

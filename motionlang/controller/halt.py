@@ -13,18 +13,6 @@ if TYPE_CHECKING:
     from motionlang.profile import Profile
 
 
-class Jog(Action):
-    """Running at a velocity, counts/s."""
-
-    __slots__ = ("velocity",)
-
-    def __init__(self, velocity: float) -> None:
-        self.velocity = velocity
-
-    def plan(self, controller: Core, a: Axis) -> Profile:
-        return controller._plan_jog(a, self.velocity)
-
-
 class Stopping(Action):
     """Coming to rest after a stop: nothing changes that any more."""
 
@@ -57,7 +45,8 @@ def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """From the state of the axis to rest."""
     state = a.at(controller.clock.now)
     try:
-        return plan_stop(a.shape, state.position, state.velocity, decel, a.ramp, a.decel_jerk)
+        bent = state.acceleration if a.shape == "scurve" else 0.0
+        return plan_stop(a.shape, state.position, state.velocity, decel, a.ramp, a.decel_jerk, bent)
     except ValueError as problem:
         raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
 
@@ -111,6 +100,8 @@ def retarget(controller: Core, a: Axis, position: float, command: str, line: int
             f"axis {a.index} is not on a move to a position",
             "only a positional move in progress can be given a new end point",
         )
+    if position == move.target == a.target:
+        return
     before, move.target = move.target, position
     try:
         controller._replan(a)

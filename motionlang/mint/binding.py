@@ -324,24 +324,6 @@ def _do_go(environment: Environment, row: Row) -> Operation:
     return go
 
 
-def _write_jog(environment: Environment, row: Row) -> Operation:
-    def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
-        counts = scale_of(environment, axis).to_counts(value, row.unit)
-        environment.controller.jog(axis, counts, row.name, line)
-        environment.jogs[axis] = value
-
-    return write
-
-
-def _read_jog(environment: Environment, row: Row) -> Operation:
-    def read(axis: int) -> float:
-        scale_of(environment, axis)
-        return float(environment.jogs.get(axis, 0.0))
-
-    return read
-
-
 def _each_axis(environment: Environment, act: Callable[[int], None]) -> Operation:
     def do(axes: tuple[int, ...], line: int) -> None:
         for axis in axes:

@@ -30,11 +30,13 @@ def _rows() -> list[Keyword]:
         comms,
         constants,
         control,
+        drives,
         feedrate,
         following,
         functions,
         homing,
         io,
+        jogging,
         kept,
         language,
         latches,
@@ -58,6 +60,7 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
+        jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, pending, relays, steppers,
         io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,

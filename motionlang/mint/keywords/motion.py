@@ -20,8 +20,9 @@ ROWS = (
             "Start all moves in the buffers of the axes, together.",
             "MOVER(0, 1) = 10, 20\nGO(0, 1)\nPAUSE IDLE(0) And IDLE(1)\nPRINT POS(1)",
             source=_AN117, trust="manual", group="motion"),
-    Keyword("JOG", "", "setting", "RW", "axis", "uu/s", "jog",
-            "Run at a constant speed, its sign the direction, until stopped or told another speed.",
+    Keyword("JOG", "", "setting", "RW", "axis", "uu/s", "jogging.velocity",
+            "Run at a constant speed, its sign the direction, until stopped or told another speed; 0 brings the axis "
+            "to rest and ends it.",
             "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)",
             default=0.0, low=-8388607.0, high=8388607.0, source="Mint type library", trust="memory",
             group="motion"),
