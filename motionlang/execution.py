@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 
+from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.source import Source
@@ -25,28 +26,16 @@ if TYPE_CHECKING:
 ONE_SHIFT = 8 * 3600.0
 # New objects between two looks of the garbage collector.
 GARBAGE = 200_000
+# So many lines are named of each word.
+MOST_LINES = 5
 # What follows a program's name, without its suffix, in the name of the machine file beside it.
 MACHINE_SUFFIX = ".machine.toml"
-
-_PACKAGES = {"mint": "motionlang.mint", "mccl": "motionlang.mccl"}
-
-
-def dialects() -> tuple[str, ...]:
-    """The names of the dialects."""
-    return tuple(_PACKAGES)
-
-
-def dialect(name: str) -> Dialect:
-    """A dialect by its name; KeyError where there is none."""
-    __import__(_PACKAGES[name])
-    found: Dialect = sys.modules[_PACKAGES[name]].DIALECT
-    return found
 
 
 def dialect_of(file: str) -> Dialect | None:
     """The dialect that owns a file's suffix, None where no dialect does."""
     suffix = os.path.splitext(file)[1].lower()
-    for name in _PACKAGES:
+    for name in dialects():
         if suffix in dialect(name).suffixes:
             return dialect(name)
     return None
@@ -138,6 +127,7 @@ def run(
         if begun is not None:
             begun(result.machine)
         size = compiled.size
+        result.diagnostics += compiled.warnings
         _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
         if result.machine.has_motors:
@@ -145,9 +135,8 @@ def run(
 
             result.not_counted += notes(result.controller)
         result.not_counted += result.machine.notes
-        if result.machine.without_effect:
-            words = ", ".join(result.machine.without_effect)
-            result.not_counted.append(f"settings that have no effect here: {words}")
+        _tell_words(result, "words that have no effect here", result.machine.without_effect)
+        _tell_words(result, "values that nobody knows, 0 or empty here", result.machine.assumed)
         if result.machine.nv is not None:
             _save_kept(result)
         if compiled.size > size:
@@ -155,6 +144,22 @@ def run(
     result.machine.terminal.close()
     result.time = result.machine.clock.now
     return result
+
+
+def _tell_words(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
+    """Name words of the program that count for less than they say, with the lines where it came to them."""
+    if words:
+        named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
+        result.not_counted.append(f"{what}: {named}")
+
+
+def _in_lines(lines: list[int]) -> str:
+    if not lines:
+        return ""
+    shown = [str(line) for line in sorted(lines)[:MOST_LINES]]
+    if len(lines) > MOST_LINES:
+        shown.append("…")
+    return f" (line{'s' if len(lines) > 1 else ''} {', '.join(shown)})"
 
 
 def _open_kept(result: Run, path: str) -> bool:

@@ -6,6 +6,8 @@ called, so that a cached program starts without a parser.
 
 from __future__ import annotations
 
+import sys
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -16,6 +18,22 @@ if TYPE_CHECKING:
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.source import Source
+
+
+# Where each dialect lives: found by its name when somebody wants it, as nothing below it may import it.
+PACKAGES = {"mint": "motionlang.mint", "mccl": "motionlang.mccl"}
+
+
+def dialects() -> tuple[str, ...]:
+    """The names of the dialects."""
+    return tuple(PACKAGES)
+
+
+def dialect(name: str) -> Dialect:
+    """A dialect by its name; KeyError where there is none."""
+    __import__(PACKAGES[name])
+    found: Dialect = sys.modules[PACKAGES[name]].DIALECT
+    return found
 
 
 class Dialect:
@@ -32,6 +50,10 @@ class Dialect:
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         """Every mistake and every warning, nothing run; `settings` are those of the machine file."""
         raise NotImplementedError
+
+    def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
+        """What is wrong with a key of the dialect's own section of the machine file, and a hint; None for nothing."""
+        return None
 
     def load(self, payload: bytes) -> Program:
         """The program that `Program.payload` was made of."""

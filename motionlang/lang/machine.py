@@ -35,6 +35,7 @@ class Machine:
         "_operator",
         "_power_up",
         "_world",
+        "assumed",
         "clock",
         "diagnostics",
         "instruction_time",
@@ -71,8 +72,10 @@ class Machine:
         self.terminal = Terminal(show)
         # What `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
-        # The settings that the program wrote and that change nothing here, in the order of their writing.
-        self.without_effect: dict[str, None] = {}
+        # The words that the program came to and that change nothing here, in their order, with their lines.
+        self.without_effect: dict[str, list[int]] = {}
+        # Those that it read and whose value nobody knows, likewise.
+        self.assumed: dict[str, list[int]] = {}
         # What this run could not know of other devices, in the order in which the program met it.
         self.notes: dict[str, None] = {}
         # Who can tell what the program has written into other devices, as rows of the report.
@@ -199,4 +202,4 @@ def _world(controller: Controller, settings: Mapping[str, object]) -> World | No
 
 def _is_plain(settings: Mapping[str, object]) -> bool:
     """Whether the settings speak of the controller alone."""
-    return all(key.startswith("controller.") for key in settings)
+    return all(key.startswith(("controller.", "mint.")) for key in settings)

@@ -8,6 +8,7 @@ diagnostic with its line.
 from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.lang.dialect import dialect
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,9 +34,16 @@ KEYS: dict[str, tuple[str, str]] = {
         "number",
         "Where the machine stands at power-up, measured from its own zero, in user units.",
     ),
+    "mint.readings.WORD": (
+        "reading",
+        "What a word of Mint reads whose value this program cannot know, such as DRIVEBUSVOLTS = 325, or "
+        '{ "0" = 325, "1" = 326 } by what stands in its brackets.',
+    ),
 }
 # The sections of a simulated motor and its loop; their keys are in `controller.servo.settings`.
 SERVO = ("axis.N.plant.", "axis.N.servo.")
+# The section of a dialect, whose words are the dialect's business.
+_OF_DIALECTS = ("mint.readings.",)
 # Tables of things that happen: table -> key -> (kind, help).
 _WHEN = {
     "at": ("time", "The machine time at which it happens, in seconds."),
@@ -221,6 +229,8 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         problem = f"must be 1 to {MAX_AXES}"
     if problem is None and key == "controller.instruction_time" and not 1e-9 <= value <= 1.0:  # type: ignore[operator]
         problem = "must be 1e-9 to 1 second"
+    if problem is None and key.startswith(_OF_DIALECTS):
+        return dialect(key.partition(".")[0]).setting_problem(key, value)
     return None if problem is None else (f"{key} {problem}, not {value!r}", row[1])
 
 
@@ -326,6 +336,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
         "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
+        "reading": (finite or isinstance(value, (bool, str)), "must be a number, a text, true or false"),
         "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
         "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
         "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
@@ -362,6 +373,8 @@ def _generic(key: str) -> str:
     parts = key.split(".")
     if parts[0] == "axis" and len(parts) > 2 and parts[1].isdigit():
         parts[1] = "N"
+    if parts[:2] == ["mint", "readings"] and len(parts) > 2:
+        parts[2:] = ["WORD"]
     return ".".join(parts)
 
 
@@ -375,7 +388,6 @@ def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str
 
 def _located(source: Source, key: str, message: str, hint: str, name: str) -> Diagnostic:
     """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it."""
-    section, _, last = key.rpartition(".")
     here = ""
     for number, line in enumerate(source.text.split("\n"), 1):
         text = line.strip()
@@ -383,8 +395,10 @@ def _located(source: Source, key: str, message: str, hint: str, name: str) -> Di
             here = text.strip("[] ")
             if text.replace(" ", "") == name:
                 return Diagnostic("machine-file", message, number, 1, length=len(text), hint=hint)
-        word = text.split("=")[0].strip()
-        if (word == key and not here) or (here == section and word == last) or (here == key and word == name):
+        word = text.split("=")[0].strip(' "')
+        full = f"{here}.{word}" if here else word
+        within = "{" in text and key.startswith(f"{full}.")  # a table in one line
+        if full == key or within or (here == key and word == name):
             column = len(line) - len(line.lstrip()) + 1
             return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
     return Diagnostic("machine-file", message, hint=hint)

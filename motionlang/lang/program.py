@@ -4,6 +4,9 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.errors import Diagnostic
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Task
 
@@ -17,6 +20,11 @@ class Program:
     def size(self) -> int:
         """How much of it is compiled, where that grows as it runs."""
         return 0
+
+    @property
+    def warnings(self) -> Sequence[Diagnostic]:
+        """What a run of it must be told beforehand."""
+        return ()
 
     def start(self, machine: Machine) -> Task:
         """The parent task of the program, bound to `machine`, not yet run."""

@@ -24,12 +24,25 @@ _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
 }
 
 
+class NotSimulated(Exception):
+    """A statement has come to what this program knows and does not simulate; no handler of the language's hears of it.
+
+    `at` is the place of the word in the program, -1 where only that of the statement is known.
+    """
+
+    def __init__(self, message: str, hint: str = "", at: int = -1) -> None:
+        self.message, self.hint, self.at = message, hint, at
+        super().__init__(message)
+
+
 def explain(dialect: Dialect, source: Source, task: Task | None, error: Exception) -> Diagnostic | None:
     """The diagnostic for an error that came out of a run; None when the error is our own mistake."""
     if isinstance(error, ProgramError):
         return error.diagnostics[0]
     if isinstance(error, Refusal):
         code, message, hint = error.code, error.message, error.hint
+    elif isinstance(error, NotSimulated):
+        code, message, hint = "not-simulated", error.message, error.hint
     elif type(error) in _ARITHMETIC:
         code, message, hint = _ARITHMETIC[type(error)]
     else:
@@ -43,6 +56,8 @@ def _where(dialect: Dialect, source: Source, task: Task | None, error: Exception
         text = source.line(error.line)
         indent = len(text) - len(text.lstrip())
         return error.line, indent + 1, max(1, len(text.strip()))
+    if isinstance(error, NotSimulated) and error.at >= 0:
+        return dialect.locate(source, error.at)
     if task is None:
         return 0, 0, 1
     return dialect.locate(source, task.at_error(error))

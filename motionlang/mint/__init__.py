@@ -33,6 +33,11 @@ class Mint(Dialect):
 
         return check(source, settings)
 
+    def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
+        from motionlang.mint.told import problem
+
+        return problem(key, value)
+
     def load(self, payload: bytes) -> Program:
         from motionlang.mint.runtime import load
 

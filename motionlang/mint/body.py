@@ -60,12 +60,22 @@ class Whole:
         "specs",
         "suffix",
         "table",
+        "told",
         "typed",
     )
 
-    def __init__(self, table: Table, problems: Problems, names: Names, axes: range, suffix: str) -> None:
+    def __init__(
+        self,
+        table: Table,
+        problems: Problems,
+        names: Names,
+        axes: range,
+        suffix: str,
+        told: frozenset[str] = frozenset(),
+    ) -> None:
         self.table, self.problems, self.names, self.axes = table, problems, names, axes
         self.typed, self.suffix = names.typed, suffix
+        self.told = told  # words whose values the machine file says
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}

@@ -23,6 +23,7 @@ from motionlang.mint.parser import parse
 from motionlang.mint.problems import Problems
 from motionlang.mint.runtime import MintProgram
 from motionlang.mint.statements import block, leave
+from motionlang.mint.told import words
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ def _declared(
     """What the functions of a module share, its names declared."""
     names = Names(table(), problems, scope)
     names.declare_module(module)
-    return Whole(table(), problems, names, range(_number_of_axes(settings)), suffix)
+    return Whole(table(), problems, names, range(_number_of_axes(settings)), suffix, words(settings or {}))
 
 
 def _number_of_axes(settings: dict[str, object] | None) -> int:
@@ -143,7 +144,7 @@ def compile_source(
     finally:
         if collecting:
             gc.enable()
-    program = MintProgram(compiled.code, source.name, source.text, settings)
+    program = MintProgram(compiled.code, source.name, source.text, settings, compiled.problems.of_the_run())
     return program, list(compiled.problems.found.values())
 
 

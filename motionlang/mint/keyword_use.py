@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import isnan
 
-from motionlang.mint import nodes, ranges
+from motionlang.mint import known_use, nodes, ranges
 from motionlang.mint.body import Value
 from motionlang.mint.expressions import as_float, as_integer, condition, literal, number, value
 from motionlang.mint.fold import constant
@@ -32,31 +32,11 @@ def type_of(unit: str) -> str:
     return INTEGER if unit in WHOLE else STRING if unit == "text" else FLOAT
 
 
-def known(b: Body, node: nodes.Node, row: Keyword) -> bool:
-    """Whether the keyword is simulated, or at least kept; if not, say so."""
-    if row.simulated:
-        return True
-    if row.verb:
-        message = f"{row.name} is kept but has no effect"
-        if all(message != each.message for each in b.whole.problems.found.values()):
-            b.warn("not-simulated", message, node, f"{row.name}: {row.help}")
-        return True
-    b.problem(
-        "not-simulated",
-        f"{row.name} is a word of Mint that is not simulated",
-        node,
-        f"{row.name}: {row.help}",
-    )
-    return False
-
-
 # -------------------------------------------------------------------------------------------------- reading
 
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """The value of a keyword, a function or a constant."""
-    if not known(b, node, row):
-        return _NOTHING
     if row.kind == "constant":
         if node.args is not None:
             b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)
@@ -70,11 +50,13 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         what = "is a command and has no value" if row.access == "C" else "can be written but not read"
         b.problem("write-only", f"{row.name} {what}", node)
         return _NOTHING
+    known_use.warn(b, node, row)
     b.observes = True
     if _default_axes(b, node, row):
         arguments = [f"{b.whole.use('env', 'default_axes')}()[0]"]
     else:
         arguments = indices(b, node, row, single=True)
+    arguments += known_use.place(b, node, row)
     if row.unit == "text":
         return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", STRING, ranges.ANY)
     kind = type_of(row.unit)
@@ -147,6 +129,8 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     """The texts of what stands in a keyword's brackets: its axes, channels, or nothing."""
     args = node.args
     kind = row.index
+    if known_use.is_loose(row):
+        return known_use.indices(b, node)
     if args and len(args) == 1 and kind in _ONE:
         arg = args[0]
         text = b.whole.axis_texts.get(arg.value) if arg.__class__ is nodes.Number else None
@@ -219,13 +203,12 @@ def _many(count: int, what: str) -> str:
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """`KEYWORD(axes) = values`."""
-    if not known(b, target, row):
-        return
-    if "W" not in row.access:
+    if not known_use.can_be_given(row):
         b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row))
         for each in node.values:
             value(b, each)
         return
+    known_use.warn(b, target, row, by=node)
     if row.verb == "wait":
         if target.args or node.repeat:
             b.problem("values", "WAIT = ms names no axis and one time", target, "WAIT = 100 waits for 100 ms")
@@ -291,6 +274,8 @@ def _why_not(row: Keyword) -> str:
 def _instead(row: Keyword) -> str:
     if row.access == "C" and row.kind == "command":
         return f"write {row.name}(0) without ="
+    if row.group == "v4":
+        return "a variable of this name must be declared with Dim"
     return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(
         row.name, ""
     )
@@ -340,8 +325,9 @@ def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: st
     if row.kind == "move":
         load(b, row, [*where, text, str(b.whole.line(node.at))])
         return
-    line = [str(b.whole.line(node.at))] if row.group == "motion" else []
-    _operate(b, "write", row, [*where, text, *line])
+    row = known_use.written(row)
+    line = [str(b.whole.line(node.at))] if row.group == "motion" else known_use.place(b, node.target, row)
+    _operate(b, "write" if "W" in row.access else "do", row, [*where, text, *line])
 
 
 def load(b: Body, row: Keyword, arguments: list[str]) -> None:
@@ -363,8 +349,6 @@ def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
 def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     """A keyword that stands alone: `GO(0, 1)`, `WAIT(100)`."""
     target = node.target
-    if not known(b, target, row):
-        return
     if row.verb == "wait":
         wait(b, target, target.args or [])
         return
@@ -376,6 +360,7 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     if row.access != "C" or row.kind == "statement":
         _not_a_command(b, target, row)
         return
+    known_use.warn(b, target, row, by=node)
     if _default_axes(b, target, row):
         default = f"{b.whole.use('env', 'default_axes')}()"
         where = [default if row.index == "axes" else f"{default}[0]"]
@@ -384,7 +369,9 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         if row.index == "axes":
             where = [f"({', '.join(where)},)"]
     _settle_for(b, row)
-    if row.index in ("axes", "axis") or row.group == "motion":
+    if not row.simulated:
+        where += known_use.place(b, target, row)
+    elif row.index in ("axes", "axis") or row.group == "motion":
         where.append(str(b.whole.line(node.at)))
     _operate(b, "do", row, where)
     b.pending += 1

@@ -39,23 +39,16 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
     except ProgramError as error:
         from motionlang.mint.mistakes import with_other_lines
 
-        return [_known(each) for each in with_other_lines(source, settings, error).diagnostics]
+        return with_other_lines(source, settings, error).diagnostics
     try:
         found = list(compile_module(module, dict(settings)).problems.found.values())
     except ProgramError as error:
-        found = [_known(each) for each in error.diagnostics]
+        found = list(error.diagnostics)
     if not any(each.severity == "error" for each in found):
         found += lint(module, settings)
     found += _foreign(module, source, str(settings.get("controller.model", "")))
     found = silence(source, found, COMMENT)
     return sorted(found, key=lambda each: (each.line, each.column, each.code))
-
-
-def _known(diagnostic: Diagnostic) -> Diagnostic:
-    """A word that this program does not simulate is no mistake of the program's."""
-    if diagnostic.code == "not-simulated":
-        diagnostic.severity = "warning"
-    return diagnostic
 
 
 def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:

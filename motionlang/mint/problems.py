@@ -20,6 +20,8 @@ class Problems:
     def __init__(self, module: Module) -> None:
         self._module = module
         self.found: dict[tuple[str, int], Diagnostic] = {}
+        # Warnings of words at which a run ends, by their keys in `found`: a run tells them beforehand.
+        self.ends: set[tuple[str, int]] = set()
         self._wrong = False  # is there an error? Warnings, however many, never hide the first one
 
     def add(self, code: str, message: str, at: int, hint: str = "", severity: str = "error") -> None:
@@ -38,6 +40,10 @@ class Problems:
             return
         near = nearest(word, words)
         self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)
+
+    def of_the_run(self) -> list[Diagnostic]:
+        """The warnings that a run tells, too: where it may end before the program does."""
+        return [each for key, each in self.found.items() if key in self.ends]
 
     def is_pattern(self, at: int) -> bool:
         """Whether the number at a place is written in hexadecimal or binary."""

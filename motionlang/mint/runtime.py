@@ -8,9 +8,10 @@ from motionlang.mint.environment import Environment, MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
     from typing import Any
 
+    from motionlang.errors import Diagnostic
     from motionlang.lang.machine import Machine
     from motionlang.lang.task import Task
     from motionlang.mint.code import Code
@@ -19,21 +20,43 @@ if TYPE_CHECKING:
 class MintProgram(Program):
     """The source stays with the program: `--set` changes constants, which are written into the code."""
 
-    __slots__ = ("code", "name", "settings", "text")
+    __slots__ = ("_warnings", "code", "name", "settings", "text")
 
-    def __init__(self, code: Code, name: str, text: str, settings: Mapping[str, object] | None) -> None:
+    def __init__(
+        self,
+        code: Code,
+        name: str,
+        text: str,
+        settings: Mapping[str, object] | None,
+        warnings: Sequence[Diagnostic] = (),
+    ) -> None:
         self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
+        self._warnings = [(each.code, each.message, each.line, each.column, each.length, each.hint)
+                          for each in warnings]  # fmt: skip
 
     @property
     def size(self) -> int:
         """How much of it is compiled; it grows as it runs."""
         return self.code.size
 
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """Where the run may end before the program does: at words that are not simulated."""
+        if not self._warnings:
+            return []
+        return [_warning(*each) for each in self._warnings]
+
     def payload(self) -> bytes:
         """The program as bytes, for `load`."""
         from marshal import dumps
 
-        everything: Any = (self.code.payload(), self.name, self.text, self.settings)
+        everything: Any = (
+            self.code.payload(),
+            self.name,
+            self.text,
+            self.settings,
+            self._warnings,
+        )
         return dumps(everything)
 
     def start(self, machine: Machine) -> Task:
@@ -66,5 +89,13 @@ def load(payload: bytes) -> MintProgram:
     """The program that `MintProgram.payload` was made of."""
     from marshal import loads
 
-    code, name, text, settings = loads(payload)
-    return MintProgram(loaded(code), name, text, settings)
+    code, name, text, settings, warnings = loads(payload)
+    program = MintProgram(loaded(code), name, text, settings)
+    program._warnings = warnings
+    return program
+
+
+def _warning(code: str, message: str, line: int, column: int, length: int, hint: str) -> Diagnostic:
+    from motionlang.errors import Diagnostic
+
+    return Diagnostic(code, message, line, column, length=length, hint=hint, severity="warning")

@@ -35,6 +35,7 @@ def _rows() -> list[Keyword]:
         following,
         functions,
         homing,
+        identity,
         io,
         jogging,
         kept,
@@ -45,6 +46,7 @@ def _rows() -> list[Keyword]:
         modbus,
         motion,
         network,
+        older,
         paths,
         pending,
         profiles,
@@ -64,7 +66,7 @@ def _rows() -> list[Keyword]:
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, pending, relays, steppers,
         io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,
-        constants, language,
+        identity, older, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
@@ -91,16 +93,17 @@ _UNITS = {
 
 def _not_simulated() -> Iterator[Keyword]:
     """The rest of the type library: recognised and explained, not simulated."""
-    from motionlang.mint.keywords import commands, kept, library_a_i, library_j_z
+    from motionlang.mint.keywords import commands, kept, known, library_a_i, library_j_z
 
     source = "Mint ActiveX type library, build 5626"
     for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines():
         name, short, index, kind, access, meaning = line.split("|")
         sense = "reading" if access == "R" else "setting"
-        verb, group = (kept.VERB, "kept") if name in kept.WORDS else ("", "known")
+        verb, group = (kept.VERB, "kept") if name in kept.WORDS else (known.verb(name), "known")
         yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source,
                       trust="code", group=group, simulated=False)  # fmt: skip
-    for line in commands.WORDS.splitlines():
-        name, short, index, meaning = line.split("|")
-        yield Keyword(name, short, "command", "C", index, "", "", meaning, source=source, trust="code",
-                      group="known", simulated=False)  # fmt: skip
+    for text, origin, trust in ((commands.WORDS, source, "code"), (known.COMMANDS, "Mint v4", "memory")):
+        for line in text.splitlines():
+            name, short, index, meaning = line.split("|")
+            yield Keyword(name, short, "command", "C", index, "", known.verb(name), meaning, source=origin,
+                          trust=trust, group="known", simulated=False)  # fmt: skip

@@ -30,8 +30,10 @@ ROWS = (
     _reading("AXISMODE", "amd", "bits", "sensing.axis_mode",
              "Kind of motion: 0 idle, 1 a move, 2 JOG, 4 HOME, 8 a path, 16 FOLLOW, 32 CAM, 64 FLY, 128 SPLINE, "
              "256 OFFSET, 512 another one; 1024 is added while the axis is suspended."),
-    _reading("POSDEMAND", "", "uu", "demand",
-             "The position that the profiler demands: POS, where no motor is simulated."),
+    Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu", "demand",
+            "The position that the profiler demands: POS, where no motor is simulated. Writing it, which makes the "
+            "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), source=_LIBRARY, trust="memory",
+            group="state"),
     _reading("VELDEMAND", "", "uu/s", "demand_velocity", "The velocity that the profiler demands."),
     _reading("ACCELDEMAND", "", "uu/s2", "sensing.acceleration", "The acceleration that the profiler demands."),
     _reading("POSTARGET", "", "uu", "sensing.target", "Where the move that is executing ends."),

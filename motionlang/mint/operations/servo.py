@@ -38,7 +38,7 @@ class Loops:
 def _tell(environment: Environment, row: Row, axes: tuple[int, ...]) -> None:
     """Note a word that nothing in this machine goes by."""
     if not any(environment.controller.has_motor(axis) for axis in axes):
-        environment.machine.without_effect.setdefault(row.name)
+        environment.machine.without_effect.setdefault(row.name, [])
 
 
 def read_gain(environment: Environment, row: Row) -> Operation:

@@ -1,0 +1,50 @@
+"""The words that are known and not simulated, sorted by what a program that comes to one of them can be told.
+
+A word of the type library that no list has is a value that nobody knows here: a reading, or drive data. The program may
+write it and read it back; what it reads without having written it, the machine file says, or the run ends there.
+A word that is simulated stands in another group, which takes precedence.
+"""
+
+from __future__ import annotations
+
+VALUE, COMMAND, MOTION, FACTOR = "known.value", "known.command", "known.motion", "known.factor"
+JUMP = "known.jump"
+
+# Commands without an effect on motion, inputs or outputs: the program goes on, and the report names them.
+_COMMANDS = """
+ADCOFFSETTRIM AUTOTUNEABORT BINARY BUSRESET CANBUSRESET CAPTURETRIGGER CLEARERRORLOG CON EDIT NEW NODESCAN PARAMETERSAVE
+PLCDEFAULT PLCTASK POPREDIRECT PRECISIONTABLE PROG REMOTEPDOOUT REMOTERESET SENTINEL SERIALCLEARERROR
+SERIALCLEARRECEIVEBUFFER SERIALCLEARTRANSMITBUFFER TERMINAL VIEW
+"""
+# Words that move an axis, or decide what becomes of the program: the run ends where one is written or carried out, as
+# everything after it would be wrong. A setting of them that is given 0 is switched off, which needs no simulation.
+_MOTION = """
+AUTOHOMEMODE AUTOTUNE CAMBOX CAMBOXDATA CONTROLLERRESET ERRORMASK ERRORMASKCODE EVENTPEND EVENTUNPEND FACTORYDEFAULTS
+HTA JOGAWAY JOGCOMMAND KNIFE MOVECORRECTION MOVEFIDUCIAL MOVERTEST POSREF PRESETMOVEENABLE PRESETMOVEENABLEOLD
+PROCESSORRESET PUSHREDIRECT SERVOC SPEEDREF SPEEDREFENABLE SPEEDTESTREF SYSTEMDEFAULTS TORQUEREF TORQUEREFENABLE
+USERMOTION VELREF
+"""
+# Factors of everything that moves: without an effect as long as they are 1.
+_FACTORS = "ACCELSCALEFACTOR POSSCALEFACTOR TIMESCALE VELSCALEFACTOR"
+
+_VERBS = {
+    word: verb
+    for verb, text in ((COMMAND, _COMMANDS), (MOTION, _MOTION), (FACTOR, _FACTORS))
+    for word in text.split()
+}
+# Words of Mint v4 that no type library lists: NAME|short form|index|meaning.
+COMMANDS = """\
+SERVOC||axis|v4: close the servo loop again where the axis stands
+"""
+# Words that are simulated when they are read, and what writing them would do.
+WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
+
+
+def verb(name: str) -> str:
+    """What a word stands for that is neither simulated nor kept."""
+    return _VERBS.get(name, VALUE)
+
+
+def words() -> frozenset[str]:
+    """Every word that a list has."""
+    return frozenset(_VERBS)

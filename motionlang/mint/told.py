@@ -1,0 +1,89 @@
+"""What the machine file says of words whose value this program cannot know: the section `[mint.readings]`.
+
+[mint.readings]
+DRIVEBUSVOLTS = 325                     # whatever stands in the brackets
+TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by what stands there; "0, 1" where there are two
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.lang.keyword import Keyword
+
+SECTION = "mint.readings."
+# Words that know an answer of their own take one from the machine file all the same.
+ANSWERED = frozenset(("identity",))
+WHOLE = ("integer", "bool", "bits")
+
+
+class Told:
+    """The values, by word and by what stands in its brackets; None for every bracket."""
+
+    def __init__(self, settings: Mapping[str, object]) -> None:
+        self.values: dict[tuple[str, tuple[object, ...] | None], object] = {}
+        for key, value in settings.items():
+            if key.startswith(SECTION):
+                word, _, where = key[len(SECTION) :].partition(".")
+                self.values[word.upper(), _numbers(where) if where else None] = value
+
+    def find(self, word: str, unit: str, where: tuple[object, ...]) -> object | None:
+        """The value of a word as its unit has it, None where the machine file does not say."""
+        if not self.values:
+            return None
+        found = self.values.get((word, where), self.values.get((word, None)))
+        if found is None or unit == "text":
+            return found
+        return int(found) if unit in WHOLE else float(found)  # type: ignore[call-overload,arg-type]
+
+
+def words(settings: Mapping[str, object]) -> frozenset[str]:
+    """The words of which the machine file says anything."""
+    return frozenset(
+        key[len(SECTION) :].partition(".")[0].upper() for key in settings if key.startswith(SECTION)
+    )
+
+
+def _numbers(where: str) -> tuple[object, ...]:
+    return tuple(int(each) if each.strip().isdigit() else each.strip() for each in where.split(","))
+
+
+def problem(key: str, value: object) -> tuple[str, str] | None:
+    """What is wrong with one entry, and a hint; None when nothing is."""
+    from motionlang.errors import nearest
+    from motionlang.mint.keywords import table
+
+    word, _, where = key[len(SECTION) :].partition(".")
+    row = table().get(word)
+    rows = [each for each in table() if can_be_told(each)]
+    if row is None or row.name.upper() != word.upper():
+        near = nearest(word, [each.name for each in rows]) if row is None else row.name
+        hint = f"did you mean {near}?" if near else "motionlang keywords lists the words of Mint"
+        return f"there is no word {word} to be read", hint
+    if row not in rows:
+        return f"{row.name} is no word for the machine file to answer", _why_not(row)
+    return _value_problem(row, where, value)
+
+
+def can_be_told(row: Keyword) -> bool:
+    """Whether a word has a value that the run does not work out by itself."""
+    return "R" in row.access and (not row.simulated or row.group in ANSWERED)
+
+
+def _why_not(row: Keyword) -> str:
+    return "it has no value" if "R" not in row.access else "what it reads comes about in the run"
+
+
+def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] | None:
+    brackets = 0 if row.index == "none" else len(row.index.split(", "))
+    given = len(where.split(",")) if where else brackets
+    if given != brackets:
+        return f"{row.name} has {brackets} in its brackets, not {given}", f"it stands for {row.index}"
+    if row.unit == "text":
+        return None if isinstance(value, str) else (f"{row.name} is a text, not {value!r}", row.help)
+    if isinstance(value, str) or (row.unit in WHOLE and value != int(value)):  # type: ignore[call-overload]
+        what = "a whole number" if row.unit in WHOLE else "a number"
+        return f"{row.name} is {what}, not {value!r}", row.help
+    return None
