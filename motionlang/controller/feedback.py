@@ -223,6 +223,8 @@ class Feedback:
 
     def open(self, volts: float) -> None:
         """Open the loop: the output is so many volts whatever the motor does."""
+        if not self.closed and self.changes and self.changes[-1][1] == volts:
+            return
         self.closed = False
         if volts:
             self._wake()

@@ -95,6 +95,11 @@ class Readings:
         feedback = self.axes[axis].feedback
         return 0.0 if feedback is None else feedback.output
 
+    def motor_current(self, axis: int) -> float:
+        """The current of a simulated motor, A; 0 without one."""
+        feedback = self.axes[axis].feedback
+        return 0.0 if feedback is None else feedback.current
+
     def settled_time(self, axis: int) -> float:
         """When an axis has settled as `settle_within` says, or when to look again; infinite where it never does."""
         feedback = self.axes[axis].feedback

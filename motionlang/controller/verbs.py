@@ -55,6 +55,7 @@ VERBS: dict[str, str] = {
     "demand_velocity": "The demanded velocity of an axis.",
     "following_error": "Demanded position minus actual position.",
     "servo_output": "The output to a simulated motor.",
+    "motor_current": "The current of a simulated motor.",
     "is_open": "Whether a simulated motor runs without its loop.",
     "is_still": "Whether an axis is idle and its simulated motor stands.",
     "has_motor": "Whether an axis has a simulated motor.",

@@ -58,11 +58,12 @@ def _rows() -> list[Keyword]:
         steppers,
         tasks,
         terminal,
+        torque,
         turns,
     )
 
     groups = (
-        jogging, drives,
+        torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, pending, relays, steppers,
         io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,
