@@ -237,23 +237,24 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
 def first_mistake(settings: Mapping[str, object]) -> str:
     """What is wrong with settings that a program gives, and a hint; empty when nothing is."""
     for key, value in settings.items():
-        for message, hint, _ in _problems(key, value):
+        for message, hint, *_ in _problems(key, value):
             return f"{message} ({hint})"
     return ""
 
 
-def _problems(key: str, value: object) -> Iterator[tuple[str, str, str]]:
-    """Message, hint and the name to look for, of each mistake in one key or table."""
+def _problems(key: str, value: object) -> Iterator[tuple[str, str, str, int]]:
+    """Message, hint, the name to look for and in which entry, of each mistake in one key or table."""
     if key not in TABLES:
         problem = check_setting(key, value)
         if problem is not None:
-            yield (*problem, key)
+            yield (*problem, key, 0)
         return
     if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
-        yield f"{key} is a table of entries", f"write [[{key}]] above each", key
+        yield f"{key} is a table of entries", f"write [[{key}]] above each", key, 0
         return
-    for entry in value:
-        yield from _entry_problems(key, entry)
+    for number, entry in enumerate(value):
+        for each in _entry_problems(key, entry):
+            yield (*each, number)
 
 
 def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -386,22 +387,29 @@ def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str
             yield prefix + key, value
 
 
-def _located(source: Source, key: str, message: str, hint: str, name: str) -> Diagnostic:
-    """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it."""
-    here = ""
+def _located(source: Source, key: str, message: str, hint: str, name: str, entry: int = 0) -> Diagnostic:
+    """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it.
+
+    Of a table it is looked for in one entry, whose `[[key]]` stands in where the line is not found.
+    """
+    here, seen = "", -1
+    place = 0, 0, 1
     for number, line in enumerate(source.text.split("\n"), 1):
         text = line.strip()
+        column = len(line) - len(line.lstrip()) + 1
         if text.startswith("["):
-            here = text.strip("[] ")
-            if text.replace(" ", "") == name:
-                return Diagnostic("machine-file", message, number, 1, length=len(text), hint=hint)
+            header = text.partition("#")[0].replace(" ", "")
+            here = header.strip("[]")
+            seen += header == f"[[{key}]]"
+            if (header == f"[[{key}]]" and seen == entry) or (header == name and seen < 0):
+                place = number, column, len(text.partition("#")[0].strip())
+            continue
         word = text.split("=")[0].strip(' "')
         full = f"{here}.{word}" if here else word
         within = "{" in text and key.startswith(f"{full}.")  # a table in one line
-        if full == key or within or (here == key and word == name):
-            column = len(line) - len(line.lstrip()) + 1
+        if full == key or within or (here == key and word == name and seen == entry):
             return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
-    return Diagnostic("machine-file", message, hint=hint)
+    return Diagnostic("machine-file", message, *place[:2], length=place[2], hint=hint)
 
 
 def _toml_mistake(error: Exception) -> Diagnostic:

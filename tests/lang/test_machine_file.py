@@ -84,6 +84,41 @@ def test_a_missing_key_and_a_contradiction() -> None:
     }
 
 
+def test_every_entry_of_a_table_has_its_own_lines() -> None:
+    found = mistakes(
+        """[[input]]  # the door
+channel = 1
+at = 1.0
+
+[[ input ]]
+at = 2.0 # no channel
+[[comms]]
+element = 1
+value = 2
+[[input]]
+  channel = -1
+  at = 3
+[[input]]
+channel = 2
+above = 1
+at = 3
+[[comms]]
+element = 2
+"""
+    )
+    assert [(line, column, message.split(",")[0]) for line, column, message, _ in found] == [
+        (5, 1, "[[input]] needs channel"),
+        (11, 3, "channel of [[input]] must be a whole number from 0 to 999"),
+        (15, 1, "[[input]] is active in one way only"),
+        (15, 1, "[[input]] needs the axis whose position decides"),
+        (17, 1, "[[comms]] needs a value or a text"),
+    ]
+
+
+def test_entries_written_as_a_list_have_the_line_of_the_list() -> None:
+    assert [line for line, *_ in mistakes("\ninput = [{ channel = 1, at = 1 }, { at = 2 }]\n")] == [2]
+
+
 def test_what_the_host_writes_is_checked_too() -> None:
     found = mistakes("[[comms]]\nelement = 100\nvalue = 1\n[[netdata]]\nelement = 7\nas = 'word'\n")
     assert [(line, message) for line, _, message, _ in found] == [
