@@ -73,6 +73,11 @@ class Run:
         return self.machine.terminal.lines
 
     @property
+    def terminals(self) -> dict[str, list[str]]:
+        """Every line that the program printed elsewhere, by "terminal 2", "serial 1"."""
+        return {label: terminal.lines for label, terminal in self.machine.terminals.items() if terminal.lines}
+
+    @property
     def trace(self) -> Trace:
         """The motion, to be sampled at any rate."""
         return self.controller.trace
@@ -141,7 +146,7 @@ def run(
             _save_kept(result)
         if compiled.size > size:
             _keep(compiled, name)
-    result.machine.terminal.close()
+    result.machine.close_terminals()
     result.time = result.machine.clock.now
     return result
 

@@ -147,6 +147,8 @@ def _tail(run: Run) -> Row:
         "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
         "not_counted": list(run.not_counted),
     }
+    if run.terminals:
+        tail["terminals"] = [{"name": name, "output": lines} for name, lines in sorted(run.terminals.items())]
     written = [row for rows in run.machine.written for row in rows()]
     if written:
         tail["written"] = written

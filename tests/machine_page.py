@@ -28,6 +28,7 @@ SENTENCES = {
     "What the axis then does is the program's choice (`FOLERRORMODE`, `ERRORINPUTMODE`, `LIMITMODE`).",
     "key": "Keys that the operator presses.",
     "answer": "Lines that the operator types, one for each `INPUT`.",
+    "serial": "What comes in at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
     "comms": "What the host writes into the comms array of a Mint controller; it raises the events of the elements.",
     "netdata": "The same for NetData.",
 }

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from motionlang.lang.scheduler import Scheduler
 
 DEFAULT_AXES = 8
+# The number of the terminal that is the console.
+CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
 
 
@@ -32,7 +34,7 @@ class Machine:
         "_controller",
         "_first_axis",
         "_host",
-        "_operator",
+        "_operators",
         "_power_up",
         "_world",
         "assumed",
@@ -46,6 +48,7 @@ class Machine:
         "scheduler",
         "settings",
         "terminal",
+        "terminals",
         "without_effect",
         "written",
     )
@@ -68,8 +71,10 @@ class Machine:
         self._world: World | None = None
         self._power_up: list[Callable[[Controller], None]] = []
         self._host: HostMemory | None = None
-        self._operator: Operator | None = None
+        self._operators: dict[int, Operator] = {}
         self.terminal = Terminal(show)
+        # What went to other terminals and to serial ports, by their labels.
+        self.terminals: dict[str, Terminal] = {}
         # What `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
         # The words that the program came to and that change nothing here, in their order, with their lines.
@@ -179,16 +184,41 @@ class Machine:
     @property
     def has_operator(self) -> bool:
         """Whether the program listens to the keyboard."""
-        return self._operator is not None
+        return CONSOLE in self._operators
 
     @property
     def operator(self) -> Operator:
-        """Whoever presses keys and types, from the first use on."""
-        if self._operator is None:
+        """Whoever presses keys and types at the console, from the first use on."""
+        return self.operator_at(CONSOLE)
+
+    def operator_at(self, number: int) -> Operator:
+        """The same for one of several terminals."""
+        found = self._operators.get(number)
+        if found is None:
             from motionlang.lang.operator import Operator
 
-            self._operator = Operator(self.clock, self.terminal, self.settings)
-        return self._operator
+            found = self._operators[number] = Operator(
+                self.clock, self.terminal_at(number), self.settings, number
+            )
+        return found
+
+    def terminal_at(self, number: int) -> Terminal:
+        """One of several terminals; the console is one of them."""
+        return self.terminal if number == CONSOLE else self.stream(f"terminal {number}")
+
+    def stream(self, label: str) -> Terminal:
+        """What is printed elsewhere than on the console; its lines are shown with their label."""
+        found = self.terminals.get(label)
+        if found is None:
+            from motionlang.lang.terminal import labelled
+
+            found = self.terminals[label] = labelled(label, self.terminal)
+        return found
+
+    def close_terminals(self) -> None:
+        """End the lines that were left open, the console's last."""
+        for terminal in (*self.terminals.values(), self.terminal):
+            terminal.close()
 
 
 def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:

@@ -52,6 +52,7 @@ _WHEN = {
     "below": ("number", "Active up to this position, in user units."),
     "between": ("pair", "Active from the first position to the second, in user units."),
 }
+_TERMINAL = ("terminal", "The terminal at which that is done: 1, 2, 4 and so on up to 128; 1 unless given.")
 _WRITTEN = {
     "value": ("number", "The value: a float in the comms array, in NetData an integer where it is whole."),
     "as": ("view", "integer or float, to have it otherwise."),
@@ -138,6 +139,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "at": _WHEN["at"],
         "text": ("text", "Keys that the operator presses, for INKEY."),
         "for": ("positive", "How long the last one is held, in seconds, for READKEY; 0.1 unless given."),
+        "terminal": _TERMINAL,
     },
     "encoder": {
         "channel": ("channel", "The encoder that something in the world turns, such as a conveyor."),
@@ -147,7 +149,12 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "index_every": ("positive", "The distance between its index marks, in counts; none unless given."),
         "at": _WHEN["at"],
     },
-    "answer": {"text": ("text", "What the operator types at the next INPUT.")},
+    "answer": {"text": ("text", "What the operator types at the next INPUT."), "terminal": _TERMINAL},
+    "serial": {
+        "port": ("channel", "The serial port, 1 unless given."),
+        "text": ("text", "The characters that come in there, for SERIALCHAR."),
+        "at": _WHEN["at"],
+    },
     "comms": {
         "at": _WHEN["at"],
         "element": ("channel", "The element of the comms array that the host writes, 1 to 99."),
@@ -172,10 +179,12 @@ REQUIRED = {
     "key": ("text",),
     "encoder": ("velocity",),
     "answer": ("text",),
+    "serial": ("text",),
     "comms": ("element",),
     "netdata": ("element",),
 }
 VIEWS = ("integer", "float")
+TERMINALS = (1, 2, 4, 8, 16, 32, 64, 128)
 WIDTHS = ("word", "integer", "float")
 NODE_EVENTS = ("live", "dead", "emergency")
 BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-overrun")
@@ -341,6 +350,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
         "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
         "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
+        "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
         "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),
         "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
         "bus event": (value in BUS_EVENTS, f"must be one of {', '.join(BUS_EVENTS)}"),

@@ -27,10 +27,12 @@ _ENTER, _BACK = "\r\n", "\b\x7f"
 class Operator:
     """`keys` that the program has not read yet, `lines` that it has not asked for yet.
 
-    `asking` is set by the program while it waits for a line.
+    `asking` is set by the program while it waits for a line; `number` is that of the terminal.
     """
 
-    def __init__(self, clock: Clock, terminal: Terminal, settings: Mapping[str, object]) -> None:
+    def __init__(
+        self, clock: Clock, terminal: Terminal, settings: Mapping[str, object], number: int = 1
+    ) -> None:
         self._clock, self._terminal = clock, terminal
         self.keys: list[int] = []
         self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
@@ -38,9 +40,11 @@ class Operator:
         self._typed = ""
         self._held, self._until = 0, -1.0
         answers: Sequence[Entry] = settings.get("answer", ())  # type: ignore[assignment]
-        self.lines = [str(each["text"]) for each in answers]
+        self.lines = [str(each["text"]) for each in answers if each.get("terminal", 1) == number]
         presses: Sequence[Entry] = settings.get("key", ())  # type: ignore[assignment]
         for entry in presses:
+            if entry.get("terminal", 1) != number:
+                continue
             time: float = entry.get("at", 0.0)  # type: ignore[assignment]
             held: float = entry.get("for", HELD)  # type: ignore[assignment]
             clock.at(max(time, clock.now), partial(self.press, str(entry["text"]), held))

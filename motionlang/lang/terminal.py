@@ -34,6 +34,11 @@ class Terminal:
         *whole, self._open = (self._open + text).split("\n")
         self.lines.extend(whole)
 
+    def aside(self, text: str) -> None:
+        """Show whole lines that are none of this terminal's own, such as another one's with its label."""
+        if self.show is not None:
+            self.show(f"\n{text}" if self._open else text)
+
     def forget(self) -> None:
         """Drop what was printed: a session has shown it, and each of its commands may print as much as a run."""
         self.lines.clear()
@@ -43,3 +48,18 @@ class Terminal:
         """End a line that was left open."""
         if self._open:
             self.write("\n")
+
+
+def labelled(label: str, console: Terminal) -> Terminal:
+    """Another terminal, whose whole lines are shown among the console's, each after its label."""
+    other = Terminal()
+    begun = ""
+
+    def show(text: str) -> None:
+        nonlocal begun
+        *whole, begun = (begun + text).split("\n")
+        for line in whole:
+            console.aside(f"[{label}] {line}\n")
+
+    other.show = show
+    return other

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.lang.machine import CONSOLE
 from motionlang.lang.task import Wait
 from motionlang.mint.environment import INFINITY
 
@@ -11,9 +12,9 @@ if TYPE_CHECKING:
     from motionlang.mint.environment import Environment
 
 
-def wait_for_answer(environment: Environment, t: float) -> Wait:
+def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE) -> Wait:
     """Wait for the next line; where no `[[answer]]` is left and nobody sits at the terminal, for ever."""
-    operator = environment.machine.operator
+    operator = environment.machine.operator_at(terminal)
     operator.asking = not operator.lines
     return Wait(t, lambda: _answered(operator), lambda: INFINITY, "for the operator to answer INPUT")
 
@@ -24,10 +25,10 @@ def _answered(operator: Operator) -> bool:
     return bool(operator.lines)
 
 
-def take(environment: Environment, as_text: bool) -> float | str:
+def take(environment: Environment, as_text: bool, terminal: int = CONSOLE) -> float | str:
     """The next answer, shown as the operator would have seen it; as a number, what it begins with."""
-    text = environment.machine.operator.lines.pop(0)
-    environment.machine.terminal.write(f"{text}\n")
+    text = environment.machine.operator_at(terminal).lines.pop(0)
+    environment.machine.terminal_at(terminal).write(f"{text}\n")
     if as_text:
         return text
     from motionlang.mint.functions import value

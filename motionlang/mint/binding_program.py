@@ -136,28 +136,3 @@ def _read_error_text(environment: Environment, row: Row) -> Operation:
 
 def _do_error_clear(environment: Environment, row: Row) -> Operation:
     return environment.errors.clear
-
-
-# ------------------------------------------------------------------------------------------------- terminal
-
-
-def _writing(environment: Environment, text: str) -> Operation:
-    write = environment.machine.terminal.write
-    return lambda: write(text)
-
-
-def _do_clear_screen(environment: Environment, row: Row) -> Operation:
-    return _writing(environment, "\x1b[2J\x1b[H")
-
-
-def _do_line_start(environment: Environment, row: Row) -> Operation:
-    return _writing(environment, "\r")
-
-
-def _do_beep(environment: Environment, row: Row) -> Operation:
-    return _writing(environment, "\a")
-
-
-def _do_locate(environment: Environment, row: Row) -> Operation:
-    write = environment.machine.terminal.write
-    return lambda column, row: write(f"\x1b[{max(row, 1)};{max(column, 1)}H")

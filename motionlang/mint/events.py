@@ -23,7 +23,7 @@ KINDS = (
     "terminalreceive", "serialreceive", "busmessage", "modbus", "knife", "reset",
 )  # fmt: skip
 # Kinds that only EVENTPEND raises here: nothing of the simulated machine is their source.
-SOURCELESS = frozenset(("dpr", "serialreceive", "busmessage", "modbus", "knife", "reset"))
+SOURCELESS = frozenset(("dpr", "busmessage", "modbus", "knife", "reset"))
 # The part of the environment that raises the events of a kind, made for programs that handle them.
 SOURCES = {
     "in": ("inputs", "Inputs"),
@@ -34,6 +34,7 @@ SOURCES = {
     "fastin": ("latches", "FastLatches"),
     "stop": ("switches", "Switches"),
     "terminalreceive": ("pending", "Keys"),
+    "serialreceive": ("serial", "Ports"),
 }
 # What a kind is called too: COMMSX in the manuals, and CAN by v4.
 _OTHER_NAMES = {"commsx": "comms", "can": "bus"}

@@ -49,6 +49,8 @@ class Names:
         self.module = self.main.scope
         # Whether AXES says which axes a keyword without brackets means.
         self.uses_axes = self.typed
+        # Whether TERMINAL says where a PRINT without a number prints.
+        self.uses_terminal = self.typed
         self._surveys: dict[Function, Survey] = {}
         # Names in Python, with the number of the last one that was made of each.
         self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
@@ -335,6 +337,7 @@ class Names:
             if row is not None and row.kind not in ("function", "constant"):
                 function.observes = True
                 self.uses_axes = self.uses_axes or row.name == "AXES"
+                self.uses_terminal = self.uses_terminal or row.name == "TERMINAL"
             return
         if symbol.kind in ("variable", "parameter"):
             symbol.uses += 1

@@ -14,13 +14,31 @@ if TYPE_CHECKING:
 
 def print_(b: Body, node: nodes.Print) -> None:
     """`PRINT items`."""
+    where = _terminal(b, node.terminal)
     texts = [_shown(b, item) for item in node.items]
-    if node.terminal is not None:
-        number(b, node.terminal, "the number of a terminal")
     if not node.items or not node.items[-1].separator:
         texts.append("'\\n'")
     b.observes = True
-    b.act(f"P({' + '.join(_joined(texts))})")
+    b.act(_printed(b, " + ".join(_joined(texts)), where))
+
+
+def _terminal(b: Body, node: nodes.Expr | None) -> str:
+    """The text of the number after a `#`, nothing where there is none."""
+    if node is None:
+        return ""
+    return converted(b, number(b, node, "the number of a terminal"), Type(INTEGER), node)
+
+
+def _use(b: Body, verb: str) -> str:
+    """An operation on terminals that no keyword stands for."""
+    return b.whole.use("read", f"terminal.{verb}", "PRINT", "", "none", None, None)
+
+
+def _printed(b: Body, text: str, where: str = "") -> str:
+    """What prints a text; where nothing speaks of terminals it is the console alone that prints."""
+    if not where and not b.whole.names.uses_terminal:
+        return f"P({text})"
+    return f"{_use(b, 'printer')}({', '.join(filter(None, (text, where)))})"
 
 
 def _joined(texts: list[str]) -> list[str]:
@@ -71,7 +89,7 @@ def line(b: Body, node: nodes.Call) -> None:
     texts = [_shown(b, nodes.PrintItem(each.at, each, [], "")) for each in args[1:]]
     b.observes = True
     start = f"{b.whole.use('env', 'row')}({row})"
-    b.act(f"P({' + '.join([start, *_joined(texts)])})")
+    b.act(_printed(b, " + ".join([start, *_joined(texts)])))
 
 
 def input_(b: Body, node: nodes.Input) -> None:
@@ -87,15 +105,18 @@ def input_(b: Body, node: nodes.Input) -> None:
             return
         if not (symbol.is_array or symbol.boxed or symbol.by_ref):
             b.use_outside(symbol)
-    if node.terminal is not None:
-        number(b, node.terminal, "the number of a terminal")
+    where = _terminal(b, node.terminal)
     b.observes = True
     b.flush()
     b.settle()
+    ask, typed, arguments = b.whole.use("env", "input"), b.whole.use("env", "typed"), ""
+    if where or b.whole.names.uses_terminal:
+        one = b.temp()
+        b.emit(f"{one} = {_use(b, 'place')}({where or -1})")
+        ask, typed, arguments, where = _use(b, "question"), _use(b, "answer"), f", {one}", one
     if node.prompt is not None:
-        b.emit(f"P({value(b, node.prompt).text})")
-    b.wait(f"{b.whole.use('env', 'input')}(t)")
-    typed = f"{b.whole.use('env', 'typed')}({kind.name == STRING})"
-    found = Value(typed, STRING if kind.name == STRING else FLOAT)
+        b.emit(_printed(b, value(b, node.prompt).text, where))
+    b.wait(f"{ask}(t{arguments})")
+    found = Value(f"{typed}({kind.name == STRING}{arguments})", STRING if kind.name == STRING else FLOAT)
     b.emit(f"{text} = {converted(b, found, kind, node)}")
     b.pending += 1

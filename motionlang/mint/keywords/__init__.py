@@ -53,6 +53,7 @@ def _rows() -> list[Keyword]:
         relays,
         remote,
         sensing,
+        serial,
         servo,
         state,
         steppers,
@@ -66,8 +67,8 @@ def _rows() -> list[Keyword]:
         torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, pending, relays, steppers,
-        io, comms, modbus, remote, network, limits, homing, latches, sensing, servo, functions, memory, turns, kept,
-        identity, older, constants, language,
+        io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
+        kept, identity, older, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}

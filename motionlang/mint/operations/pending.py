@@ -8,6 +8,7 @@ locations or buses.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.lang.machine import CONSOLE
 from motionlang.mint.events import KINDS, SINGLE
 from motionlang.mint.operations.inputs import BANK
 
@@ -29,7 +30,10 @@ class Keys:
 
     def __init__(self, environment: Environment) -> None:
         events = environment.events
-        environment.machine.operator.listeners.append(lambda: events.raise_("terminalreceive"))
+        machine = environment.machine
+        terminals = {entry.get("terminal", CONSOLE) for entry in machine.settings.get("key", ())}  # type: ignore[attr-defined]
+        for number in sorted({CONSOLE, *terminals}):
+            machine.operator_at(number).listeners.append(lambda: events.raise_("terminalreceive"))
 
 
 def _kind(row: Row, type_: int) -> str:
