@@ -5,6 +5,18 @@ from __future__ import annotations
 import os
 
 
+def _utf16(data: bytes) -> str:
+    """The name of the UTF-16 that bytes are in, "" for none: it has a mark, or every other byte is NUL, mostly."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16-le" if data[0] == 0xFF else "utf-16-be"
+    if b"\0" not in data or len(data) % 2:
+        return ""
+    even, odd = data[::2].count(0), data[1::2].count(0)
+    if min(even, odd) or max(even, odd) < len(data) / 4:
+        return ""
+    return "utf-16-le" if odd else "utf-16-be"
+
+
 class Source:
     """`name` for messages and `text` with `\\n` line ends; nothing else of the file is kept."""
 
@@ -17,12 +29,13 @@ class Source:
 
     @classmethod
     def from_bytes(cls, name: str, data: bytes) -> Source:
-        """Decode as UTF-8, with or without a mark, else as Latin-1, which any bytes are."""
+        """Decode as UTF-8, or as UTF-16 where the bytes look like it, else as Latin-1, which any bytes are."""
+        wide = _utf16(data)
         try:
-            text = data.removeprefix(b"\xef\xbb\xbf").decode("utf-8")
+            text = data.decode(wide, "replace") if wide else data.decode("utf-8")
         except UnicodeDecodeError:
             text = data.decode("latin-1")
-        return cls(name, text)
+        return cls(name, text.removeprefix("\ufeff"))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Source:

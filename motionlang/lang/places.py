@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 
+_SIGNS = frozenset("+-~")
+
+
 class Places:
     """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
 
@@ -51,6 +54,27 @@ class Places:
         """The number of characters of a token."""
         start, end = self.span(at)
         return max(1, end - start)
+
+    def value_length(self, at: int) -> int:
+        """The number of characters of the value that begins with a token: of its signs, too, and of a `(…)`."""
+        text = self.source.text
+        start, last = self.span(at)[0], at
+        while text[slice(*self.span(last))] in _SIGNS:
+            last += 1
+        if last > at and text[slice(*self.span(last))] == "(":
+            last = self._closing(last)
+        end = self.span(last)[1]
+        return end - start if "\n" not in text[start:end] else self.length(at)
+
+    def _closing(self, at: int) -> int:
+        """The bracket that closes the one at a token; the token itself where none does on its line."""
+        text, depth, last = self.source.text, 0, at
+        while (piece := text[slice(*self.span(last))]) and "\n" not in piece:
+            depth += (piece == "(") - (piece == ")")
+            if depth == 0:
+                return last
+            last += 1
+        return at
 
     def span(self, at: int) -> tuple[int, int]:
         """The offsets at which a token begins and ends; of one past the last, the end of the text."""

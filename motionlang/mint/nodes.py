@@ -471,8 +471,8 @@ class Placed(Node):
         return self.places.column(at)
 
     def length(self, at: int) -> int:
-        """The number of characters of a token."""
-        return self.places.length(at)
+        """The number of characters of a token; of a value that begins with a sign, those of the whole."""
+        return self.places.value_length(at)
 
 
 class Module(Placed):

@@ -1,0 +1,27 @@
+"""Whatever a file holds becomes text: in the encodings that editors write, and in none at all."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.source import Source
+
+TEXT = 'Print "é"\nPrint 2\n'
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "latin-1"])
+@pytest.mark.parametrize("line_end", ["\n", "\r\n", "\r"])
+def test_an_encoding_is_recognised(encoding: str, line_end: str) -> None:
+    data = TEXT.replace("\n", line_end).encode(encoding)
+    assert Source.from_bytes("x.mnt", data).text == TEXT
+
+
+def test_a_mark_decides() -> None:
+    assert Source.from_bytes("x.mnt", b"\xfe\xff" + TEXT.encode("utf-16-be")).text == TEXT
+    assert Source.from_bytes("x.mnt", b"\xff\xfea\0b").text == "a\ufffd"
+
+
+@pytest.mark.parametrize("data", [b"", b"\0\0\0\0", b"a\0", b"ab\0\0cd", b"x = 1\0\0"])
+def test_bytes_that_are_no_wide_text_stay_bytes(data: bytes) -> None:
+    wide = data == b"a\0"
+    assert Source.from_bytes("x.mnt", data).text == ("a" if wide else data.decode())
