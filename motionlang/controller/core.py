@@ -94,6 +94,9 @@ class Core(Readings):
     def enable(self, axis: int) -> None:
         """Switch an axis on where it stands: target, demanded and actual position become one; faults are forgotten."""
         a = self.axes[axis]
+        if not self.may_enable(axis):
+            words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
+            raise Refusal("enable-input", words, "the drive can be enabled while it is on")
         a.enabled = True
         a.faults = 0
         if a.feedback is not None:

@@ -10,7 +10,9 @@ LIMIT_REVERSE = 8
 SOFT_LIMIT_FORWARD = 16
 SOFT_LIMIT_REVERSE = 32
 FOLLOWING_ERROR = 64
-ALL = 127
+ANALOGUE_LIMIT = 128
+DRIVE = 256
+ALL = 511
 NAMES = (
     "abort",
     "error input",
@@ -19,6 +21,8 @@ NAMES = (
     "forward soft limit",
     "reverse soft limit",
     "following error",
+    "analogue limit",
+    "drive",
 )
 
 

@@ -79,6 +79,9 @@ class Feedback:
         "scanned",
         "section",
         "tripped",
+        "warn_limit",
+        "warned",
+        "warning",
         "windows",
     )
 
@@ -89,6 +92,9 @@ class Feedback:
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
+        # The same for a warning, which is given once, until it is forgotten.
+        self.warn_limit, self.warning = INFINITY, False
+        self.warned: Callable[[], None] = lambda: None
         self.closed = True
         # All that was done to the loop, by time: what a replay needs.
         self.changes: list[Change] = []
@@ -267,6 +273,11 @@ class Feedback:
         self.error_limit = limit
         self.look_again()
 
+    def set_warn_limit(self, limit: float) -> None:
+        """The following error, counts, beyond which the axis warns, anew from now on; inf for none."""
+        self.warn_limit, self.warning = limit, False
+        self.look_again()
+
     def look_again(self) -> None:
         """Something else is looked for from now on: another limit, another watch, a fault that was cleared."""
         if self._servo is None:
@@ -438,8 +449,9 @@ class Feedback:
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
         lo = self.scanned + 1 - sight.first
-        if self._is_armed:
-            beyond = np.flatnonzero(np.abs(sight.error[lo:]) > self.error_limit)
+        limits = [self.error_limit] * self._is_armed + [self.warn_limit] * self._may_warn
+        if limits:
+            beyond = np.flatnonzero(np.abs(sight.error[lo:]) > min(limits))
             found += [sight.first + lo + int(k) for k in beyond[:1]]
         for window in self.windows.values():
             if window.announced:
@@ -461,17 +473,25 @@ class Feedback:
     def _is_armed(self) -> bool:
         return self.closed and self.error_limit < INFINITY and not self._axis.faults & FOLLOWING_ERROR
 
+    @property
+    def _may_warn(self) -> bool:
+        return self.closed and self.warn_limit < INFINITY and not self.warning
+
     def _happen(self, sample: int) -> None:
         """What a sample brings: positions passed, the following error beyond its limit."""
         sight = self._sight
         assert sight is not None
         passed = [(watch, side) for watch, at, side in self._passes(sight) if at == sample]
         trips = self._is_armed and abs(sight.error[sample - sight.first]) > self.error_limit
+        warns = self._may_warn and abs(sight.error[sample - sight.first]) > self.warn_limit
         self.scanned = sample
         for watch, side in passed:
             before, watch.side = watch.side, side
             if before and watch in self._axis.watches:
                 watch.call(side)
+        if warns:
+            self.warning = True
+            self.warned()
         if trips and self._is_armed:
             self.tripped()
 

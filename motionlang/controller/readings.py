@@ -34,8 +34,10 @@ class Readings:
         # Encoder channels that the world turns, such as that of a conveyor; they have tracks like axes.
         self.encoders: dict[int, Axis] = {}
         self.latches: dict[int, Latch] = {}
+        # The inputs without which the drives of axes cannot be enabled.
+        self.interlocks: dict[int, int] = {}
         # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis), and of
-        # ("latch", number).
+        # ("latch", number), and of ("misc", bits) for an error of the controller itself.
         self.listeners: list[Callable[[str, int], None]] = []
 
     def heading(self, axis: int) -> int:
@@ -146,6 +148,11 @@ class Readings:
 
     def is_enabled(self, axis: int) -> bool:
         return self.axes[axis].enabled
+
+    def may_enable(self, axis: int) -> bool:
+        """Whether the enable input of the axis, where it has one, is on."""
+        channel = self.interlocks.get(axis)
+        return channel is None or self.inputs.inverted(channel)
 
     def is_idle(self, axis: int) -> bool:
         return self.axes[axis].move is None

@@ -7,7 +7,7 @@ and are placed anew when it sets another one.
 from __future__ import annotations
 
 from motionlang.controller.encoder import AUXILIARY
-from motionlang.controller.faults import ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.limit import Limit
 from motionlang.controller.region import Region
 
@@ -28,7 +28,9 @@ FAULTS: dict[str, tuple[int, str]] = {
     "error-input": (ERROR_INPUT, "error-stop"),
     "forward-limit": (LIMIT_FORWARD, "abort"),
     "reverse-limit": (LIMIT_REVERSE, "abort"),
+    "drive": (DRIVE, "off"),
 }
+CONTROLLER = "controller"
 
 
 class World:
@@ -36,7 +38,8 @@ class World:
 
     `driven` are the digital inputs that something in the world sets: a wait on another one can never end. `actions`
     says what an axis does about a fault, by (axis, bit), where the program wants it otherwise than `FAULTS`. `lines`
-    are the faults that happen when the program comes to a line for the first time.
+    are the faults that happen when the program comes to a line for the first time. `drive_errors` are the bits of the
+    errors of drives by axis, `misc` those of errors of the controller itself.
     """
 
     def __init__(self, controller: Controller, settings: Settings) -> None:
@@ -48,6 +51,8 @@ class World:
         self.driven: set[int] = set()
         self.actions: dict[tuple[int, int], str] = {}
         self.lines: dict[int, list[Callable[[], None]]] = {}
+        self.drive_errors: dict[int, int] = {}
+        self.misc = 0
         for axis in controller.axes:
             self._wire_axis(axis)
         for entry in _entries(settings, "input"):
@@ -61,6 +66,8 @@ class World:
             self._wire_fault(entry)
         for entry in _entries(settings, "encoder"):
             self._wire_encoder(entry)
+        for axis in controller.axes:
+            self._wire_interlock(axis)
         controller.listeners.append(self._heard)
 
     def _wire_axis(self, axis: int) -> None:
@@ -79,6 +86,22 @@ class World:
             low, high = switch
             channel = get(f"axis.{axis}.home_input")
             self._wire_region(axis, low, high, self._home_change(axis, channel))
+
+    def _wire_interlock(self, axis: int) -> None:
+        """The enable input: the drive is off while it is off."""
+        channel: int | None = self._settings.get(f"axis.{axis}.enable_input")  # type: ignore[assignment]
+        if channel is None:
+            return
+        controller = self._controller
+        controller.interlocks[axis] = channel
+        self.driven.add(channel)
+
+        def changed(number: int, _: float) -> None:
+            if number == channel and not controller.may_enable(axis) and controller.is_enabled(axis):
+                controller.disable(axis)
+
+        controller.inputs.listeners.append(changed)
+        changed(channel, 0.0)
 
     def _fit_motor(self, axis: int) -> None:
         """The simulated motor of an axis whose machine file describes one; it trips as its axis says."""
@@ -170,12 +193,23 @@ class World:
         self._at(_number(entry, "at", 0.0), lambda: controller.drive_encoder(number, velocity, accel))
 
     def _wire_fault(self, entry: Entry) -> None:
-        axis = int(_number(entry, "axis"))
-        bit, action = FAULTS[str(entry["kind"])]
+        axis, kind, value = (
+            int(_number(entry, "axis", 0)),
+            str(entry["kind"]),
+            int(_number(entry, "value", 1)),
+        )
+        bit, action = FAULTS.get(kind, (0, ""))
 
         def happen(active: bool = True) -> None:
-            if active:
-                self._controller.fault(axis, bit, self.actions.get((axis, bit), action))
+            if not active:
+                return
+            if kind == CONTROLLER:
+                self.misc |= value
+                self._controller.tell("misc", value)
+                return
+            if bit == DRIVE:
+                self.drive_errors[axis] = self.drive_errors.get(axis, 0) | value
+            self._controller.fault(axis, bit, self.actions.get((axis, bit), action))
 
         if "line" in entry:
             self.lines.setdefault(int(_number(entry, "line")), []).append(happen)
@@ -211,7 +245,9 @@ class World:
         return self._controller.axes[axis].scale.counts
 
     def _heard(self, what: str, axis: int) -> None:
-        """A new scale puts every switch of the axis at its new count."""
+        """A new scale puts every switch of the axis at its new count; a drive whose fault is cleared has no error."""
+        if what in ("cleared", "switched") and not self._controller.faults(axis) & DRIVE:
+            self.drive_errors.pop(axis, None)
         if what != "scale":
             return
         scale = self._scale(axis)

@@ -28,6 +28,10 @@ KEYS: dict[str, tuple[str, str]] = {
     "axis.N.reverse_input": ("channel", "The input that shows the reverse limit switch."),
     "axis.N.home_switch": ("pair", "From where to where the home switch is active, in user units."),
     "axis.N.home_input": ("channel", "The input that shows the home switch."),
+    "axis.N.enable_input": (
+        "channel",
+        "The input without which the drive cannot be enabled; it goes off with it.",
+    ),
     "axis.N.index_every": ("positive", "The distance between index marks of the encoder, in user units."),
     "axis.N.motor": ("motor", "servo or stepper: on a MultiFlex a stepper has other settings at power-up."),
     "axis.N.start": (
@@ -127,8 +131,9 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
     },
     "fault": {
-        "axis": ("channel", "The axis that suffers it."),
-        "kind": ("fault", "following-error, error-input, forward-limit or reverse-limit."),
+        "axis": ("channel", "The axis that suffers it; none for controller."),
+        "kind": ("fault", "following-error, error-input, forward-limit, reverse-limit, drive or controller."),
+        "value": ("channel", "The bits that DRIVEERROR and MISCERROR then show; 1 unless given."),
         "line": (
             "line",
             "The line of the program that brings it about, when it is reached for the first time.",
@@ -175,7 +180,7 @@ REQUIRED = {
     "modbus.server": ("id",),
     "modbus.register": ("server", "register", "value"),
     "coil": ("coil",),
-    "fault": ("axis", "kind"),
+    "fault": ("kind",),
     "key": ("text",),
     "encoder": ("velocity",),
     "answer": ("text",),
@@ -192,7 +197,7 @@ BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-over
 _OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
 LAST_REGISTER = 65535
 MOTORS = ("servo", "stepper")
-FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit")
+FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit", "drive", "controller")
 
 
 def read_machine(source: Source) -> dict[str, object]:
@@ -281,6 +286,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         if name not in entry:
             yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
     yield from _when_problems(table, entry)
+    if table == "fault" and "axis" not in entry and entry.get("kind") != "controller":
+        yield "[[fault]] needs axis", rows["axis"][1], "[[fault]]"
     if table == "remote":
         yield from _remote_problems(entry)
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):

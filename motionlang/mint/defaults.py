@@ -6,7 +6,14 @@ from __future__ import annotations
 PATTERNS = {"INPUTMODE": 0, "INPUTPOSTRIGGER": -1, "INPUTNEGTRIGGER": 0, "IMASK": -1}
 ANALOGUE = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0, "ADCDEADBAND": 0.0, "ADCDEADBANDOFFSET": 0.0, "ADCMODE": 0}
 # What an axis does about an error: one of the _em constants.
-MODES = {"LIMITMODE": 1, "SOFTLIMITMODE": 1, "FOLERRORMODE": 2, "ERRORINPUTMODE": 3, "ABORTMODE": 1}
+MODES = {
+    "LIMITMODE": 1,
+    "SOFTLIMITMODE": 1,
+    "FOLERRORMODE": 2,
+    "ERRORINPUTMODE": 3,
+    "ABORTMODE": 1,
+    "ADCERRORMODE": 1,
+}
 STOP_INPUT_MODE = 3
 IDLE = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
 # The servo loop; a gain of 0 does nothing (`controller.servo.gains` has the same, a test says).

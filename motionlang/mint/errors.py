@@ -6,6 +6,8 @@ from motionlang.controller.faults import Refusal, names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.mint.environment import Environment
 
 # Diagnostic code -> number of the synchronous error and its short text. Up to 999 they are MintMT's (their numbers are
@@ -24,6 +26,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "terminal": (130, "terminal undefined"),
     "one-terminal": (131, "single terminal required"),
     "buffer-in-use": (142, "move buffer must be empty"),
+    "enable-input": (228, "hardware enable input off"),
     "event": (204, "event cannot be pended"),
     "stopping": (236, "axis stopping, move refused"),
     "contour-and-blend": (158, "contour and blend both on"),
@@ -40,6 +43,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
 }
 GENERIC = (1, "keyword error")
 FIRST_OWN = 1001  # from here on the numbers are this program's
+MISC_ERROR = 20000  # the asynchronous error of the controller itself; ERRDATA(1) are its bits
 AXIS_ERROR = 10000  # the asynchronous error of an axis; ERRDATA(1) is the axis, ERRDATA(2) its error bits
 
 # The groups of ERRORPRESENT and its family.
@@ -70,6 +74,8 @@ class Errors:
         self.environment = environment
         self.found: list[Error] = []
         self.shown: Error | None = None
+        # Whether an error calls no ONERROR, where a program says so.
+        self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._heard)
 
     # ----------------------------------------------------------------------------------------- noting
@@ -83,6 +89,8 @@ class Errors:
     def _heard(self, what: str, axis: int) -> None:
         if what == "fault":
             self.axis_fault(axis)
+        elif what == "misc":
+            self._note(Error(MISC_ERROR, f"the controller has an error: bits {axis}", 0, MISC, (axis,)))
 
     def axis_fault(self, axis: int) -> None:
         """An axis has faulted."""
@@ -92,7 +100,8 @@ class Errors:
     def _note(self, error: Error) -> None:
         self.found.append(error)
         del self.found[:-100]  # a controller's log does not grow for ever either
-        self.environment.events.raise_("onerror")
+        if self.masked is None or not self.masked(error):
+            self.environment.events.raise_("onerror")
 
     # ---------------------------------------------------------------------------------------- reading
 
@@ -161,6 +170,8 @@ def text_of(number: int) -> str:
         return "no error"
     if number == AXIS_ERROR:
         return "axis error"
+    if number == MISC_ERROR:
+        return "controller error"
     return next((text for each, text in NUMBERS.values() if each == number), f"error {number}")
 
 

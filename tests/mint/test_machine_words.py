@@ -7,10 +7,23 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.keywords import comms, homing, io, latches, limits, remote, sensing, table
+from motionlang.mint.keywords import (
+    camboxes,
+    comms,
+    homing,
+    io,
+    latches,
+    limits,
+    monitoring,
+    relays,
+    remote,
+    sensing,
+    steppers,
+    table,
+)
 from motionlang.source import Source
 
-GROUPS = (comms, homing, io, latches, limits, remote, sensing)
+GROUPS = (camboxes, comms, homing, io, latches, limits, monitoring, relays, remote, sensing, steppers)
 WORDS = [row for group in GROUPS for row in group.ROWS if row.kind != "constant"]
 MACHINE = {
     "controller.axes": 2,

@@ -44,6 +44,7 @@ def _rows() -> list[Keyword]:
         limits,
         memory,
         modbus,
+        monitoring,
         motion,
         network,
         older,
@@ -66,7 +67,7 @@ def _rows() -> list[Keyword]:
     groups = (
         torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes, pending, relays, steppers,
+        camboxes, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
         kept, identity, older, constants, language,
     )  # fmt: skip

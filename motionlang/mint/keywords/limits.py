@@ -75,7 +75,8 @@ ROWS = (
     _input("RESETINPUT", "rsi", "The input that resets the axis when it becomes active"),
     Keyword("AXISERROR", "", "setting", "RW", "axis", "bits", "limits.error",
             "Errors of the axis: bit 0 abort, 1 error input, 2 forward limit, 3 reverse limit, 4 forward soft limit, "
-            "5 reverse soft limit, 6 following error. Writing 0 clears them; until then the axis takes no motion.",
+            "5 reverse soft limit, 6 following error, 7 analogue limit, 8 drive. Writing 0 clears them; until then the "
+            "axis takes no motion.",
             _CLEAR, default=0.0, low=0, high=0, source=_LIBRARY, trust="memory", group="limits"),
     Keyword("ERRORDECEL", "", "setting", "RW", "axis", "uu/s2", "error_decel",
             "Deceleration of stops because of an error or of the stop input.",

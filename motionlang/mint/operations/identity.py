@@ -79,11 +79,6 @@ def read_fit(environment: Environment, row: Row) -> Operation:
 read_fit_axis = read_fit
 
 
-def read_asynchronous(environment: Environment, row: Row) -> Operation:
-    axes = environment.controller.axes
-    return _answer(environment, row, lambda: int(any(a.faults for a in axes.values())))
-
-
 def read_takes_moves(environment: Environment, row: Row) -> Operation:
     controller = environment.controller
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import (
     ABORT,
+    ANALOGUE_LIMIT,
     ERROR_INPUT,
     FOLLOWING_ERROR,
     LIMIT_FORWARD,
@@ -39,6 +40,7 @@ ERRORS: dict[str, tuple[int, ...]] = {
     "FOLERRORMODE": (FOLLOWING_ERROR,),
     "ERRORINPUTMODE": (ERROR_INPUT,),
     "ABORTMODE": (ABORT,),
+    "ADCERRORMODE": (ANALOGUE_LIMIT,),
 }
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
 
@@ -79,7 +81,8 @@ class AxisErrors:
     def _heard(self, what: str, axis: int) -> None:
         if what == "fault":
             bits = self._controller.faults(axis)
-            if any(bits >> k & 1 and self._mode_of(axis, 1 << k) == STOP_THEN_OFF for k in range(7)):
+            found = [name for name, group in ERRORS.items() if any(bits & bit for bit in group)]
+            if any(self.mode(name, axis) == STOP_THEN_OFF for name in found):
                 self._off_at_rest(axis)
         elif what == "idle" and axis in self._going_off:
             self._going_off.discard(axis)
