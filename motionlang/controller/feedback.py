@@ -92,8 +92,7 @@ class Feedback:
         self.plant, self.section, self.model = make_plant(plant), dict(section), ""
         self.error_limit = INFINITY
         self.tripped: Callable[[], None] = lambda: None
-        # The same for a warning, which is given once, until it is forgotten.
-        self.warn_limit, self.warning = INFINITY, False
+        self.warn_limit, self.warning = INFINITY, False  # given once, until it is forgotten
         self.warned: Callable[[], None] = lambda: None
         self.closed = True
         # All that was done to the loop, by time: what a replay needs.
