@@ -55,21 +55,25 @@ class Places:
         start, end = self.span(at)
         return max(1, end - start)
 
+    def text(self, at: int) -> str:
+        """The text of a token."""
+        start, end = self.span(at)
+        return self.source.text[start:end]
+
     def value_length(self, at: int) -> int:
         """The number of characters of the value that begins with a token: of its signs, too, and of a `(…)`."""
-        text = self.source.text
         start, last = self.span(at)[0], at
-        while text[slice(*self.span(last))] in _SIGNS:
+        while self.text(last) in _SIGNS:
             last += 1
-        if last > at and text[slice(*self.span(last))] == "(":
+        if last > at and self.text(last) == "(":
             last = self._closing(last)
         end = self.span(last)[1]
-        return end - start if "\n" not in text[start:end] else self.length(at)
+        return end - start if "\n" not in self.source.text[start:end] else self.length(at)
 
     def _closing(self, at: int) -> int:
         """The bracket that closes the one at a token; the token itself where none does on its line."""
-        text, depth, last = self.source.text, 0, at
-        while (piece := text[slice(*self.span(last))]) and "\n" not in piece:
+        depth, last = 0, at
+        while (piece := self.text(last)) and "\n" not in piece:
             depth += (piece == "(") - (piece == ")")
             if depth == 0:
                 return last

@@ -87,9 +87,8 @@ def jump(b: Body, node: nodes.Jump) -> None:
     labels = b.labels()
     key = node.name.lower()
     if key not in labels:
-        b.whole.problems.unknown(
-            f"there is no label {node.name}", node.name, [n for n in labels if n], node.at
-        )
+        at = node.at + 1 + (b.whole.problems.text(node.at + 1) == "#")
+        b.whole.problems.unknown(f"there is no label {node.name}", node.name, [n for n in labels if n], at)
         return
     number = labels[key]
     b.pending += 1

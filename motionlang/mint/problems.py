@@ -47,11 +47,12 @@ class Problems:
 
     def is_pattern(self, at: int) -> bool:
         """Whether the number at a place is written in hexadecimal or binary."""
+        return self.text(at)[1:2] in ("x", "X", "b", "B")
+
+    def text(self, at: int) -> str:
+        """The text of a token; "" where the program has none."""
         places = getattr(self._module, "places", None)
-        if places is None:
-            return False
-        start, end = places.span(at)
-        return end - start > 2 and places.source.text[start + 1] in "xXbB"
+        return "" if places is None else places.text(at)
 
     def line(self, at: int) -> int:
         return self._module.line(at)

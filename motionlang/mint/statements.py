@@ -281,6 +281,7 @@ def _run(b: Body, node: nodes.Run) -> None:
 
 
 def _if(b: Body, node: nodes.If) -> None:
+    _warn_of_else_if(b, node.orelse)
     test = condition(b, node.condition)
     b.settle()
     b.pending += 1
@@ -301,6 +302,18 @@ def _if(b: Body, node: nodes.If) -> None:
         b.flush()
     b.lines += written
     b.noted = b.noted or noted
+
+
+def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
+    """`Else If b Then x = 1` may be meant for an Else with an If of one line: what follows then belongs to the Else."""
+    chained = orelse[0] if len(orelse) == 1 else None
+    if type(chained) is not nodes.If or len(chained.body) < 2:
+        return
+    line = b.whole.line
+    first, last, here = line(chained.body[0].at), line(chained.body[-1].at), line(chained.at)
+    if here == first < last and b.whole.problems.text(chained.at).lower() == "else":
+        hint = "write ElseIf, or Else on a line of its own"
+        b.warn("else-if", "this is read as an ElseIf, to which all lines up to its end belong", chained, hint)
 
 
 def _select(b: Body, node: nodes.Select) -> None:

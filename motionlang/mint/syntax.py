@@ -168,8 +168,20 @@ class _Reader:
             self._close(blocks[:1])
         else:
             message = f"`{words}` without {_article(name)}"
-            self.report("stray-end", message, self.start, f"remove it, or add the {name} it belongs to", at)
+            hint = self._else_if(at) if closer == "IF" else ""
+            hint = hint or f"remove it, or add the {name} it belongs to"
+            self.report("stray-end", message, self.start, hint, at)
         return self._skip(at)
+
+    def _else_if(self, at: int) -> str:
+        """A hint for an `End If` too many, where an `Else If` has been read as an ElseIf."""
+        for place in range(at - 1, 0, -1):
+            if self.kinds[place] == "IF" and self.kinds[place - 1] == "ELSE":
+                line = self.places.line(place)
+                return f"the `Else If` of line {line} is an ElseIf; an If of its own stands on the line below Else"
+            if self.kinds[place] in DECLARATIONS:
+                break
+        return ""
 
     def _closes_inline(self, first: int, at: int) -> int:
         """A closer in an If of one line, which ends with its line."""
