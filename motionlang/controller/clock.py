@@ -29,21 +29,24 @@ class Event:
 
 
 class Clock:
-    """`now` in seconds since power-up, and `horizon`, the time of the next event (infinite when there is none)."""
+    """`now` in seconds since power-up, and `horizon`, the time of the next event (infinite when there is none).
 
-    __slots__ = ("_count", "_heap", "horizon", "now")
+    `made` and `fired` count the events that were entered and those whose time has come.
+    """
+
+    __slots__ = ("_heap", "fired", "horizon", "made", "now")
 
     def __init__(self) -> None:
         self.now = 0.0
         self.horizon = INFINITY
-        self._count = 0
+        self.made = self.fired = 0
         self._heap: list[tuple[float, int, Event]] = []
 
     def at(self, time: float, call: Callable[[], None]) -> Event:
         """Call `call` at `time`; events of one time run in the order in which they were made."""
         event = Event(time, call)
-        self._count += 1
-        heappush(self._heap, (time, self._count, event))
+        self.made += 1
+        heappush(self._heap, (time, self.made, event))
         if time < self.horizon:
             self.horizon = time
         return event
@@ -64,6 +67,7 @@ class Clock:
             if event.call is not None:
                 if due > self.now:
                     self.now = due
+                self.fired += 1
                 event.call()
         if time > self.now:
             self.now = time

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine import Machine
+    from motionlang.lang.rounds import Rounds
     from motionlang.lang.task import Task, Wait
 
     class Outside(Protocol):
@@ -67,6 +68,11 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
+        # When the running task was resumed, and whether no other could have been.
+        self.began = 0.0
+        self._alone = False
+        self.until = INFINITY
+        self._rounds: Rounds | None = None
         self._turn = 0
         self._stalls = 0
         # The length of the turns of a round, and how many of them are still to come.
@@ -92,6 +98,7 @@ class Scheduler:
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
         clock = self.clock
+        self.until = until
         while not self.parent.done:
             if clock.now >= until:
                 return False
@@ -100,15 +107,54 @@ class Scheduler:
                 self._jump(until)
                 continue
             horizon = min(clock.next_time(), until)
-            if len(self.tasks) > 1 or self.outside is not None:
+            several = len(self.tasks) > 1 or self.outside is not None
+            if several:
                 horizon = min(horizon, clock.now + self._turn_length(horizon), self._next_due())
-            time, task.wait = task.resume(clock.now, horizon)
+            began = self.began = clock.now
+            task.look = None
+            time, task.wait = task.resume(began, horizon)
             self._advance(time)
             while clock.now < time:
                 self._advance(time)
+            if several:
+                self._compare(task, horizon - began)
             if task.done and task is not self.parent:
                 self._forget(task)
         return True
+
+    def reach(self) -> float:
+        """Until when the running task has the machine for itself, if it does nothing; 0 where others can run, too."""
+        return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
+
+    def next_change(self) -> float:
+        """When something will happen, or a task that waits may go on, if those that run do nothing."""
+        tasks = self.interrupts[-1:] or self.tasks
+        due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
+        return min(self.clock.next_time(), due)
+
+    def _compare(self, task: Task, granted: float) -> None:
+        """Where all that can run do no more than poll, go on to the moment at which that may change."""
+        if task.look is None or task.wait is not None or task.done or self._alone or self.outside is not None:
+            if self._rounds is not None:
+                self._rounds.forget()
+            return
+        if self._rounds is None:
+            from motionlang.lang.rounds import Rounds
+
+            self._rounds = Rounds(self.machine)
+        running = sum(each.wait is None for each in self.interrupts[-1:] or self.tasks)
+        period = self._rounds.period(task, self.began, granted, running)
+        if period is None:
+            return
+        length, level = period
+        now, end = self.clock.now, min(self.next_change(), level)
+        if end == INFINITY:
+            for each in self.tasks:
+                if each.wait is None and each.in_vain is None and each.look is not None and each.look[-1]:
+                    each.in_vain = now
+        end = min(end, self.until)
+        if end - now >= length:
+            self._advance(now + int((end - now) / length) * length)
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
@@ -186,6 +232,7 @@ class Scheduler:
         count = len(tasks)
         highest = max(task.priority for task in tasks)
         found: Task | None = None
+        self._alone = False
         for k in range(count):
             task = tasks[(self._turn + k) % count]
             if found is not None and task.priority <= found.priority:
@@ -194,10 +241,13 @@ class Scheduler:
                 self.current = task
                 if not task.wait.ready():
                     continue
+            self._alone = found is None and k == count - 1
             found, turn = task, (self._turn + k + 1) % count
             if task.priority == highest:
                 break
         if found is not None:
+            if found.wait is not None and self._rounds is not None:
+                self._rounds.forget()
             found.wait = None
             self._turn = turn
             self.current = found

@@ -54,14 +54,21 @@ class Task:
 
     `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
     Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
+
+    A task that only polls says so in `look`, what it leaves behind turn by turn; `looked` is when it last did, and
+    `level` the moment up to which it will do the same again if nothing happens. `in_vain` is the time since which it has looked for something
+    that nothing could bring about until the end of the run.
     """
 
-    __slots__ = ("busy", "done", "name", "priority", "wait")
+    __slots__ = ("busy", "done", "in_vain", "level", "look", "looked", "name", "priority", "wait")
 
     def __init__(self, name: str) -> None:
         self.name = name
         # For how long, of its own running time, nobody can tell what the task does: it computes with what is its own.
         self.busy = 0.0
+        self.look: tuple[object, ...] | None = None
+        self.looked, self.level = 0.0, INFINITY
+        self.in_vain: float | None = None
         self.priority = 0  # of two tasks that can run, the one with the higher priority does
         self.done = False
         self.wait: Wait | None = None

@@ -42,7 +42,7 @@ class TypedLine:
         self.places = [0, *(at for _, at in lines)]
         text = "\n".join(line for line, _ in lines)
         self.code = _checked(lambda: compile(text, file, "exec"), self.places, 0, whole.problems)
-        self.specs, self.operations = whole.specs, list(whole.spec_names.values())
+        self.specs, self.operations = whole.described(), list(whole.spec_names.values())
         self.costs = sorted(whole.costs)
         self.blocks = _blocks(whole)
 
@@ -54,13 +54,13 @@ def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     for function, b in bodies.items():
         units.add(function.python, _head(whole, b) + _dispatched(whole, b))
         for part in b.parts:
-            if part.inside is None:
+            if not part.inside:
                 units.add_part(part)
     units.close()
     first = _first_values(whole)
     start = compile(first, FILE, "exec") if first else None
     blocks = {"main": "main", **_blocks(whole)}
-    code = Code(units.made, start, shared, whole.specs, sorted(whole.costs), blocks, units.places)
+    code = Code(units.made, start, shared, whole.described(), sorted(whole.costs), blocks, units.places)
     _compile_now(code, whole.problems)
     return code
 
@@ -250,14 +250,14 @@ def _head(whole: Whole, b: Body) -> list[Line]:
         lines += [f"{indent} {line}" for line in _own_variables(function, b)]
     out = [(line, function.at) for line in lines]
     for part in b.parts:
-        if part.inside is not None:
+        if part.inside:
             out += part.written(_shared_by(part, function), b.indent - 1)
     return out
 
 
 def _shared_by(part: Part, function: Function) -> str:
     """How a part that stands in its sub says what it shares."""
-    known = {*(TIME if not function.plain else "t"), *(part.inside or ())}
+    known = {*(TIME if not function.plain else "t")}
     known.update(name for symbol in _own(function) for name in _spellings(symbol))
     scope = function.scope.outer
     while scope is not None:

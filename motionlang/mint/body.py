@@ -56,6 +56,7 @@ class Whole:
         "names",
         "parts",
         "problems",
+        "rewritten",
         "spec_names",
         "specs",
         "suffix",
@@ -81,6 +82,8 @@ class Whole:
         self.spec_names: dict[Spec, str] = {}
         self._operations: dict[tuple[str, Keyword], str] = {}
         self.costs: set[int] = set()
+        # What loops that poll may write over and over.
+        self.rewritten: set[Keyword] = set()
         self.parts = 0  # how many parts there are
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.
@@ -93,6 +96,16 @@ class Whole:
             name = self.spec_names[spec] = f"k{len(self.specs)}{self.suffix}"
             self.specs.append(spec)
         return name
+
+    def described(self) -> list[Spec]:
+        """What the `kN` are, now that it is known which of them loops that poll use."""
+        if self.rewritten:
+            for row in self.rewritten:
+                name = self._operations.get(("write", row))
+                if name is not None:
+                    number = list(self.spec_names.values()).index(name)
+                    self.specs[number] = ("rewrite", *self.specs[number][1:])
+        return self.specs
 
     def operation(self, how: str, row: Keyword) -> str:
         """The name of a keyword's operation: "read", "write", "load" or "do"."""
@@ -124,6 +137,7 @@ class Body:
         "pending",
         "polls",
         "scope",
+        "stretch",
         "targets",
         "temps",
         "values",
@@ -142,9 +156,11 @@ class Body:
         self.outside: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
+        # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
+        self.stretch = 0
+        self.polls: list[Poll] = []
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
-        self.polls: list[Poll | None] = []
         self.facts: dict[int, ranges.Range] = {}
         self.analysed: set[Symbol] = set()
         # Variables that are the same wherever they are read, by their spelling.
@@ -181,9 +197,9 @@ class Body:
             self.emit(f"t += {self.cost(self.pending)}")
             self.pending = 0
 
-    def horizon(self, answer: str = "t") -> None:
-        """Let others run when their time has come; `t` is up to date."""
-        self.emit(f"if t >= H: t, H = yield {answer}{self.interrupted()}")
+    def horizon(self, answer: str = "t", then: str = "") -> None:
+        """Let others run when their time has come, `then` look again; `t` is up to date."""
+        self.emit(f"if t >= H: t, H = yield {answer}{then}")
         self.waits = self.noted = True
 
     def now(self) -> str:
@@ -203,7 +219,7 @@ class Body:
         self.noted = self.waits = True
         if self.pending:
             cost = self.cost(self.pending)
-            self.emit(f"if (u := t + {cost}) >= H: u, H = yield u; t = u - {cost}{self.interrupted()}")
+            self.emit(f"if (u := t + {cost}) >= H: u, H = yield u; t = u - {cost}")
         else:
             self.horizon()
         if tell:
@@ -218,11 +234,6 @@ class Body:
             self.settle()
             self.emit(text)
         self.pending += 1
-
-    def interrupted(self) -> str:
-        """After others have run: a loop that polls must look again."""
-        poll = self.polls[-1] if self.polls else None
-        return f"; {poll.dirty} = True" if poll is not None else ""
 
     def wait(self, expression: str) -> None:
         """Give way until a `Wait` is over."""

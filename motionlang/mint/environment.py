@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.lang.task import Steps
     from motionlang.mint.errors import Errors
     from motionlang.mint.events import Events
+    from motionlang.mint.skipping import Skipper
 
     Make = Callable[[float, float], Steps]
     Part = TypeVar("Part")
@@ -64,8 +65,14 @@ class Environment:
         self.task: MintTask
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
-        # When a reading last took something away (a key, an edge), so that the next one answers differently.
-        self.taken = -1.0
+        # How often the program has done something; a loop that polls does nothing. And how long it has waited, in ms.
+        self.acts = 0
+        self.waited = 0.0
+        # Of those acts, how many were no more than that others may have run; the task that ran last, and how many
+        # events had fired by then.
+        self.resumed = 0
+        self.ran: MintTask | None = None
+        self.fired = 0
         # The move for which there was no room.
         self._refused: tuple[Callable[..., object], tuple[Any, ...]]
         self._parts: dict[type, object] = {}
@@ -135,9 +142,11 @@ class Environment:
             return getattr(formats, f"using_{details[0]}")
         from motionlang.mint.binding import Row, bind
 
-        operation = bind(self, how, Row(*details))  # type: ignore[arg-type]
+        operation = bind(self, "write" if how == "rewrite" else how, Row(*details))  # type: ignore[arg-type]
         if how == "load":
             return self._loading(operation)
+        if how == "rewrite":
+            return self._rewritten(operation, bind(self, "read", Row(*details)), str(details[3]))  # type: ignore[arg-type]
         return self._timed(operation) if how in ("write", "do") else operation
 
     def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
@@ -146,7 +155,25 @@ class Environment:
 
         def at(time: float, horizon: float, *arguments: object) -> float:
             clock.now = time
+            self.acts += 1
             operation(*arguments)
+            return clock.horizon if clock.horizon < horizon else horizon
+
+        return at
+
+    def _rewritten(
+        self, operation: Callable[..., object], read: Callable[..., object], index: str
+    ) -> Callable[..., float]:
+        """The same for what a loop that polls may write: the value that is there already does nothing."""
+        clock = self.clock
+        count = 0 if index == "none" else index.count(",") + 1
+
+        def at(time: float, horizon: float, *arguments: object) -> float:
+            clock.now = time
+            before, made = read(*arguments[:count]), clock.made
+            operation(*arguments)
+            if clock.made != made or read(*arguments[:count]) != before:
+                self.acts += 1
             return clock.horizon if clock.horizon < horizon else horizon
 
         return at
@@ -157,6 +184,7 @@ class Environment:
 
         def at(time: float, horizon: float, *arguments: object) -> float | None:
             clock.now = time
+            self.acts += 1
             if operation(*arguments):
                 self._refused = operation, arguments
                 return None
@@ -191,6 +219,7 @@ class Environment:
             from motionlang.mint.functions import Random
 
             self._random = Random()
+        self.acts += 1
         return self._random()
 
     def copy(self, record: list[object]) -> list[object]:
@@ -221,10 +250,12 @@ class Environment:
         """`WAIT`."""
         if not 0 <= milliseconds < INFINITY:
             raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
+        self.waited += milliseconds
         return wait_until(self.machine, t, t + milliseconds / 1000.0)
 
     def tick(self, t: float) -> Wait:
         """Wait for the next tick of the profiler."""
+        self.acts += 1
         return wait_until(self.machine, t, (int(t / TICK + 1e-6) + 1) * TICK)
 
     def room(self, t: float, axes: tuple[int, ...]) -> Wait:
@@ -243,30 +274,29 @@ class Environment:
         self, t: float, ready: Callable[[], object], watches: tuple[tuple[object, ...], ...], why: str
     ) -> Wait:
         """`PAUSE`."""
+        self.acts += 1
         from motionlang.mint.watching import watch
 
         return watch(self, t, ready, watches, why)
 
-    def skip(self, t: float, since: float, horizon: float, watches: tuple[tuple[object, ...], ...]) -> float:
-        """A loop polls, its last turn from `since` to `t`: the end of the last turn that can be no different.
+    @property
+    def skip(self) -> Callable[..., float]:
+        """What loops that poll call at the end of a turn."""
+        return self._skipping().skip
 
-        Turns are counted in whole statements, so that no rounding adds up over millions of them. What its conditions
-        were last compared with may have changed since, within the turn: then nothing is skipped. Neither is it after
-        a reading that has taken something away.
-        """
-        if self.taken >= since:
-            return t
-        if watches:
-            from motionlang.mint.watching import next_change
+    @property
+    def rest(self) -> Callable[..., float]:
+        """What empty loops call at the end of a turn."""
+        return self._skipping().rest
 
-            horizon = min(horizon, next_change(self, since, watches))
-        if horizon == INFINITY:
-            raise Refusal("never", "the loop looks for something that can no longer happen", "")
-        cost = round((t - since) / self.machine.instruction_time) * self.machine.instruction_time
-        return t + max(0, int((horizon - t) / cost)) * cost
+    def _skipping(self) -> Skipper:
+        from motionlang.mint.skipping import Skipper
+
+        return self.part(Skipper)
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""
+        self.acts += 1
         from motionlang.mint.answers import wait_for_answer
 
         return wait_for_answer(self, t)
@@ -281,6 +311,7 @@ class Environment:
 
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take a semaphore, or give back what this task holds; false while another task holds it."""
+        self.acts += 1
         holder = semaphore[0]
         if holder is not None and holder.done:
             holder = None  # what a task holds is free when it ends
@@ -303,6 +334,11 @@ class Environment:
     def default_axes(self) -> tuple[int, ...]:
         """The axes that keywords without brackets mean; AXES sets them, each task has its own."""
         return self.task.axes
+
+    def say(self, text: str) -> None:
+        """Print."""
+        self.acts += 1
+        self.machine.terminal.write(text)
 
     def pairs(self, values: tuple[object, ...], repeat: bool) -> list[tuple[int, object]]:
         """Each default axis with its value; `repeat` gives the last value to all further axes."""
@@ -327,6 +363,7 @@ class Environment:
             return
         scheduler = self.machine.scheduler
         assert scheduler is not None
+        self.acts += 1
         task = self.tasks[name] = MintTask(name, make, self)
         task.priority = self.priorities.get(name, 0)
         scheduler.start(task)
@@ -338,6 +375,7 @@ class Environment:
             return
         if task is self.task:
             raise TaskEnd(self.clock.now)
+        self.acts += 1
         task.done = True
         scheduler = self.machine.scheduler
         if scheduler is not None and task in scheduler.tasks:
@@ -389,6 +427,7 @@ class Environment:
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
         """A guarded statement has failed; answers with the time at which the program goes on."""
+        self.acts += 1
         self.errors.failed(trouble, line)
         return max(t, self.clock.now) + self.machine.instruction_time
 
@@ -426,11 +465,21 @@ class MintTask(GeneratorTask):
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         environment = self.environment
         environment.task = self
+        clock = environment.clock
+        if environment.ran is not self or environment.fired != clock.fired:
+            # Others have run since: what a loop looked at before may have changed.
+            environment.acts += 1
+            environment.resumed += 1
+            if environment.fired != clock.fired:
+                self.in_vain = None
         quantum = environment.quanta.get(self.name)
         if quantum is not None:
             horizon = min(horizon, now + quantum * environment.machine.instruction_time)
         try:
             time, wait = super().resume(now, horizon)
+            environment.ran, environment.fired = self, clock.fired
+            if self.look is not None and self.look[0] != environment.acts - environment.resumed:
+                self.look = self.in_vain = None  # it has done something since
         except TaskEnd as end:
             self.done = True
             return end.time, None

@@ -113,7 +113,7 @@ class Errors:
         """ERRORREADNEXT: show the oldest error of a group and take it off the list."""
         for error in self._of(group, data):
             self.found.remove(error)
-            self.shown = error
+            self._show(error)
             return 1
         return 0
 
@@ -121,9 +121,15 @@ class Errors:
         """ERRORREADCODE: show the newest error of a number."""
         for error in reversed(self.found):
             if error.number == code and (not error.data or data < 0 or error.data[0] == data):
-                self.shown = error
+                self._show(error)
                 return 1
         return 0
+
+    def _show(self, error: Error) -> None:
+        """The registers tell of an error from now on, which is something done by reading."""
+        if error is not self.shown:
+            self.environment.acts += 1
+        self.shown = error
 
     def clear(self, group: int, data: int) -> None:
         """ERRORCLEAR: forget the errors of a group; those of an axis are cleared on the axis too.
@@ -147,7 +153,7 @@ class Errors:
     def register(self) -> Error:
         """The error that ERRCODE, ERRLINE, ERRSTRING and ERRDATA tell of."""
         if self.shown is None and self.found:
-            self.shown = self.found[-1]
+            self._show(self.found[-1])
         if self.shown is None:
             raise Refusal(
                 "not-primed", "the error registers hold nothing yet", "read an error with ERRORREADNEXT first"

@@ -33,7 +33,7 @@ class MintInteractive(Interactive):
         self._namespace: dict[str, object] = {
             "E": self.environment,
             "C": self.environment.clock,
-            "P": machine.terminal.write,
+            "P": self.environment.say,
             "t": 0.0,
             "H": 0.0,
             "dt": machine.instruction_time,

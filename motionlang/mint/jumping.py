@@ -13,7 +13,7 @@ the outermost level; a jump out of loops is an exception, as Python has no other
 
 from __future__ import annotations
 
-from motionlang.mint import nodes
+from motionlang.mint import nodes, polling
 from motionlang.mint.symbols import Function
 
 TYPE_CHECKING = False
@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.mint.body import Body
+    from motionlang.mint.polling import Poll
+
+# In a function of more stretches than this no jump is watched.
+MOST_STRETCHES = 200
 
 
 def dispatcher(function: Function) -> str:
@@ -42,10 +46,12 @@ def stretches(body: list[nodes.Stmt]) -> list[tuple[str, list[nodes.Stmt]]]:
 def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     """The lines of the dispatcher, without its head."""
     _check(b)
+    first = len(b.lines)
     b.emit("while True:")
     b.emit(" try:")
     b.indent += 2
     for number, (_, body) in enumerate(b.stretches()):
+        b.stretch = number
         b.emit(f"if pc == {number}:")
         b.indent += 1
         block(b, body)
@@ -55,6 +61,8 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     _end(b)
     b.indent -= 2
     b.emit(f" except {b.whole.use('env', 'Jump')} as jump: pc = jump.args[0]")
+    head = " " * b.indent
+    b.lines[first:first] = [(head + poll.first("t"), b.function.at) for poll in b.polls]
 
 
 def _end(b: Body) -> None:
@@ -93,13 +101,63 @@ def jump(b: Body, node: nodes.Jump) -> None:
     number = labels[key]
     b.pending += 1
     b.flush()
-    b.horizon()
+    leaves_loops = any(kind for kind, _ in b.loops)
+    poll = None
+    if node.kind == "goto" and number <= b.stretch and not leaves_loops:
+        poll = _watched(b, number)
+    if poll is None:
+        b.horizon()
+    else:
+        b.polls.append(poll)
+        polling.turn(b, poll)
     if node.kind == "gosub":
         b.emit(f"yield from {dispatcher(b.function)}({number})")
-    elif any(kind for kind, _ in b.loops):
+    elif leaves_loops:
         b.emit(f"raise {b.whole.use('env', 'Jump')}({number})")
     else:
         b.emit(f"pc = {number}; continue")
+
+
+def _watched(b: Body, target: int) -> Poll | None:
+    """The watch on a jump back: its turn is whatever lies on a way from the label to the jump."""
+    stretches = b.stretches()
+    if len(stretches) > MOST_STRETCHES:
+        return None
+    ahead = _reached(target, _ways(b))
+    back: dict[int, list[int]] = {}
+    for number, nexts in _ways(b).items():
+        for each in nexts:
+            back.setdefault(each, []).append(number)
+    turn = ahead & _reached(b.stretch, back)
+    return polling.watched_jump(b, [node for number in sorted(turn) for node in stretches[number][1]])
+
+
+def _ways(b: Body) -> dict[int, list[int]]:
+    """Where each stretch leads to: what its Gotos name, and the next one."""
+    from motionlang.mint.survey import walk
+
+    labels, ways = b.labels(), {}
+    for number, (_, body) in enumerate(b.stretches()):
+        gotos = [node for node in walk(body) if type(node) is nodes.Jump and node.kind == "goto"]
+        ways[number] = [labels[node.name.lower()] for node in gotos if node.name.lower() in labels]
+        if not body or type(body[-1]) not in (nodes.Jump, nodes.Return, nodes.End) or _is_gosub(body[-1]):
+            ways[number].append(number + 1)
+    return ways
+
+
+def _is_gosub(node: nodes.Stmt) -> bool:
+    return type(node) is nodes.Jump and node.kind == "gosub"
+
+
+def _reached(start: int, ways: dict[int, list[int]]) -> set[int]:
+    """Everything that lies on the ways from a stretch, with itself."""
+    found, stack = {start}, [start]
+    while stack:
+        for each in ways.get(stack.pop(), ()):
+            if each not in found:
+                found.add(each)
+                stack.append(each)
+    return found
 
 
 def return_(b: Body, node: nodes.Return) -> None:

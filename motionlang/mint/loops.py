@@ -17,14 +17,12 @@ if TYPE_CHECKING:
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
 
-def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | None = None) -> None:
+def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
     """The statements of a loop."""
     from motionlang.mint.statements import block
 
     b.loops.append((kind, flag))
-    b.polls.append(poll)
     block(b, body)
-    b.polls.pop()
     b.loops.pop()
 
 
@@ -32,11 +30,10 @@ def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
     """The end of a turn: pay for it, and let others run when it is time."""
     b.pending += cost
     b.flush()
-    if poll is not None:
+    if poll is None:
+        b.horizon()
+    else:
         polling.turn(b, poll)
-    b.polls.append(poll)
-    b.horizon()
-    b.polls.pop()
 
 
 def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
@@ -67,15 +64,13 @@ def while_(b: Body, node: nodes.While) -> None:
     if observes or calls:
         b.emit("while True:")
         b.indent += 1
-        b.polls.append(poll)
         b.settle()
-        b.polls.pop()
         b.emit(f"if not {test}: break")
     else:
         b.emit(f"while {test}:")
         b.indent += 1
     at = b.at
-    body_of(b, "while", node.body, flag, poll)
+    body_of(b, "while", node.body, flag)
     b.at = at
     turn(b, poll)
     b.indent -= 1
@@ -90,13 +85,11 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
     poll = polling.watched(b, node.body, node.condition)
     b.emit("while True:")
     b.indent += 1
-    body_of(b, "repeat", node.body, flag, poll)
+    body_of(b, "repeat", node.body, flag)
     b.at = node.condition.at
     b.begin()
     test = condition(b, node.condition)
-    b.polls.append(poll)
     b.settle()
-    b.polls.pop()
     b.pending += 1
     b.flush()
     b.emit(f"if {test}: break")
@@ -114,7 +107,7 @@ def endless(b: Body, node: nodes.Loop) -> None:
     b.emit("while True:")
     b.indent += 1
     at = b.at
-    body_of(b, "loop", node.body, flag, poll)
+    body_of(b, "loop", node.body, flag)
     b.at = at
     turn(b, poll)
     b.indent -= 1

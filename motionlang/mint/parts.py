@@ -30,12 +30,12 @@ _LEAVES = ("return", "pc = ", "yield from j_")
 class Part:
     """A part by its name; its lines are indented for the body of a function in the outermost place.
 
-    `inside`: it stands in its function, of which it shares these further names.
+    `inside`: it stands in its function.
     """
 
     __slots__ = ("inside", "lines", "name", "waits")
 
-    def __init__(self, name: str, lines: list[Line], waits: bool, inside: list[str] | None) -> None:
+    def __init__(self, name: str, lines: list[Line], waits: bool, inside: bool) -> None:
         self.name, self.lines, self.waits, self.inside = name, lines, waits, inside
 
     def written(self, names: str, indent: int) -> list[Line]:
@@ -49,7 +49,7 @@ class Part:
 
 def cut(b: Body, first: int, ends: list[int]) -> None:
     """Cut the lines of a block from `first` on into parts; its statements end before the lines `ends`."""
-    if not _may_be_cut(b):
+    if b.whole.typed:
         return
     statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
     while sum(map(len, statements)) > LONGEST:
@@ -60,15 +60,10 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
     b.lines[first:] = [line for statement in statements for line in statement]
 
 
-def _may_be_cut(b: Body) -> bool:
-    """What the turns of a loop that polls do is noted in a variable of its function, or of its dispatcher."""
-    return not b.whole.typed and not (b.function.jumps and any(b.polls))
-
-
 def fold(b: Body, first: int) -> None:
     """Move a whole block into a part: Python indents a hundred times, a chain of ElseIf is longer."""
     lines = b.lines[first:]
-    if _may_be_cut(b) and not _is_left(lines):
+    if not b.whole.typed and not _is_left(lines):
         b.lines[first:] = _part(b, lines)
 
 
@@ -116,9 +111,8 @@ def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
 def _part(b: Body, lines: list[Line]) -> list[Line]:
     """Move lines into a part; the call of it."""
     waits = any("yield " in line for line, _ in lines)
-    noted = [poll.dirty for poll in b.polls if poll is not None]
     b.whole.parts += 1
     name = f"q{b.whole.parts}"
-    inside = noted if noted or b.function.kind == "sub" else None
-    b.parts.append(Part(name, [(line[b.indent - 2 :], at) for line, at in lines], waits, inside))
+    moved = [(line[b.indent - 2 :], at) for line, at in lines]
+    b.parts.append(Part(name, moved, waits, b.function.kind == "sub"))
     return [(f"{' ' * b.indent}{'yield from ' if waits else ''}{name}()", lines[0][1])]

@@ -29,7 +29,7 @@ MOVING = frozenset(
 COUNTING = frozenset({"time", "sensing.seconds"})
 # Those of them whose crossing of a value can be solved.
 SOLVED = frozenset({"position", "demand", "remaining", "following.offset", "time"})
-_COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
+COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 
 
 def pause(b: Body, node: nodes.Pause) -> None:
@@ -78,7 +78,7 @@ def _watch(b: Body, node: nodes.Expr, watches: list[str]) -> None:
 
 def solved(b: Body, node: nodes.Expr) -> str | None:
     """A watch for `reading op level`, None where there is no closed form for it."""
-    if type(node) is not nodes.Binary or node.op not in _COMPARED:
+    if type(node) is not nodes.Binary or node.op not in COMPARED:
         return None
     for reading, level in ((node.left, node.right), (node.right, node.left)):
         reading = _defined(b, reading)
@@ -114,12 +114,12 @@ def moves(b: Body, node: nodes.Node, counting: bool = False) -> bool:
                     return True
             else:
                 row = b.whole.table.get(each.name)
-                if row is not None and _moves_by_itself(row, counting):
+                if row is not None and moves_by_itself(row, counting):
                     return True
     return False
 
 
-def _moves_by_itself(row: Keyword, counting: bool) -> bool:
+def moves_by_itself(row: Keyword, counting: bool) -> bool:
     """Whether a keyword's value changes while nothing happens: `counting`, even while every axis stands still."""
     if counting or row.kind == "function":
         return row.verb in COUNTING

@@ -75,7 +75,7 @@ class MintProgram(Program):
         environment.files[FILE] = code.places
         operations = environment.make_operations(code.specs)
         namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
-        namespace.update(E=environment, C=environment.clock, P=machine.terminal.write, dt=dt)
+        namespace.update(E=environment, C=environment.clock, P=environment.say, dt=dt)
         code.link(namespace, dt)
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:

@@ -10,7 +10,6 @@ from motionlang.mint import (
     nodes,
     parts,
     pausing,
-    polling,
     terminal_use,
 )
 from motionlang.mint.body import Value
@@ -28,14 +27,11 @@ if TYPE_CHECKING:
 def block(b: Body, body: list[nodes.Stmt]) -> None:
     """Statements one after the other."""
     guarded = b.whole.guarded and b.function.name.lower() != "onerror"
-    polls = b.polls and b.polls[-1] is not None
     first = len(b.lines)
     ends = []
     for node in body:
         b.at = node.at
         b.observes = b.calls = False
-        if polls:
-            polling.mark(b, node)
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:

@@ -20,6 +20,18 @@ _CHILDREN: dict[type, tuple[str, ...]] = {
 _CHILDREN[Number] = _CHILDREN[String] = ()
 
 
+def children(node: object) -> list[object]:
+    """The nodes of a node, and what else it holds."""
+    out: list[object] = []
+    for slot in _CHILDREN.get(node.__class__, ()):
+        value = getattr(node, slot)
+        if value.__class__ is list:
+            out += value
+        elif value is not None:
+            out.append(value)
+    return out
+
+
 def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
     """Every node below `start`, in no particular order."""
     stack = list(start)

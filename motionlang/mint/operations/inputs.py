@@ -78,7 +78,7 @@ class Inputs:
         found = channel in self._edges
         if found:
             self._edges.discard(channel)
-            self._environment.taken = self._controller.clock.now
+            self._environment.acts += 1
         return found
 
     def _bit(self, name: str, channel: int) -> int:

@@ -84,7 +84,7 @@ class Latch:
         caught = self.caught
         if caught and self.again:
             self.caught = False
-            self._environment.taken = self._controller.clock.now
+            self._environment.acts += 1
         return caught
 
     def _watch(self) -> None:
