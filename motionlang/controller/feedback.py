@@ -448,8 +448,8 @@ class Feedback:
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(sight) if sample is not None]
         lo = self.scanned + 1 - sight.first
-        limits = [self.error_limit] * self._is_armed + [self.warn_limit] * self._may_warn
-        if limits:
+        limits = [self.error_limit] * self._is_armed + [self.warn_limit] * (self.closed and not self.warning)
+        if min(limits, default=INFINITY) < INFINITY:
             beyond = np.flatnonzero(np.abs(sight.error[lo:]) > min(limits))
             found += [sight.first + lo + int(k) for k in beyond[:1]]
         for window in self.windows.values():
@@ -472,17 +472,13 @@ class Feedback:
     def _is_armed(self) -> bool:
         return self.closed and self.error_limit < INFINITY and not self._axis.faults & FOLLOWING_ERROR
 
-    @property
-    def _may_warn(self) -> bool:
-        return self.closed and self.warn_limit < INFINITY and not self.warning
-
     def _happen(self, sample: int) -> None:
         """What a sample brings: positions passed, the following error beyond its limit."""
         sight = self._sight
         assert sight is not None
         passed = [(watch, side) for watch, at, side in self._passes(sight) if at == sample]
         trips = self._is_armed and abs(sight.error[sample - sight.first]) > self.error_limit
-        warns = self._may_warn and abs(sight.error[sample - sight.first]) > self.warn_limit
+        warns = self.closed and not self.warning and abs(sight.error[sample - sight.first]) > self.warn_limit
         self.scanned = sample
         for watch, side in passed:
             before, watch.side = watch.side, side
