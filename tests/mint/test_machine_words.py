@@ -10,6 +10,7 @@ from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords import (
     camboxes,
     comms,
+    fastaux,
     homing,
     io,
     latches,
@@ -23,7 +24,7 @@ from motionlang.mint.keywords import (
 )
 from motionlang.source import Source
 
-GROUPS = (camboxes, comms, homing, io, latches, limits, monitoring, relays, remote, sensing, steppers)
+GROUPS = (camboxes, comms, fastaux, homing, io, latches, limits, monitoring, relays, remote, sensing, steppers)
 WORDS = [row for group in GROUPS for row in group.ROWS if row.kind != "constant"]
 MACHINE = {
     "controller.axes": 2,

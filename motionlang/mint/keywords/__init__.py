@@ -31,6 +31,7 @@ def _rows() -> list[Keyword]:
         constants,
         control,
         drives,
+        fastaux,
         feedrate,
         following,
         functions,
@@ -67,7 +68,7 @@ def _rows() -> list[Keyword]:
     groups = (
         torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes, monitoring, pending, relays, steppers,
+        camboxes, fastaux, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
         kept, identity, older, constants, language,
     )  # fmt: skip

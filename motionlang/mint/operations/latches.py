@@ -115,15 +115,18 @@ class Latch:
             self._catch()
 
     def _catch(self) -> None:
-        now, position = self._controller.clock.now, self._controller.position(self.axis)
-        if self.source == ENCODER:
-            position -= self._controller.axes[self.axis].datum
+        now, position = self._controller.clock.now, self._place()
         near = abs(position - self.value) < self.inhibit_distance and self._time > -INFINITY
         if near or now - self._time < self.inhibit_time / 1000.0:
             return
         self.value, self._time, self.caught = position, now, True
         self.armed = bool(self.again)
         self._fired(self)
+
+    def _place(self) -> float:
+        """What is caught: where the axis is, or what its encoder has counted."""
+        position = self._controller.position(self.axis)
+        return position - self._controller.axes[self.axis].datum if self.source == ENCODER else position
 
 
 class Latches:

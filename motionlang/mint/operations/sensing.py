@@ -217,7 +217,11 @@ class Encoders:
         return self._controller.position(channel) - self._controller.axes[channel].datum
 
     def read(self, channel: int) -> float:
-        shown = self.counts(channel) / self.per_unit(channel) + self.setting("zero", channel)
+        return self.shown(channel, self.counts(channel))
+
+    def shown(self, channel: int, counts: float) -> float:
+        """What an encoder shows at a count."""
+        shown = counts / self.per_unit(channel) + self.setting("zero", channel)
         wrap = self.setting("ENCODERWRAP", channel)
         return shown % wrap if wrap else shown
 
