@@ -11,12 +11,13 @@ from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.entries import Make, Table
     from motionlang.controller.latch import Compare, Latch
     from motionlang.controller.trace import Trace
+    from motionlang.controller.track import Track
     from motionlang.profile.reference import Slope
 
 
@@ -99,6 +100,14 @@ class Controller(Core):
         from motionlang.controller.reference import refer_position
 
         refer_position(self, self._ready(axis), position, command, line)
+
+    def track(
+        self, axis: int, decide: Callable[[], tuple[float, bool]], command: str = "", line: int = 0
+    ) -> Track:
+        """Have the velocity of an axis, counts/s, decided anew at every tick of the profiler."""
+        from motionlang.controller.track import track
+
+        return track(self, self._ready(axis), decide, command, line)
 
     # -------------------------------------------------------------------------------------- following a master
 

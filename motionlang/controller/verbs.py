@@ -39,6 +39,7 @@ VERBS: dict[str, str] = {
     "jog": "Run at a velocity until told otherwise.",
     "refer_speed": "Follow a speed reference: ramp to what is written.",
     "refer_position": "Follow a position reference within a period of the profiler.",
+    "track": "Have the velocity of an axis decided anew at every tick of the profiler.",
     "play": "Follow a ready-made profile now: a path, or the motion of a master.",
     "redirect": "Replace the rest of the present move by a ready-made profile.",
     "stop": "Decelerate to rest and empty the buffer.",

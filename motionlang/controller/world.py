@@ -10,6 +10,7 @@ from motionlang.controller.encoder import AUXILIARY
 from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.limit import Limit
 from motionlang.controller.region import Region
+from motionlang.controller.sensor import Sensor
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -155,8 +156,19 @@ class World:
             put(int(channel), value if active else 0)  # type: ignore[arg-type]
 
         if "axis" in entry:
-            low, high = _span(entry)
-            self._wire_region(int(_number(entry, "axis")), low, high, change)
+            axis, (low, high) = int(_number(entry, "axis")), _span(entry)
+            if "per_unit" in entry:
+                origin = (low if low > -INFINITY else high) - self._start(axis)
+                rise = _number(entry, "per_unit")
+                change = Sensor(
+                    self._controller,
+                    axis,
+                    origin,
+                    float(value),  # type: ignore[arg-type]
+                    rise,
+                    lambda now: put(int(channel), now),
+                ).switch
+            self._wire_region(axis, low, high, change)
             return
         at = _number(entry, "at", 0.0)
         self._at(at, lambda: change(True))

@@ -74,6 +74,10 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "analogue": {
         "channel": ("channel", "The analogue input."),
         "value": ("number", "The value in percent."),
+        "per_unit": (
+            "number",
+            "With an axis: what each user unit adds, from above, below or the first of between on; sampled at 1 kHz.",
+        ),
         "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
         **_WHEN,
     },
@@ -290,6 +294,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         yield "[[fault]] needs axis", rows["axis"][1], "[[fault]]"
     if table == "remote":
         yield from _remote_problems(entry)
+    if "per_unit" in entry and "axis" not in entry:
+        yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):
         yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
     if table in ("comms", "netdata"):

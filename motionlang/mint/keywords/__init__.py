@@ -35,6 +35,7 @@ def _rows() -> list[Keyword]:
         feedrate,
         following,
         functions,
+        holding,
         homing,
         identity,
         io,
@@ -66,7 +67,7 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        torque, jogging, drives,
+        holding, torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, fastaux, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,

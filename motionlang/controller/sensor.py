@@ -1,0 +1,72 @@
+"""A sensor whose analogue value changes with the position of an axis: a force, a distance, the tension of a web.
+
+It is sampled at every tick of the profiler while the axis moves, so that whoever waits for the value hears of it.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.clock import Event
+    from motionlang.controller.controller import Controller
+    from motionlang.profile import Profile
+
+# The period of the profiler, seconds.
+PERIOD = 1e-3
+
+
+def next_tick(now: float) -> float:
+    """The next tick of the profiler: all that is done by ticks is done at the same moments."""
+    return (int(now / PERIOD + 1e-6) + 1) * PERIOD
+
+
+class Sensor:
+    """While it is active, `put` is told `value` and `per_unit` for each user unit beyond `origin` (user units).
+
+    `origin` is a place of the machine, where `start` is the one at which it stood at power-up.
+    """
+
+    __slots__ = ("_controller", "_event", "active", "axis", "origin", "per_unit", "put", "value")
+
+    def __init__(
+        self,
+        controller: Controller,
+        axis: int,
+        origin: float,
+        value: float,
+        per_unit: float,
+        put: Callable[[float], None],
+    ) -> None:
+        self._controller, self.axis = controller, axis
+        self.origin, self.value, self.per_unit, self.put = origin, value, per_unit, put
+        self.active = False
+        self._event: Event | None = None
+        controller.axes[axis].followers.append(self._moved)
+
+    def switch(self, active: bool) -> None:
+        """The axis came into the region in which the sensor sees something, or left it."""
+        self.active = active
+        if active:
+            self._sample()
+        else:
+            self._cancel()
+            self.put(0.0)
+
+    def _moved(self, profile: Profile) -> None:
+        if self.active:
+            self._sample()
+
+    def _sample(self) -> None:
+        self._cancel()
+        controller, a = self._controller, self._controller.axes[self.axis]
+        place = (controller.position(self.axis) - a.datum) / a.scale.counts
+        self.put(self.value + self.per_unit * (place - self.origin))
+        if not controller.is_still(self.axis):
+            self._event = controller.clock.at(next_tick(controller.clock.now), self._sample)
+
+    def _cancel(self) -> None:
+        if self._event is not None:
+            self._event.cancel()
+            self._event = None
