@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import json
-import os
 import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli_run import complain, no_dialect, read_source, unreadable
 from motionlang.errors import ProgramError
-from motionlang.execution import dialect, dialect_of, machine_beside
+from motionlang.execution import dialect, dialect_of, machine_of
 from motionlang.lang.machine import DEFAULT_AXES
 from motionlang.lang.machine_axes import missing_axes
 from motionlang.lang.machine_file import read_machine
-from motionlang.source import Source
+from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
 
 if TYPE_CHECKING:
@@ -49,20 +48,17 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     for file in files:
         language, source, diagnostics = _check(file, options)
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
+        name = STDIN_NAME if file == STDIN else file
         complain(
-            diagnostics, source, source.name if source is not None and source.name != _name(file) else file
+            diagnostics, source, source.name if source is not None and source.name != name_of(file) else name
         )
         found = [each.as_dict() for each in diagnostics]
-        rows.append({"program": file, "dialect": language, "diagnostics": found})
+        rows.append({"program": name, "dialect": language, "diagnostics": found})
         if not options.as_json:
-            sys.stdout.write(f"{file}: {tally(diagnostics) or 'no mistakes'}\n")
+            sys.stdout.write(f"{name}: {tally(diagnostics) or 'no mistakes'}\n")
     if options.as_json:
         sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
     return 1 if wrong else 0
-
-
-def _name(file: str) -> str:
-    return "<stdin>" if file == "-" else os.path.basename(file)
 
 
 def _check(file: str, options: CheckOptions) -> tuple[str, Source | None, list[Diagnostic]]:
@@ -74,7 +70,7 @@ def _check(file: str, options: CheckOptions) -> tuple[str, Source | None, list[D
         source = read_source(file)
     except OSError as error:
         return language.name, None, [unreadable(file, error)]
-    path = options.machine or (machine_beside(file) if file != "-" else None)
+    path = machine_of(file, options.machine)
     settings: dict[str, object] = {}
     if path is not None:
         try:

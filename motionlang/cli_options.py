@@ -12,8 +12,8 @@ from motionlang.cli_machine_options import add_dialect, add_machine, set_values
 from motionlang.cli_parser import Parser, add_command
 from motionlang.cli_run import Options, complain
 from motionlang.cli_run_options import add_run
-from motionlang.errors import ProgramError, nearest
-from motionlang.execution import machine_beside
+from motionlang.errors import ProgramError
+from motionlang.execution import machine_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -138,12 +138,11 @@ def _mccl_models() -> list[str]:
 
 
 def _model(text: str) -> str:
-    from motionlang.mint.models import NAMES, age
+    from motionlang.lang.dialect import unknown_model
 
-    if age(text) is None and text not in _mccl_models():
-        near = nearest(text, [*NAMES, *_mccl_models()])
-        hint = f"did you mean {near}?" if near else f"such as {', '.join([*NAMES, *_mccl_models()])}"
-        raise argparse.ArgumentTypeError(f"{text!r} is no controller that is known here; {hint}")
+    problem = unknown_model(text)
+    if problem is not None:
+        raise argparse.ArgumentTypeError("; ".join(problem))
     return text
 
 
@@ -174,7 +173,7 @@ def _repl(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int
     overrides: dict[str, float | str] = {}
     set_values(arguments.set, settings, overrides, parser)
     options = Options(arguments.machine or "")
-    options.machine = arguments.machine or (machine_beside(arguments.file) if arguments.file else None)
+    options.machine = machine_of(arguments.file or None, arguments.machine)
     if options.machine is not None:
         status = read_machine_file(options, settings)
         if status:

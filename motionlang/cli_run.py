@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import sys
 
-from motionlang.execution import dialect, dialect_of, machine_beside, run
-from motionlang.source import Source
+from motionlang.execution import dialect, dialect_of, machine_of, run
+from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -82,8 +82,7 @@ def run_command(options: Options) -> int:
     if options.dialect is None and dialect_of(options.file) is None:
         return refuse(options, [no_dialect(options.file)], None, 2)
     settings = dict(options.settings)
-    if options.machine is None and options.file != "-":
-        options.machine = machine_beside(options.file)
+    options.machine = machine_of(options.file, options.machine)
     if options.machine is not None:
         status = read_machine_file(options, settings)
         if status:
@@ -91,7 +90,7 @@ def run_command(options: Options) -> int:
     missing = _missing_axes(options, settings) if settings else []
     if missing:
         return refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
-    if options.realtime is not None and options.file != "-" and sys.stdin.isatty():
+    if options.realtime is not None and options.file != STDIN and sys.stdin.isatty():
         from motionlang.cli_keyboard import run_live
 
         result = run_live(lambda keyboard: _run(options, source, settings, keyboard), options.realtime)
@@ -155,8 +154,8 @@ def _show(text: str) -> None:
 
 def read_source(file: str) -> Source:
     """The program of a file, or of standard input for `-`; OSError where it cannot be read."""
-    if file == "-":
-        return Source.from_bytes("<stdin>", sys.stdin.buffer.read())
+    if file == STDIN:
+        return Source.from_bytes(STDIN_NAME, sys.stdin.buffer.read())
     return Source.read(file)
 
 
@@ -187,10 +186,10 @@ def no_dialect(file: str) -> Diagnostic:
     """The diagnostic of a file whose name does not say its language."""
     from motionlang.errors import Diagnostic
 
-    name = "standard input" if file == "-" else file
+    name = "standard input" if file == STDIN else file
     suffix = os.path.splitext(file)[1]
     what = f"its suffix {suffix} belongs to no dialect" if suffix else "it has no suffix"
-    if file == "-":
+    if file == STDIN:
         what = "it has no name"
     hint = "say --dialect mint or --dialect mccl; .mnt .mntx .prg are Mint, .mcl .mccl MCCL"
     return Diagnostic("file", f"the language of {name} is unknown: {what}", hint=hint)
@@ -204,7 +203,7 @@ def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str
     from motionlang.views.terminal import wants_colour, width_of
 
     sys.stdout.flush()
-    name = "<stdin>" if file == "-" else file
+    name = STDIN_NAME if file == STDIN else file
     colour, width = wants_colour(sys.stderr), width_of(sys.stderr)
     sys.stderr.write(render_all(diagnostics, source, name=name, colour=colour, width=width))
     sys.stderr.flush()
@@ -215,7 +214,7 @@ def refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source |
     if options.report == "json":
         from motionlang.report import failure
 
-        sys.stdout.write(failure(os.path.basename(options.file), options.dialect or "", diagnostics))
+        sys.stdout.write(failure(name_of(options.file), options.dialect or "", diagnostics))
     complain(diagnostics, source, source.name if source is not None else options.file)
     return status
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli_machine_options import add_machine, set_values
 from motionlang.cli_run import Options, read_machine_file, read_source, refuse, unreadable
-from motionlang.execution import machine_beside
+from motionlang.execution import machine_of
 from motionlang.serve.address import BadAddress, parse
 
 if TYPE_CHECKING:
@@ -97,8 +97,7 @@ def serve_command(args: argparse.Namespace) -> int:
             source = read_source(args.file)
         except OSError as error:
             return refuse(options, [unreadable(args.file, error)], None, 1)
-        if options.machine is None and args.file != "-":
-            options.machine = machine_beside(args.file)
+    options.machine = machine_of(args.file, args.machine)
     if options.machine is not None:
         status = read_machine_file(options, settings)
         if status:

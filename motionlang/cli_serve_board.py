@@ -11,6 +11,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine import Machine
 from motionlang.mccl.console import Console
+from motionlang.mccl.models import written_for
 from motionlang.serve import Limits, LockStep, RealTime, Server
 from motionlang.serve.address import is_loopback, shown
 from motionlang.serve.pace import STEP
@@ -32,6 +33,8 @@ def serve_board(
     overrides: dict[str, float | str],
 ) -> int:
     """Serve until a signal; 1 where the board or its ways in cannot be made."""
+    if source is not None:
+        settings.setdefault("controller.model", written_for(source.name))
     try:
         console = Console(Machine(settings, first_axis=1, overrides=overrides))
         download = console.download(

@@ -99,12 +99,12 @@ def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
 
     None where there is no file. ValueError names what is wrong in it.
     """
+    from motionlang import execution
     from motionlang.errors import ProgramError
-    from motionlang.execution import machine_beside
     from motionlang.lang.machine_file import read_machine
     from motionlang.source import Source
 
-    path = args.machine or machine_beside(args.file)
+    path = execution.machine_of(args.file, args.machine)
     if path is None:
         return None
     try:

@@ -9,7 +9,7 @@ import sys
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
-from motionlang.source import Source
+from motionlang.source import STDIN, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,8 +41,13 @@ def dialect_of(file: str) -> Dialect | None:
     return None
 
 
-def machine_beside(program: str | os.PathLike[str]) -> str | None:
-    """The machine file `pick.machine.toml` that lies beside a program `pick.mnt`, None where there is none."""
+def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
+    """The machine file of a program: the one that is given, or `pick.machine.toml` beside `pick.mnt`; None for none.
+
+    Standard input and a `Source` lie nowhere, and so nothing lies beside them.
+    """
+    if given is not None or program is None or isinstance(program, Source) or program == STDIN:
+        return given
     path = os.path.splitext(program)[0] + MACHINE_SUFFIX
     return path if os.path.isfile(path) else None
 
@@ -210,7 +215,7 @@ def end_of(settings: Mapping[str, object]) -> float:
 
 def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, object]:
     """The settings of the machine file beside a program that is named by its path."""
-    path = None if isinstance(program, Source) else machine_beside(program)
+    path = machine_of(program)
     if path is None:
         return {}
     from motionlang.lang.machine_file import read_machine
@@ -370,6 +375,6 @@ __all__ = [
     "dialect_of",
     "dialects",
     "end_of",
-    "machine_beside",
+    "machine_of",
     "run",
 ]

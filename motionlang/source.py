@@ -4,6 +4,14 @@ from __future__ import annotations
 
 import os
 
+# How a command line names standard input, and how everybody else does.
+STDIN, STDIN_NAME = "-", "<stdin>"
+
+
+def name_of(file: str) -> str:
+    """The name of a program in messages and reports: its file's, without the folder."""
+    return STDIN_NAME if file == STDIN else os.path.basename(file)
+
 
 def _utf16(data: bytes) -> str:
     """The name of the UTF-16 that bytes are in, "" for none: it has a mark, or every other byte is NUL, mostly."""

@@ -105,10 +105,15 @@ class HostMemory:
 
 def product(model: str) -> str:
     """The product among `PRODUCTS` that a model's name speaks of, the NextMove e100 where none; ES and ESB are "es"."""
+    return named_product(model) or "e100"
+
+
+def named_product(model: str) -> str | None:
+    """The same, None where the name speaks of none."""
     name = "".join(letter for letter in model.lower() if letter.isalnum())
     for family in ("nextmove", "microflex", "motiflex"):
         name = name.removeprefix(family)
-    return next((each for each in PRODUCTS if name.startswith(each)), "e100")
+    return next((each for each in PRODUCTS if name.startswith(each)), None)
 
 
 def packed(text: str) -> list[int]:

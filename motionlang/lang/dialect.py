@@ -36,6 +36,19 @@ def dialect(name: str) -> Dialect:
     return found
 
 
+def unknown_model(name: str) -> tuple[str, str] | None:
+    """What is wrong with the name of a controller that no dialect knows, and a hint; None where one does."""
+    from motionlang.errors import nearest
+
+    languages = [dialect(each) for each in dialects()]
+    if any(each.knows_model(name) for each in languages):
+        return None
+    models = [model for each in languages for model in each.models()]
+    near = nearest(name, models)
+    hint = f"did you mean {near}?" if near else f"there are {', '.join(models)}"
+    return f"{name!r} is no controller that is known here", hint
+
+
 class Dialect:
     """`name` as users write it, the file `suffixes` it owns, and the number of its first axis."""
 
@@ -50,6 +63,14 @@ class Dialect:
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         """Every mistake and every warning, nothing run; `settings` are those of the machine file."""
         raise NotImplementedError
+
+    def models(self) -> tuple[str, ...]:
+        """The names of the controllers that speak the dialect."""
+        return ()
+
+    def knows_model(self, name: str) -> bool:
+        """Whether a name is that of such a controller, however it may be spelt."""
+        return name in self.models()
 
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         """What is wrong with a key of the dialect's own section of the machine file, and a hint; None for nothing."""

@@ -8,7 +8,7 @@ diagnostic with its line.
 from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
-from motionlang.lang.dialect import dialect
+from motionlang.lang.dialect import dialect, unknown_model
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -247,6 +247,8 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         problem = f"must be 1 to {MAX_AXES}"
     if problem is None and key == "controller.instruction_time" and not 1e-9 <= value <= 1.0:  # type: ignore[operator]
         problem = "must be 1e-9 to 1 second"
+    if problem is None and key == "controller.model" and value:
+        return unknown_model(str(value))
     if problem is None and key.startswith(_OF_DIALECTS):
         return dialect(key.partition(".")[0]).setting_problem(key, value)
     return None if problem is None else (f"{key} {problem}, not {value!r}", row[1])

@@ -36,6 +36,11 @@ class Mccl(Dialect):
 
         return check(source, settings)
 
+    def models(self) -> tuple[str, ...]:
+        from motionlang.mccl.models import MODELS
+
+        return tuple(MODELS)
+
     def load(self, payload: bytes) -> Program:
         raise NotImplementedError("MCCL programs are not cached: decoding is as quick")
 

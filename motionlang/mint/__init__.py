@@ -33,6 +33,16 @@ class Mint(Dialect):
 
         return check(source, settings)
 
+    def models(self) -> tuple[str, ...]:
+        from motionlang.mint.models import NAMES, PRODUCTS
+
+        return (*NAMES, *PRODUCTS)
+
+    def knows_model(self, name: str) -> bool:
+        from motionlang.mint.models import age
+
+        return age(name) is not None
+
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         from motionlang.mint.told import problem
 

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.controller.host import named_product
 from motionlang.mint import nodes
-from motionlang.mint.models import MINTMT, V4, age
+from motionlang.mint.events import kind_and_number
+from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
+from motionlang.mint.operations.comms import EVENTS
 from motionlang.mint.survey import walk
 from motionlang.mint.tables import TABLES
 
@@ -52,6 +55,12 @@ def check_model(module: Module, source: Source, model: str, table: Table, add: C
     for at, what, hint in find(module, source, table):
         other = MINTMT if wanted == V4 else V4
         add("model", f"{what} is {other}: it does not compile on {wanted}", at, hint)
+    product = named(model)
+    if product is not None:
+        for at, what, hint in _lacking(module, product, table):
+            add("model", what, at, hint)
+        for at, what, hint in _never_raised(module, product):
+            add("model", what, at, hint, "warning")
 
 
 def _not_mintmt(module: Module, source: Source, table: Table) -> Found:
@@ -81,9 +90,47 @@ def _not_v4(module: Module, source: Source, table: Table) -> Found:
             yield node.at, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop"
 
 
+def _lacking(module: Module, product: str, table: Table) -> Found:
+    """Words and values that the manuals give to other products only."""
+    for name in _names(module):
+        row = table.get(name.name)
+        if row is not None and product in ABSENT.get(row.name, ()):
+            yield name.at, f"the {product} has no {row.name}", row.help
+    for node in walk(_everything(module)):
+        target = node.target if type(node) is nodes.Assign else None
+        row = table.get(target.name) if type(target) is nodes.Name else None
+        if (
+            row is None
+            or type(node) is not nodes.Assign
+            or product not in LARGEST.get(row.name, (0.0, ()))[1]
+        ):
+            continue
+        largest = LARGEST[row.name][0]
+        for value in node.values:
+            if type(value) is nodes.Number and value.value > largest:
+                told = f"it takes {-largest:g} to {largest:g} there"
+                yield value.at, f"{row.name} cannot be {value.value:g} on the {product}", told
+
+
+def _never_raised(module: Module, product: str) -> Found:
+    """Handlers of writes by the host that this product does not tell of."""
+    spans = EVENTS.get(named_product(product) or "")
+    for event in module.events if spans is not None else ():
+        kind, number = kind_and_number(event.name) or ("", -1)
+        if kind not in ("comms", "netdata") or number < 0:
+            continue
+        first, last, _ = spans.get(kind, (0, -1, True))  # type: ignore[union-attr]
+        if not first <= number <= last:
+            known = f"those of {first} to {last} do" if last >= first else f"it has no {kind.upper()} events"
+            yield event.at, f"{event.name} never comes on the {product}", known
+
+
+def _everything(module: Module) -> list[nodes.Node]:
+    return [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
+
+
 def _names(module: Module) -> Iterator[nodes.Name]:
-    blocks = [*module.subs, *module.tasks, *module.events, *module.startup]
-    for node in walk([*module.body, *blocks]):
+    for node in walk(_everything(module)):
         if type(node) is nodes.Name:
             yield node
 

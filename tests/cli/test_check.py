@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import json
+import sys
+
+import pytest
 
 from tests.cli.programs import Cell
 
@@ -68,6 +72,33 @@ def test_a_model_of_the_other_age(cell: Cell) -> None:
     ran = cell("check", "old.prg", "--model", "mint5")
     assert ran.status == 2
     assert "did you mean mint4?" in ran.err
+
+
+def test_a_model_by_the_name_of_its_product(cell: Cell) -> None:
+    cell.write("new.mnt", "Const SIZE = 5\nPRINT SIZE\n")
+    assert cell("check", "new.mnt", "--model", "nextmove esb-2").status == 0
+    ran = cell("check", "new.mnt", "--model", "MINTDRIVE")
+    assert "error[model]: Const is MintMT: it does not compile on Mint v4\n" in ran.err
+    ran = cell("check", "new.mnt", "--model", "MotiFlex e18")
+    assert ran.status == 2
+    assert "'MotiFlex e18' is no controller that is known here; did you mean MotiFlex e180?" in ran.err
+    cell.write("new.machine.toml", 'controller.model = "Microflex e15"\n')
+    ran = cell("run", "new.mnt")
+    assert ran.status == 1
+    assert "did you mean MicroFlex e150?" in ran.err
+
+
+def test_standard_input_has_one_name(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the line of a check, in its messages, in its document and in that of a run."""
+    for arguments, where in [
+        (("check", "-", "--dialect", "mint"), "out"),
+        (("check", "-", "--dialect", "mint"), "err"),
+        (("check", "-", "--dialect", "mint", "--json"), "out"),
+        (("run", "-", "--dialect", "mint", "--report", "json"), "out"),
+        (("run", "-", "--report", "json"), "out"),
+    ]:
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"x = y\n")))
+        assert "<stdin>" in getattr(cell(*arguments), where)
 
 
 def test_a_board_without_tasks(cell: Cell) -> None:

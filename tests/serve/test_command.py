@@ -58,6 +58,20 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
     assert "Traceback" not in err
 
 
+def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> None:
+    """A suffix of PMC's names the board, unless a setting does."""
+    macros = tmp_path / "press.pc1"
+    macros.write_text("1TP\n")
+    for options, title in [
+        ((), "DCX-PC100 modular controller"),
+        (("--set", "controller.model=dcx-pci300"), "DCX-PCI300, DSP based modular controller"),
+    ]:
+        with running(str(macros), "--tcp", "0", *options) as process:
+            out = line_with(process, title)
+            process.kill()
+        assert out.startswith(", 8 axes")
+
+
 def test_a_serial_device() -> None:
     pytest.importorskip("pty")
     with running("--pty", "--clock", "lockstep") as process:
@@ -113,6 +127,7 @@ def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
         (["--tcp", "0", "--clock", "lockstep", "--factor", "2"], "it goes with --clock real"),
         (["--tcp", "0", "--factor", "-1"], "'-1' is not a factor from"),
         (["--tcp", "0", "--hosts", "0"], "'0' is not a number of connections from 1 to 1000"),
+        (["--tcp", "0", "--set", "controller.model=pmc9"], "'pmc9' is no controller that is known here"),
         (["pick.mnt", "--tcp", "0"], "a Mint program is served with --modbus HOST:PORT"),
     ],
 )
@@ -130,7 +145,7 @@ def test_mistakes_on_the_command_line(
     [
         (["gone.mcl"], "error[file]: gone.mcl cannot be read: no such file or directory\n"),
         (["--machine", "gone.toml"], "error[file]: gone.toml cannot be read: no such file or directory\n"),
-        (["--set", "controller.model=pmc9"], "error[machine-file]: MCCL knows no model pmc9\n"),
+        (["--set", "controller.model=mintmt"], "error[machine-file]: MCCL knows no model mintmt\n"),
         (["--set", "R999=1"], "error[range]: there is no register 999\n"),
         (
             ["--tcp", "no.such.host.invalid:1"],
