@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 END = "$END"  # Lark's name for the end of the text
 BAD = "BAD"  # the kind of a token that no grammar knows
 new = object.__new__  # for the reducers, which fill in what they make
-DEEPEST = 1000  # symbols on the stack: 200 nested Ifs, 125 nested Fors
 
 
 class Stuck(Exception):

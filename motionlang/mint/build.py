@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.lang.tables import DEEPEST, TooDeep
+from motionlang.lang.tables import TooDeep
 from motionlang.mint.nodes import (
     Call,
     Case,
@@ -25,6 +25,7 @@ from motionlang.mint.nodes import (
     Variable,
 )
 
+DEEPEST = 200  # blocks inside one another, an ElseIf being inside its If; a limit of this program, not of Mint
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
 INFINITE = float("inf")
 MOST_NUMBERS = 50_000
@@ -86,7 +87,7 @@ def dotted(at: int, text: str) -> Name:
 
 def body(values: list[object]) -> list[Stmt]:
     """The empty list of statements with which a block begins."""
-    if len(values) > DEEPEST:
+    if len(values) > 2 * DEEPEST and sum(type(value) is list for value in values) > DEEPEST:
         raise TooDeep
     return []
 

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.places import Places
-from motionlang.lang.tables import DEEPEST, END
+from motionlang.lang.tables import END
 from motionlang.lang.tables_stack import empty, expected, feed, feed_all
 from motionlang.mint import wording
 from motionlang.mint.blocks import CLOSERS, DECLARATIONS, OPENERS, closing, opened_blocks, plain_lines
-from motionlang.mint.build import INFINITE, number
+from motionlang.mint.build import DEEPEST, INFINITE, number
 from motionlang.mint.tables import TABLES
 
 TYPE_CHECKING = False
@@ -52,7 +52,7 @@ class _Reader:
         self.kinds = [TABLES.kind_of[text] for text in self.texts]
         self.places = Places(source, TABLES, self.texts)
         self.diagnostics: list[Diagnostic] = []
-        self.top = empty(TABLES)
+        self.top = self.deepest = empty(TABLES)
         self.before = self.line = self.mark = self.top
         self.start = 0  # the token at which the statement began
         self.spent: dict[int, int] = {}  # an opener, and the inner one that its closer was spent on
@@ -69,10 +69,26 @@ class _Reader:
             if fits:
                 self._check(at)
             at = self._after(at) if fits else self._mistake(at)
-            if self.top.depth > DEEPEST and (blocks := opened_blocks(self.mark)):
-                hint = "move the inner ones into a Sub"
-                self.report("syntax", "blocks are nested too deeply", blocks[0].at, hint)
-                return
+            if self.top.depth > self.deepest.depth:
+                self.deepest = self.top
+            if self.top.depth > 2 * DEEPEST and self._is_too_deep():
+                self.deepest = self.top
+                break
+        if not self.diagnostics or at < len(self.kinds):
+            self._report_depth()
+
+    def _is_too_deep(self) -> bool:
+        return self.top.symbol == "_NL" and sum(cell.symbol == "body" for cell in self.top) > DEEPEST
+
+    def _report_depth(self) -> None:
+        """The blocks are nested too deeply: what else could be wrong with a text that cannot be parsed?"""
+        blocks = opened_blocks(self.deepest)
+        if blocks and len(self.diagnostics) < MOST:
+            message = f"blocks are nested more than {DEEPEST} deep here"
+            hint = "move the inner ones into a Sub, or write Select Case for a chain of ElseIf"
+            self.report(
+                "syntax", message, blocks[min(1, len(blocks) - 1)].at, hint
+            )  # the last one has no body yet
 
     def report(self, code: str, message: str, at: int, hint: str = "", last: int | None = None) -> None:
         """Write down a mistake at a token, or from one token to another of the same line."""

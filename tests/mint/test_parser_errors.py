@@ -100,3 +100,15 @@ def test_blocks_agree_with_the_grammar() -> None:
         opened = feed_all(empty(TABLES), PLAIN[kind], 0)
         assert opened
         assert feed_all(opened, PLAIN[closer], 0), closer
+
+
+@pytest.mark.parametrize(
+    "opener", ["While x < 3", "If x Then", "For i = 1 To 2", "Select Case x\nCase 1", "Repeat"]
+)
+def test_blocks_nested_too_deeply_are_told_where_they_are_too_deep(opener: str) -> None:
+    (line,) = shown(f"{opener}\n" * 1000).split("\n")
+    assert line.endswith(
+        "syntax: blocks are nested more than 200 deep here (move the inner ones into a Sub, or write "
+        "Select Case for a chain of ElseIf)"
+    )
+    assert int(line.split(":")[0]) == 200 * (opener.count("\n") + 1) + 1
