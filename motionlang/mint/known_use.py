@@ -27,12 +27,12 @@ _WHEN_WRITTEN = {
 
 def is_loose(row: Keyword) -> bool:
     """Whether anything may stand in the brackets of a word, and after it."""
-    return row.group == "known" and row.index not in ("axis", "axes")
+    return known.is_known(row.verb) and row.index not in ("axis", "axes")
 
 
 def can_be_given(row: Keyword) -> bool:
     """Whether a word takes a value: a command of which nobody knows more may, too."""
-    return "W" in row.access or (row.group == "known" and row.access == "C")
+    return "W" in row.access or (row.access == "C" and known.is_known(row.verb))
 
 
 def written(row: Keyword) -> Keyword:
@@ -44,7 +44,7 @@ def written(row: Keyword) -> Keyword:
         from copy import copy
 
         changed = _changed[row.name] = copy(row)
-        changed.verb, changed.group, changed.simulated = known.JUMP, "known", False
+        changed.verb, changed.simulated = known.JUMP, False
     return changed
 
 
@@ -55,7 +55,7 @@ def place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
     """What the operations of such a word are given last: the line, and the place of the word in the program."""
     if row.verb == KEPT:
         return [str(b.whole.line(node.at))]
-    if row.group != "known":
+    if not known.is_known(row.verb):
         return []
     at = -1 if b.whole.typed else node.at  # a sub that was typed may run when another line is executed
     return [str(b.whole.line(node.at)), str(at)]

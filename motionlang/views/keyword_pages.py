@@ -27,8 +27,13 @@ def markdown(rows: Sequence[Keyword], dialect: str) -> str:
         lines += ["", f"## {group}"]
         for row in members:
             lines += ["", *_entry(row, dialect)]
-    lines += ["", "## Known, not simulated", "", "| word | meaning |", "|---|---|"]
-    lines += [f"| `{row.name}` | {_cell(row.help)} |" for row in known]
+    lines += ["", "## Known, not simulated"]
+    apart = not {row.group for row in known} & {row.group for row in simulated}
+    groups = _groups(known) if apart else {"": known}
+    for group, members in groups.items():
+        title = ["", f"### {group[:1].upper()}{group[1:]}"] if group else []
+        lines += [*title, "", "| word | meaning |", "|---|---|"]
+        lines += [f"| `{row.name}` | {_cell(row.help)} |" for row in members]
     return "\n".join(lines) + "\n"
 
 

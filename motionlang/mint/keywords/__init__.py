@@ -104,11 +104,12 @@ def _not_simulated() -> Iterator[Keyword]:
     for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines():
         name, short, index, kind, access, meaning = line.split("|")
         sense = "reading" if access == "R" else "setting"
-        verb, group = (kept.VERB, "kept") if name in kept.WORDS else (known.verb(name), "known")
-        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source,
-                      trust="code", group=group, simulated=False)  # fmt: skip
+        verb = kept.VERB if name in kept.WORDS else known.verb(name)
+        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source, trust="code",
+                      group=known.GROUPS.get(verb, known.KEPT_GROUP), simulated=False)  # fmt: skip
     for text, origin, trust in ((commands.WORDS, source, "code"), (known.COMMANDS, "Mint v4", "memory")):
         for line in text.splitlines():
             name, short, index, meaning = line.split("|")
-            yield Keyword(name, short, "command", "C", index, "", known.verb(name), meaning, source=origin,
-                          trust=trust, group="known", simulated=False)  # fmt: skip
+            verb = known.verb(name)
+            yield Keyword(name, short, "command", "C", index, "", verb, meaning, source=origin, trust=trust,
+                          group=known.GROUPS[verb], simulated=False)  # fmt: skip

@@ -25,7 +25,7 @@ def _word(
 def _fine(name: str, short: str, access: str, index: str, unit: str, help: str) -> Keyword:
     given = " Writing it clears nothing." if "W" in access else ""
     return _word(
-        name, short, access, index, unit, "nothing_wrong", f"{help} 0: no drive is simulated.{given}"
+        name, short, access, index, unit, "nothing_wrong", f"{help} 0: nothing went wrong.{given}"
     )
 
 

@@ -9,6 +9,14 @@ from __future__ import annotations
 
 VALUE, COMMAND, MOTION, FACTOR = "known.value", "known.command", "known.motion", "known.factor"
 JUMP = "known.jump"
+# What becomes of a word, as the groups of the vocabulary say it.
+GROUPS = {
+    VALUE: "known only if the program writes it or the machine file says it",
+    COMMAND: "without an effect",
+    MOTION: "where it moves or decides, the run ends",
+    FACTOR: "where it is not 1, the run ends",
+}
+KEPT_GROUP = "kept without an effect"
 
 # Commands without an effect on motion, inputs or outputs: the program goes on, and the report names them.
 _COMMANDS = """
@@ -43,6 +51,11 @@ WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
 def verb(name: str) -> str:
     """What a word stands for that is neither simulated nor kept."""
     return _VERBS.get(name, VALUE)
+
+
+def is_known(verb: str) -> bool:
+    """Whether a word has one of the verbs of this module."""
+    return verb in GROUPS or verb == JUMP
 
 
 def words() -> frozenset[str]:
