@@ -105,6 +105,11 @@ def axes(run: Run) -> list[Row]:
     ]
 
 
+def written(run: Run) -> list[Row]:
+    """What the program has left in other devices: each value once, as it stands at the end of the run."""
+    return [row for rows in run.machine.written for row in rows()]
+
+
 def _axis(axis: Axis, now: float) -> Row:
     motor = axis.feedback
     counts = axis.position(now) if motor is None else motor.position
@@ -149,9 +154,8 @@ def _tail(run: Run) -> Row:
     }
     if run.terminals:
         tail["terminals"] = [{"name": name, "output": lines} for name, lines in sorted(run.terminals.items())]
-    written = [row for rows in run.machine.written for row in rows()]
-    if written:
-        tail["written"] = written
+    if others := written(run):
+        tail["written"] = others
     return tail
 
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from motionlang.report import axes as axes_of
 from motionlang.report import moves as moves_of
+from motionlang.report import written as written_of
 from motionlang.views.chart import velocity_chart
 from motionlang.views.grid import Column, decimals_of, grid
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time, dialect_name, figure, outcome
+from motionlang.views.written import written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -84,6 +86,8 @@ def render(run: Run, *, width: int = 100, colour: bool = False, charts: bool = F
     axes = axes_of(run)
     if axes:
         parts.append(_axes(axes, width, colour))
+    if others := written_of(run):
+        parts.append(written(others, width, colour))
     parts += [[f"{styled('note:', 'note', colour)} {printable(each)}"] for each in run.not_counted]
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 

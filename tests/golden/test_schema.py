@@ -46,6 +46,12 @@ def runs() -> Iterator[Run]:
     for program, dialect in (
         ("MOVR(0) = 1\n", "mint"),
         ("PRINT 1 / 0\n", "mint"),
+        ("PRINT #2, 5\nMODBUSTCP32(4, 6) = -1\nREMOTEOUTX(1, 2, 3) = 1\nREMOTEDAC(1, 2, 3) = -5\n", "mint"),
+        (
+            'REMOTECOMMS(1, 2, 5) = 1 / 3\nREMOTEOBJECTSTRING(1, 2, 7, 1) = "IO"\nREMOTEESTOP(1, 2) = 1\n',
+            "mint",
+        ),
+        ("REMOTEPDOOUT(1, 2, -1)\nREMOTEOBJECTFLOAT(1, 2, 7, 1) = 1e300 * 1e300\n", "mint"),
         ("1XX\n9MR5\n", "mccl"),
         ("", "mccl"),
     ):
@@ -75,10 +81,8 @@ def tables() -> Iterator[tuple[str, list[str]]]:
 def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
     explained = [names for head, names in tables() if head == "field"]
     definitions = SCHEMA["$defs"]
-    objects = [
-        SCHEMA,
-        *(definitions[name] for name in ("move", "phase", "move_motor", "axis", "motor", "diagnostic")),
-    ]
+    names = ("move", "phase", "move_motor", "axis", "motor", "diagnostic", "terminal", "written")
+    objects = [SCHEMA, *(definitions[name] for name in names)]
     assert explained == [list(each["properties"]) for each in objects]
 
 
@@ -87,4 +91,5 @@ def test_the_page_names_every_value() -> None:
     assert found == {
         "`status`": SCHEMA["properties"]["status"]["enum"],
         "`ended`": SCHEMA["$defs"]["move"]["properties"]["ended"]["enum"],
+        "`what`": SCHEMA["$defs"]["written"]["properties"]["what"]["enum"],
     }

@@ -6,6 +6,7 @@ import json
 
 from motionlang import report, run
 from motionlang.source import Source
+from motionlang.views.table import render
 
 
 def ran(text: str, **machine: object) -> tuple[str, dict[str, list[str]], list[str]]:
@@ -93,9 +94,9 @@ def test_the_report_has_what_went_elsewhere() -> None:
     assert told["output"] == []
     assert told["terminals"] == [{"name": "terminal 2", "output": ["there"]}]
     assert told["written"] == [
-        {"server": 4, "register": 6, "value": 4464},
-        {"server": 4, "register": 7, "value": 1},
-        {"bus": 1, "node": 2, "element": 5, "value": 2.5},
+        {"server": 4, "what": "register", "number": 6, "value": 4464},
+        {"server": 4, "what": "register", "number": 7, "value": 1},
+        {"bus": 1, "node": 2, "what": "element", "number": 5, "value": 2.5},
     ]
 
 
@@ -103,3 +104,28 @@ def test_a_report_of_a_program_that_speaks_to_nobody_is_as_ever() -> None:
     told = run(Source("a.mnt", 'PRINT "here"')).report
     assert "terminals" not in told
     assert "written" not in told
+
+
+def test_the_table_shows_what_was_written_into_other_devices() -> None:
+    text = """
+MODBUSTCP16(4, 6) = -1
+REMOTEDAC(1, 2, 3) = 12.5
+REMOTEOBJECT(1, 2, 0x6060, 0, 2) = 3
+REMOTEESTOP(2, 7) = 1
+"""
+    table = render(run(Source("a.mnt", text), cache=False))
+    assert table.splitlines()[2:8] == [
+        "written to                          value",
+        "─────────────────────────────────────────",
+        "Modbus server 4  register 6         65535",
+        "node 2 of bus 1  analogue output 3   12.5",
+        "node 2 of bus 1  object 0x6060, 0       3",
+        "node 7 of bus 2  estop                  1",
+    ]
+
+
+def test_very_many_values_are_counted() -> None:
+    text = "For i = 1 To 99\n  REMOTECOMMS(1, 2, i) = i\nNext\n"
+    table = render(run(Source("a.mnt", text), cache=False))
+    assert "… and 59 more: --report json has them all" in table
+    assert "element 41" not in table

@@ -115,7 +115,7 @@ class Servers:
     def written(self) -> list[dict[str, object]]:
         """What the registers hold that the program wrote."""
         return [
-            {"server": number, "register": register, "value": server.words[register]}
+            {"server": number, "what": "register", "number": register, "value": server.words[register]}
             for number, server in sorted(self._servers.items())
             for register in sorted(server.written)
         ]

@@ -265,14 +265,14 @@ def read_emergency(environment: Environment, row: Row) -> Operation:
 
 def read_emergency_stop(environment: Environment, row: Row) -> Operation:
     nodes = environment.part(Nodes)
-    return lambda bus, node: int(nodes.node(bus, node).written.get(("estop", 0), 0))
+    return lambda bus, node: int(nodes.node(bus, node).written.get(("estop",), 0))
 
 
 def write_emergency_stop(environment: Environment, row: Row) -> Operation:
     nodes = environment.part(Nodes)
 
     def write(bus: int, node: int, value: int) -> None:
-        nodes.node(bus, node).written["estop", 0] = int(value != 0)
+        nodes.node(bus, node).written["estop",] = int(value != 0)
 
     return write
 
@@ -327,7 +327,7 @@ def do_send_process_data(environment: Environment, row: Row) -> Operation:
     nodes = environment.part(Nodes)
 
     def send(bus: int, node: int, data: int) -> None:
-        nodes.node(bus, node).written["pdo", 0] = data
+        nodes.node(bus, node).written["pdo",] = data
 
     return send
 

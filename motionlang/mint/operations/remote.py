@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 LAST_BUS, LAST_NODE, LAST_CHANNEL = 2, 255, 255
 # Inputs first, then what the program sets.
 KINDS = ("inputs", "analogue_inputs", "outputs", "analogue_outputs")
+# What the report calls those that the program sets.
+_WRITTEN = {"outputs": "output", "analogue_outputs": "analogue-output"}
 # Events of a bus that nobody reads are forgotten, the oldest first.
 LONGEST_QUEUE = 64
 # Codes of events (MN1274 p. 113); the first three are states of a bus, too.
@@ -160,14 +162,11 @@ class Nodes:
         """What the program has written into nodes, as rows of the report."""
         rows: list[dict[str, object]] = []
         for (bus, node, kind), channels in sorted(self._channels.items()):
-            if kind in KINDS[2:]:
-                name = "output" if kind == "outputs" else "analogue"
-                told = sorted({channel for _, channel, _ in channels.changes})
-                rows += [{"bus": bus, "node": node, name: each, "value": channels[each]} for each in told]
+            what = _WRITTEN.get(kind)
+            told = sorted({channel for _, channel, _ in channels.changes}) if what else ()
+            rows += [_row(bus, node, (str(what), each), channels[each]) for each in told]
         for (bus, node), found in sorted(self._nodes.items()):
-            for (name, number, *sub), value in sorted(found.written.items()):
-                part = {"sub": sub[0]} if sub else {}
-                rows.append({"bus": bus, "node": node, str(name): number, **part, "value": value})
+            rows += [_row(bus, node, place, value) for place, value in sorted(found.written.items())]
         return rows
 
     # ---------------------------------------------------------------------------------------- the machine file
@@ -221,6 +220,16 @@ class Nodes:
         else:
             found.live = event == "live"
         self.bus(bus).tell(NODE_CODES[event], node)
+
+
+def _row(bus: int, node: int, place: tuple[str | int, ...], value: float | str) -> dict[str, object]:
+    """What one place of a node holds: "estop", "output" and a number, "object" with its index and sub-index."""
+    return {
+        "bus": bus,
+        "node": node,
+        **dict(zip(("what", "number", "sub"), place, strict=False)),
+        "value": value,
+    }
 
 
 def checked_bus(bus: int) -> int:

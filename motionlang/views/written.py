@@ -1,0 +1,41 @@
+"""What the program has written into other devices, as a table of the report: servers, remote nodes."""
+
+from __future__ import annotations
+
+from motionlang.views.grid import Column, grid
+from motionlang.views.terminal import printable, styled
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    Row = dict[str, Any]
+
+# More rows than this are in the JSON report only.
+MOST = 40
+_COLUMNS = (Column("written to", align="<", style="word"), Column("", align="<"), Column("value"))
+
+
+def written(rows: Sequence[Row], width: int, colour: bool) -> list[str]:
+    """The lines of the table."""
+    texts = [[_device(row), _place(row), _value(row["value"])] for row in rows[:MOST]]
+    lines = grid(_COLUMNS, texts, width=width, colour=colour)
+    if len(rows) > MOST:
+        lines.append(styled(f"… and {len(rows) - MOST} more: --report json has them all", "dim", colour))
+    return lines
+
+
+def _device(row: Row) -> str:
+    return f"Modbus server {row['server']}" if "server" in row else f"node {row['node']} of bus {row['bus']}"
+
+
+def _place(row: Row) -> str:
+    if row["what"] == "object":
+        return f"object 0x{row['number']:04X}, {row['sub']}"
+    what = str(row["what"]).replace("-", " ")
+    return f"{what} {row['number']}" if "number" in row else what
+
+
+def _value(value: float | str) -> str:
+    return printable(value) if isinstance(value, str) else f"{value:.10g}"
