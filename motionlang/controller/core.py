@@ -85,8 +85,7 @@ class Core(Readings):
 
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
         """Set the door between user units and counts."""
-        scale = self.axes[axis].scale
-        scale.counts, scale.rate, scale.zero = counts, rate, zero
+        self.axes[axis].scale.set(counts, rate, zero)
         self.tell("scale", axis)
 
     # ---------------------------------------------------------------------------------------- on and off

@@ -126,8 +126,7 @@ class Recorder:
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
         """Written down, and in force: it is the door that everything else passes."""
         self.calls.append(("set_scale", axis, counts, rate, zero))
-        scale = self.axes[axis].scale
-        scale.counts, scale.rate, scale.zero = counts, rate, zero
+        self.axes[axis].scale.set(counts, rate, zero)
 
     def __getattr__(self, verb: str) -> Any:
         if verb not in VERBS:
