@@ -96,15 +96,15 @@ def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(
 
 
 def test_onerror_does_not_hear_of_it() -> None:
-    result = ran("HTA(0) = 5", "End", "Event ONERROR", ' PRINT "handled"', "End Event")
+    result = ran("AUTOHOMEMODE(0) = 5", "End", "Event ONERROR", ' PRINT "handled"', "End Event")
     assert (result.status, result.output) == ("fault", [])
 
 
 @pytest.mark.parametrize(
     ("lines", "place"),
     [
-        (["Fill()", "End", "Sub Fill()", "  KNIFE(0)", "End Sub"], (4, 3)),
-        (["Run Move", "WAIT = 10", "End", "Task Move", "  x = 1 : KNIFE(0)", "End Task"], (5, 11)),
+        (["Fill()", "End", "Sub Fill()", "  AUTOTUNE(0, 1)", "End Sub"], (4, 3)),
+        (["Run Move", "WAIT = 10", "End", "Task Move", "  x = 1 : AUTOTUNE(0, 1)", "End Task"], (5, 11)),
         (["PAUSE TEMPERATURE(0) > 40"], (1, 7)),
         (["WHILE 1 > 0 AND HALL(0) = 1 : WAIT = 1", "ENDW"], (1, 17)),
         (["TIMEREVENT = 10", "WAIT = 50", "Event TIMER", "  PRINT dbv(0)", "End Event"], (4, 9)),
@@ -117,18 +117,18 @@ def test_the_run_ends_at_the_word(lines: list[str], place: tuple[int, int]) -> N
 
 
 def test_what_was_computed_so_far_stays() -> None:
-    result = ran("MOVER(0) = 100", "GO(0)", "PAUSE IDLE(0)", "KNIFE(0)")
+    result = ran("MOVER(0) = 100", "GO(0)", "PAUSE IDLE(0)", "AUTOTUNE(0, 1)")
     assert [each["distance"] for each in result.report["moves"]] == [100.0]  # type: ignore[attr-defined]
 
 
 def test_a_word_that_the_program_does_not_come_to_ends_nothing() -> None:
-    result = ran("If 0 Then KNIFE(0)", 'PRINT "done"')
+    result = ran("If 0 Then AUTOTUNE(0, 1)", 'PRINT "done"')
     assert (result.status, result.output) == ("ended", ["done"])
     assert places(result) == [("warning", 1, 11)]
 
 
 def test_a_run_tells_those_warnings_of_the_check_that_it_may_end_at() -> None:
-    text = "CONFIG(0) = 1\nBINARY\nPRINT TEMPERATURE(0)\nKNIFE(0)\nHTA(0) = 0"
+    text = "CONFIG(0) = 1\nBINARY\nPRINT TEMPERATURE(0)\nAUTOTUNE(0, 1)\nAUTOHOMEMODE(0) = 0"
     checked = [each for each in DIALECT.check(Source("a.mnt", text)) if each.code == "not-simulated"]
     assert [each.line for each in checked] == [1, 2, 3, 4, 5]
     warned = [each.as_dict() for each in ran(text).diagnostics if each.severity == "warning"]
@@ -136,7 +136,7 @@ def test_a_run_tells_those_warnings_of_the_check_that_it_may_end_at() -> None:
 
 
 def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
-    program = DIALECT.compile(Source("a.mnt", "KNIFE(0)"))
+    program = DIALECT.compile(Source("a.mnt", "AUTOTUNE(0, 1)"))
     payload = program.payload()
     assert payload is not None
     again = DIALECT.load(payload)
@@ -165,9 +165,9 @@ def test_at_the_prompt_they_end_the_line() -> None:
         told.extend(each.message for each in found)
 
     runner = Runner(DIALECT, Machine(), tell, lambda time: None)
-    for line in ("PARAMETERSAVE", "KNIFE(0)", "Sub S()\n KNIFE(0)\nEnd Sub", "S()"):
+    for line in ("PARAMETERSAVE", "AUTOTUNE(0, 1)", "Sub S()\n AUTOTUNE(0, 1)\nEnd Sub", "S()"):
         runner.execute(Source("<line>", line))
-    assert told == ["KNIFE is not simulated"] * 2
+    assert told == ["AUTOTUNE is not simulated"] * 2
 
 
 def test_the_demand_can_be_read_and_not_written() -> None:
@@ -185,7 +185,7 @@ def test_the_demand_can_be_read_and_not_written() -> None:
         ("DRIVEBUSVOLT = 3", "there is no word DRIVEBUSVOLT to be read", "did you mean DRIVEBUSVOLTS?"),
         ("dbv = 3", "there is no word dbv to be read", "did you mean DRIVEBUSVOLTS?"),
         ("POS = 3", "POS is no word for the machine file to answer", "what it reads comes about in the run"),
-        ("KNIFE = 3", "KNIFE is no word for the machine file to answer", "it has no value"),
+        ("AUTOTUNE = 3", "AUTOTUNE is no word for the machine file to answer", "it has no value"),
         ("HALL = 2.5", "HALL is a whole number, not 2.5", "hall sensors group"),
         ('HALL = "a"', "HALL is a whole number, not 'a'", "hall sensors group"),
         ('DBVOLTS = "a"', "DBVOLTS is a whole number, not 'a'", "dynamic brake group"),

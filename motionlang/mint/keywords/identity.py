@@ -24,9 +24,7 @@ def _word(
 
 def _fine(name: str, short: str, access: str, index: str, unit: str, help: str) -> Keyword:
     given = " Writing it clears nothing." if "W" in access else ""
-    return _word(
-        name, short, access, index, unit, "nothing_wrong", f"{help} 0: nothing went wrong.{given}"
-    )
+    return _word(name, short, access, index, unit, "nothing_wrong", f"{help} 0: nothing went wrong.{given}")
 
 
 ROWS = (
@@ -37,6 +35,9 @@ ROWS = (
           "How many there are of something: _noAXES counts the axes; of other things the machine file knows."),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",
             trust="memory", group="constants"),
+    Keyword("_egCONTROLLER", "", "constant", "R", "none", "integer", "3",
+            "ERRORPRESENT and its family: errors of the controller, as _egMISC.", "PRINT _egCONTROLLER", trust="memory",
+            group="constants"),
     _word("AXISBUS", "", "R", "axis", "integer", "local", "The bus of an axis: 0, as every axis is local."),
     _word("AXISNODE", "", "R", "axis", "integer", "local",
           "The node of an axis: 0, as every axis is local."),
