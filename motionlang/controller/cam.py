@@ -116,15 +116,19 @@ class CurveFollow(Follow):
         a.move = None
         a.target = move.target = end
         controller._follow(a, hold(end))
-        controller._next(a)
-        if a.move is None:
-            controller.tell("idle", a.index)
+        controller.go_on(a)
 
     # -- inside
 
     def _passed(self, forward: bool) -> None:
         self._event = None
-        if self.over(forward):
+        try:
+            goes_on = self.over(forward)
+        except Refusal as refusal:
+            refusal.line = refusal.line or self.move.line
+            self.controller.mishap(refusal)
+            goes_on = False
+        if goes_on:
             self.renew()
         else:
             self.finish()

@@ -403,7 +403,16 @@ class Core(Readings):
         a.arrival = None
         a.move = None
         self._follow(a, hold(a.profiles[-1].end))
-        self._next(a)
+        self.go_on(a)
+
+    def go_on(self, a: Axis) -> None:
+        """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
+        while True:
+            try:
+                self._next(a)
+                break
+            except Refusal as refusal:
+                self.mishap(refusal)
         if a.move is None:
             self.tell("idle", a.index)
 
@@ -417,7 +426,15 @@ class Core(Readings):
             if move.action is None:
                 self._start(a, move)
             else:
-                move.action.begin(self, a, move)
+                self._begin(a, move)
+
+    def _begin(self, a: Axis, move: Move) -> None:
+        assert move.action is not None
+        try:
+            move.action.begin(self, a, move)
+        except Refusal as refusal:
+            refusal.line = refusal.line or move.line
+            raise
 
     def _take(self, a: Axis, place: int = 0) -> None:
         """An entry, the first one unless said otherwise, leaves the buffer."""

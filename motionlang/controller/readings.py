@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
+    from motionlang.controller.faults import Refusal
     from motionlang.controller.latch import Latch
     from motionlang.controller.move import Move
 
@@ -39,6 +40,8 @@ class Readings:
         # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis), and of
         # ("latch", number), and of ("misc", bits) for an error of the controller itself.
         self.listeners: list[Callable[[str, int], None]] = []
+        # Told of what goes wrong while the program does something else; answers whether that was all.
+        self.handles_mishap: Callable[[Refusal], bool] | None = None
 
     def heading(self, axis: int) -> int:
         """+1 while the axis moves forward, -1 in reverse, 0 at rest: where the present profile is going."""
@@ -236,6 +239,11 @@ class Readings:
 
     def set_analogue_output(self, channel: int, value: float) -> None:
         self.analogue_outputs[channel] = value
+
+    def mishap(self, refusal: Refusal) -> None:
+        """Something cannot be done that no statement asks for now: the program handles it, or ends with it."""
+        if self.handles_mishap is None or not self.handles_mishap(refusal):
+            raise refusal
 
     def tell(self, what: str, axis: int) -> None:
         """Let the listeners know; a listener may leave while it is told."""

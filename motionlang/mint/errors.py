@@ -77,6 +77,7 @@ class Errors:
         # Whether an error calls no ONERROR, where a program says so.
         self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._heard)
+        environment.controller.handles_mishap = self._mishap
 
     # ----------------------------------------------------------------------------------------- noting
 
@@ -85,6 +86,13 @@ class Errors:
         code, message = _said(trouble)
         number, _ = NUMBERS.get(code, GENERIC)
         self._note(Error(number, message, line, SYNCHRONOUS, ()))
+
+    def _mishap(self, refusal: Refusal) -> bool:
+        """Something that the program asked for earlier cannot be done; without ONERROR the program ends with it."""
+        if not self.environment.events.handles("onerror"):
+            return False
+        self.failed(refusal, refusal.line)
+        return True
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "fault":

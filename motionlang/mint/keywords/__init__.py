@@ -52,6 +52,7 @@ def _rows() -> list[Keyword]:
         older,
         paths,
         pending,
+        presets,
         profiles,
         relays,
         remote,
@@ -68,7 +69,7 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        holding, torque, jogging, drives,
+        presets, holding, torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, fastaux, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
