@@ -56,6 +56,7 @@ def _rows() -> list[Keyword]:
         profiles,
         relays,
         remote,
+        restoring,
         sensing,
         serial,
         servo,
@@ -73,7 +74,7 @@ def _rows() -> list[Keyword]:
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, fastaux, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
-        kept, identity, older, units, constants, language,
+        kept, identity, older, restoring, units, constants, language,
     )  # fmt: skip
     rows = [row for group in groups for row in group.ROWS]
     taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
