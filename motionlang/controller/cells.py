@@ -25,7 +25,7 @@ class Cells:
 
     `edges` rise; with a `period` above 0 they repeat, and span less than it. Counts as the program counts them, or
     with `physical` as the machine does. `change(index)` is called when the track comes into another stretch. With a
-    `lead` in seconds the demanded position that far ahead, at the velocity of the moment, decides.
+    `view` it is what that makes of the demanded motion that decides: a position further on, or a velocity.
     """
 
     __slots__ = ("_controller", "_follow", "_source", "_track", "_watches", "change", "edges", "index", "period",
@@ -39,14 +39,14 @@ class Cells:
         change: Callable[[int], None],
         period: float = 0.0,
         physical: bool = False,
-        lead: float = 0.0,
+        view: Callable[[Profile], Profile] | None = None,
     ) -> None:
         self._controller, self._source, self._track = controller, track, track
         self.edges, self.change, self.period, self.physical = tuple(edges), change, period, physical
         self._watches: dict[int, Watch] = {}
         self._follow: Callable[[Profile], None] | None = None
-        if lead:
-            self._track = self._ahead(lead)
+        if view is not None:
+            self._track = self._seen(view)
         self._track.followers.append(self._followed)
         self.index = self._count()
         self._window()
@@ -68,18 +68,16 @@ class Cells:
 
     # ------------------------------------------------------------------------------------------------- inside
 
-    def _ahead(self, lead: float) -> Axis:
-        """A track that runs ahead of the source."""
-        from motionlang.profile.ahead import Ahead
-
+    def _seen(self, view: Callable[[Profile], Profile]) -> Axis:
+        """A track of what the source does as it is viewed."""
         source, controller = self._source, self._controller
         made = Axis(source.index)
-        made.starts, made.profiles = [source.starts[-1]], [Ahead(source.profiles[-1], lead)]
+        made.starts, made.profiles = [source.starts[-1]], [view(source.profiles[-1])]
         made.datum = source.datum
 
         def follow(profile: Profile) -> None:
             made.datum = source.datum
-            controller._follow(made, Ahead(profile, lead))
+            controller._follow(made, view(profile))
 
         self._follow = follow
         source.followers.append(follow)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from functools import partial
 from math import floor
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -11,6 +13,8 @@ from hypothesis import strategies as st
 
 from motionlang.controller.cells import Cells
 from motionlang.controller.controller import Controller
+from motionlang.profile.ahead import Ahead
+from motionlang.profile.rate import Rate
 
 Told = list[tuple[float, int]]
 
@@ -22,9 +26,9 @@ def machine() -> Controller:
     return c
 
 
-def watched(c: Controller, edges: tuple[float, ...], **how: float) -> tuple[Cells, Told]:
+def watched(c: Controller, edges: tuple[float, ...], **how: Any) -> tuple[Cells, Told]:
     told: Told = []
-    cells = Cells(c, c.axes[0], edges, lambda index: told.append((c.clock.now, index)), **how)  # type: ignore[arg-type]
+    cells = Cells(c, c.axes[0], edges, lambda index: told.append((c.clock.now, index)), **how)
     return cells, told
 
 
@@ -86,12 +90,25 @@ def test_edges_repeat_turn_after_turn() -> None:
 @pytest.mark.parametrize("lead", [0.125, 0.25])
 def test_with_a_lead_an_edge_is_told_that_much_earlier(lead: float) -> None:
     c = machine()
-    cells, told = watched(c, (6.0, 10.0), lead=lead)
+    cells, told = watched(c, (6.0, 10.0), view=partial(Ahead, lead=lead))
     c.move_to(0, 20.0)
     c.clock.advance(1.5)
     assert [time for time, _ in told] == pytest.approx([1.0 - lead, 1.5 - lead])
     cells.remove()
     assert not c.axes[0].followers
+
+
+def test_a_velocity_is_told_when_it_is_reached_and_when_it_is_gone_at_once() -> None:
+    c = machine()
+    cells, told = watched(c, (4.0,), view=Rate)
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    c.jog(0, 8.0)
+    c.clock.advance(6.0)
+    c.abort(0)
+    assert [index for _, index in told] == [1, 0, 1, 0]
+    assert [time for time, _ in told] == pytest.approx([0.25, 1.75, 5.25, 6.0])
+    cells.remove()
 
 
 EDGES = st.lists(st.integers(-40, 40), min_size=1, max_size=6, unique=True).map(sorted)

@@ -9,6 +9,7 @@ from motionlang import run
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords import (
     camboxes,
+    captures,
     comms,
     fastaux,
     homing,
@@ -24,7 +25,9 @@ from motionlang.mint.keywords import (
 )
 from motionlang.source import Source
 
-GROUPS = (camboxes, comms, fastaux, homing, io, latches, limits, monitoring, relays, remote, sensing, steppers)
+GROUPS = (
+    camboxes, captures, comms, fastaux, homing, io, latches, limits, monitoring, relays, remote, sensing, steppers,
+)  # fmt: skip
 WORDS = [row for group in GROUPS for row in group.ROWS if row.kind != "constant"]
 MACHINE = {
     "controller.axes": 2,

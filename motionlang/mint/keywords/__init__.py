@@ -26,6 +26,7 @@ def _rows() -> list[Keyword]:
         axis,
         buffer,
         camboxes,
+        captures,
         changing,
         comms,
         constants,
@@ -72,7 +73,7 @@ def _rows() -> list[Keyword]:
     groups = (
         presets, holding, torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes, fastaux, monitoring, pending, relays, steppers,
+        camboxes, captures, fastaux, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
         kept, identity, older, restoring, units, constants, language,
     )  # fmt: skip

@@ -6,6 +6,7 @@ table, the scale and the wrap are when it is switched on.
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 
 from motionlang.controller.cells import Cells
@@ -48,7 +49,7 @@ class Source:
         return (position - self.zero) * self.per_unit
 
 
-def _source(environment: Environment, kind: int, channel: int) -> Source:
+def source_of(environment: Environment, kind: int, channel: int) -> Source:
     controller = environment.controller
     if kind == AXIS:
         scale = scale_of(environment, channel)
@@ -88,8 +89,13 @@ class CamBox:
             self._cells = None
         if not enabled:
             return
-        source = _source(self._environment, self.kind, self.channel)
+        source = source_of(self._environment, self.kind, self.channel)
         edges, self._states = self._edges(source)
+        view = None
+        if self.lead:
+            from motionlang.profile.ahead import Ahead
+
+            view = partial(Ahead, lead=self.lead)
         self._cells = Cells(
             self._environment.controller,
             source.track,
@@ -97,7 +103,7 @@ class CamBox:
             self._show,
             source.period,
             source.physical,
-            self.lead,
+            view,
         )
         self._show(self._cells.index)
 

@@ -73,7 +73,11 @@ class Analogue:
 
     def read(self, channel: int) -> float:
         """Percent: the input times the gain plus the offset, without the dead band, within the range."""
-        value = float(self._inputs[channel]) * self.setting("ADCGAIN", channel) / 100.0
+        return self.shown(channel, float(self._inputs[channel]))
+
+    def shown(self, channel: int, level: float) -> float:
+        """The same of any level of the input."""
+        value = level * self.setting("ADCGAIN", channel) / 100.0
         value += self.setting("ADCOFFSET", channel)
         if abs(value - self.setting("ADCDEADBANDOFFSET", channel)) < self.setting("ADCDEADBAND", channel):
             value = self.setting("ADCDEADBANDOFFSET", channel)
