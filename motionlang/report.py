@@ -54,7 +54,7 @@ def moves(run: Run) -> Iterator[Row]:
         profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
         assert profile is not None
         ended = move.ended
-        if id(move) in running:
+        if id(move) in running or (move.overlaid and start + profile.duration > run.time):
             profile, ended = profile.cut(run.time - start), END_OF_RUN
         size = abs(scale)
         row: Row = {

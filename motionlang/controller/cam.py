@@ -102,6 +102,7 @@ class CurveFollow(Follow):
     def finish(self) -> None:
         """The curve is over: the slave stops, at once where it is slow enough to stand already."""
         controller, a = self.controller, self.a
+        self.end_offset("stop")
         self.detach()
         if abs(a.velocity(controller.clock.now)) > 1e-6:
             from motionlang.controller import halt
@@ -228,7 +229,7 @@ class Shear(CurveFollow):
         if following.master is self.master:
             tie.origin = self.origin + self.direction * self.curve.duration
         if self.offset is not None:
-            tie.carry(self.offset, self.offset_began)
+            tie.carry(self.offset, self.offset_began, self.offset_entry)
         tie.move.target = tie.curve.end
         tie.engage()
         return True

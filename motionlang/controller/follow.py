@@ -61,13 +61,14 @@ class FollowMove(Move):
 class Follow(Action):
     """A slave's tie to the axis, or the encoder, that it follows; a subclass says how in `base`."""
 
-    __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began")
+    __slots__ = ("_callback", "a", "controller", "master", "move", "offset", "offset_began", "offset_entry")
 
     def __init__(self, controller: Core, a: Axis, master: Axis, move: FollowMove) -> None:
         self.controller, self.a, self.master, self.move = controller, a, master, move
         # The offset under way, from 0 to its distance, and when it began.
         self.offset: Profile | None = None
         self.offset_began = 0.0
+        self.offset_entry: Move | None = None  # that of the log
         self._callback = lambda _: self.renew()
         move.action = self
 
@@ -130,6 +131,7 @@ class Follow(Action):
         return self.a.profiles[-1].end == self.a.profiles[-1].start and not self.a.profiles[-1].peak_speed
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
+        self.end_offset(ended)
         self.detach()
 
     def replan(self, controller: Core, a: Axis) -> None:
@@ -149,17 +151,25 @@ class Follow(Action):
 
             begin_offsets(controller, a)
 
-    def start_offset(self, profile: Profile) -> None:
+    def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
         """Lay an offset, which begins at 0, on top from now on; it takes the place of one under way."""
         now = self.controller.clock.now
         if self.offset is not None:
             self.fold(self.offset.position(now - self.offset_began))
-        self.carry(profile, now)
+            self.end_offset("retarget")
+        self.carry(profile, now, entry)
         self.renew()
 
-    def carry(self, profile: Profile, began: float) -> None:
+    def end_offset(self, ended: str) -> None:
+        """Close the log entry of an offset that does not come to its end."""
+        entry, self.offset_entry = self.offset_entry, None
+        if entry is not None and entry.profile is not None:
+            entry.profile = entry.profile.cut(self.controller.clock.now - entry.start_time)
+            entry.ended = ended
+
+    def carry(self, profile: Profile, began: float, entry: Move | None = None) -> None:
         """Have an offset on top that began then, and be told of its end."""
-        self.offset, self.offset_began = profile, began
+        self.offset, self.offset_began, self.offset_entry = profile, began, entry
         self.controller.clock.at(began + profile.duration, lambda: self._offset_done(profile))
 
     def fold(self, distance: float) -> None:
@@ -186,7 +196,7 @@ class Follow(Action):
 
     def _offset_done(self, profile: Profile) -> None:
         if self.offset is profile and self.tied:
-            self.offset = None
+            self.offset = self.offset_entry = None
             self.fold(profile.end)
             self.renew()
             self.more(self.controller, self.a)
@@ -219,6 +229,7 @@ class Gear(Follow):
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         a.suspended = True
+        self.end_offset("stop")
         self.offset = None
         self.renew()
         return True

@@ -136,11 +136,15 @@ def figures(controller: Controller) -> dict[int, MoveFigures]:
     now = controller.clock.now
     found: dict[int, MoveFigures] = {}
     for number, feedback in motors(controller).items():
-        moves = [move for move in controller.moves if move.axis == number and move.profile is not None]
+        moves = [move for move in controller.moves if move.axis == number and _counts(move)]
         made = [_figures_of(moves, k, now) for k in range(len(moves))]
         _collect(made, parts(controller.axes[number], now), window_of(feedback))
         found.update((id(move), figure) for move, figure in zip(moves, made, strict=True))
     return found
+
+
+def _counts(move: Move) -> bool:
+    return move.profile is not None and not move.overlaid
 
 
 def _figures_of(moves: Sequence[Move], k: int, now: float) -> MoveFigures:

@@ -39,6 +39,9 @@ class Move:
         "zero",
     )
 
+    # Whether it lies on top of another entry, which goes on.
+    overlaid = False
+
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
         self.axis, self.command, self.line, self.target = axis, command, line, target
         self.action: Action | None = None

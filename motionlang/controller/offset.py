@@ -10,6 +10,7 @@ from math import sqrt
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.follow import tie_of
+from motionlang.controller.move import Move
 from motionlang.profile import plan
 
 TYPE_CHECKING = False
@@ -21,6 +22,13 @@ if TYPE_CHECKING:
 # Bits of the answer to how the last offset went (Mint's _os constants).
 MAX_SPEED, MIN_SPEED, MAX_ACCEL, MAX_DECEL, PROFILE_ERROR, ZERO_ACCEL = (1 << bit for bit in range(6))
 STANDARD, SPEED_LIMIT, ACCEL_MODE, SPEED_MODE = range(4)
+
+
+class OffsetMove(Move):
+    """The log entry of an offset on top of following: its positions count from where the slave would else be."""
+
+    __slots__ = ()
+    overlaid = True
 
 
 def offset(
@@ -45,7 +53,10 @@ def offset(
     speed, accel, decel = limits
     profile = plan(a.shape if mode < ACCEL_MODE else "trapezoid", 0.0, total, speed, accel, decel, velocity, a.ramp,
                    a.accel_jerk, a.decel_jerk)  # fmt: skip
-    tie.start_offset(profile)
+    entry = OffsetMove(a.index, command, line, profile.end)
+    entry.profile, entry.start_time, entry.scale = profile, controller.clock.now, a.scale.counts
+    controller.moves.append(entry)
+    tie.start_offset(profile, entry)
 
 
 def crossing_time(controller: Core, a: Axis, left: float) -> float:

@@ -21,6 +21,13 @@ CAMSEGMENT({a}, {i}, {t}, s)|SPLINETABLE({a}, c)|SPLINETABLE({a}, c, d, d)|SPLIN
 SPLINETIME({a}) = 4|SPLINESUSPENDTIME({a}) = {m}|TRIGGERMODE({a}) = {q}|TRIGGERCHANNEL({a}) = {b}
 TRIGGERVALUE({a}) = {v}|MOVEDWELL({a}) = {m}|MOVEOUTX({a}, 3) = 1|MOVEPULSEOUTX({a}, 3) = 20|POS({a}) = {v}
 POSWRAP({a}) = 360|SCALEFACTOR({a}) = {p}|RESET({a})|DEFAULT({a})|MOVEBUFFERLOW({a}) = 1|WAIT = {m}|WAIT = 20|WAIT = 300
+JOGSPEED({a}) = {p}|JOGCOMMAND({a}) = {j}|JOGMODE({a}) = {i}|JOGDURATION({a}) = {m}|JOGACCELTIMEMAX({a}) = {m}
+DRIVESPEEDMAX({a}) = {p}|SPEEDREF({a}) = {v}|SPEEDREFACCELTIME({a}) = {m}|SPEEDREFDECELJERKENDTIME({a}) = {m}
+SPEEDREFENABLE({a}) = {i}|SPEEDTESTREF({a}) = {v}|VELREF({a}) = {v}|POSREF({a}) = {v}|MOVECORRECTION({a}) = {v}
+HTA({a}) = {h}|HTAKPROP({a}) = {v}|HTAKINT({a}) = {v}|HTADEADBAND({a}) = {m}|HTAFILTER({a}) = 0.5|TIMESCALE({a}) = {p}
+PRESETMOVETYPE({b}, 0) = {k}|PRESETMOVEPOSITION({b}) = {v}|PRESETMOVESPEED({b}) = {v}|PRESETACCEL({b}, {i}) = {p}
+PRESETINDEX({a}) = {b}|PRESETINDEXMODE({a}) = {t}|PRESETMOVEENABLE({a}) = {i}|PRESETDWELLTIME({a}) = {m}
+PRINT JOGTIME({a}), JOGCOMMAND({a}), SPEEDREF({a}), POSREF({a}), SPEEDERROR({a}), HTA({a}), PRESETINDEX({a}), JOG({a})
 PRINT POS({a}), VEL({a}), OFFSET({a}), CAMINDEX({a}), SPLINEINDEX({a}), VELDEMANDPATH({a}), AXISMODE({a})
 PRINT ACCELDEMAND({a}), OFFSETSTATUS({a}), VECTORANGLE({a}, {b}), ACCELTIMEMAX({a}), ACCELJERKTIME({a}), FOLLOW({a})
 """
@@ -55,6 +62,9 @@ def _statement(random: Random) -> str:
         p=random.choice(_POSITIVE),
         g=random.choice(("90", "-180", "720", "0", "1e-9")),
         i=random.choice("01"),
+        j=random.choice(("1", "-1", "0")),
+        h=random.choice(("40", "-30", "0", "1e-3")),
+        k=random.choice("1234567890") if random.random() < 0.9 else "10",
         t=random.choice("012"),
         q=random.choice("0123"),
         e=random.choice("01234567"),

@@ -31,6 +31,7 @@ def _rows() -> list[Keyword]:
         comms,
         constants,
         control,
+        correcting,
         drives,
         fastaux,
         feedrate,
@@ -71,7 +72,7 @@ def _rows() -> list[Keyword]:
     )
 
     groups = (
-        presets, holding, torque, jogging, drives,
+        correcting, presets, holding, torque, jogging, drives,
         axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
         camboxes, captures, fastaux, monitoring, pending, relays, steppers,
         io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,

@@ -92,8 +92,9 @@ class Holds:
             hold.wanted = wanted
             hold.track.wake()
             return
-        hold = self._holding[axis] = Hold(self, axis, wanted)
+        hold = Hold(self, axis, wanted)
         hold.track = self.environment.controller.track(axis, hold.decide, "HTA", line)
+        self._holding[axis] = hold
 
     def default(self, axis: int) -> None:
         """DEFAULT."""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 # AXISMODE: the bit of each kind of motion, by the keyword that began it. 0 is idle; the bits are our own.
 KINDS: dict[int, tuple[str, ...]] = {
     1: ("MOVEA", "MOVER", "INCA", "INCR", "MOVEDWELL"),
-    2: ("JOG", "FREQ"),
+    2: ("JOG", "JOGCOMMAND", "FREQ"),
     4: ("HOME", "DATUM"),
     8: ("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"),
     16: ("FOLLOW",),
