@@ -78,6 +78,11 @@ class Task:
         """Where the task stands."""
         return 0
 
+    @property
+    def running(self) -> bool:
+        """Whether a statement of the task is being executed at this very moment."""
+        return False
+
     def at_error(self, error: BaseException) -> int:
         """Where `error`, which came out of `resume`, was raised."""
         return self.at
@@ -119,6 +124,10 @@ class GeneratorTask(Task):
                 line = frame.f_lineno
             inner = getattr(inner, "gi_yieldfrom", None)
         return self._places[line]
+
+    @property
+    def running(self) -> bool:
+        return self._generator is not None and self._generator.gi_running
 
     def at_error(self, error: BaseException) -> int:
         line, traceback = 0, error.__traceback__

@@ -97,8 +97,7 @@ def _read_error_code(environment: Environment, row: Row) -> Operation:
 
 
 def _read_error_line(environment: Environment, row: Row) -> Operation:
-    errors = environment.errors
-    return lambda: errors.register().line
+    return environment.errors.line
 
 
 def _read_error_string(environment: Environment, row: Row) -> Operation:

@@ -50,6 +50,8 @@ class Environment:
         # What the operator will type at INPUT; None until the first one.
         self.answers: list[str] | None = None
         self.files: dict[str, Sequence[int]] = {}
+        # The line of a place, where there is a text to look it up in.
+        self.line_of: Callable[[int], int] | None = None
         self.blocks: dict[str, Make] = {}
         self.tasks: dict[str, MintTask] = {}
         # Priorities given to tasks, also to those that do not run yet.

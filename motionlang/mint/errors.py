@@ -63,12 +63,15 @@ TROUBLE = (Refusal, ZeroDivisionError, OverflowError, RecursionError)
 
 
 class Error:
-    """One error: `number`, the texts, the line of the program, the axis (or -1)."""
+    """One error: `number`, the text, the line of the program, or the place where it stood, and what it is about."""
 
-    __slots__ = ("data", "group", "line", "number", "text")
+    __slots__ = ("data", "group", "line", "number", "place", "text")
 
-    def __init__(self, number: int, text: str, line: int, group: int, data: tuple[int, ...]) -> None:
+    def __init__(
+        self, number: int, text: str, line: int, group: int, data: tuple[int, ...], place: int = 0
+    ) -> None:
         self.number, self.text, self.line, self.group, self.data = number, text, line, group, data
+        self.place = place
 
 
 class Errors:
@@ -102,12 +105,21 @@ class Errors:
         if what == "fault":
             self.axis_fault(axis)
         elif what == "misc":
-            self._note(Error(MISC_ERROR, f"the controller has an error: bits {axis}", 0, MISC, (axis,)))
+            text = f"the controller has an error: bits {axis}"
+            self._note(Error(MISC_ERROR, text, 0, MISC, (axis,), self._place()))
 
     def axis_fault(self, axis: int) -> None:
         """An axis has faulted."""
         bits = self.environment.controller.faults(axis)
-        self._note(Error(AXIS_ERROR, f"axis {axis} has an error: {names(bits)}", 0, AXIS, (axis, bits)))
+        text = f"axis {axis} has an error: {names(bits)}"
+        self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._place()))
+
+    def _place(self) -> int:
+        """The statement that has brought the error about or, where time has, the one where the parent task stands."""
+        scheduler = self.environment.machine.scheduler
+        if scheduler is None:
+            return 0
+        return (scheduler.current if scheduler.current.running else scheduler.parent).at
 
     def _note(self, error: Error) -> None:
         self.found.append(error)
@@ -161,6 +173,13 @@ class Errors:
             for error in self.found
             if group in (ALL, error.group) and (error.group != AXIS or group == ALL or error.data[0] == data)
         ]
+
+    def line(self) -> int:
+        """ERRLINE: the line of the error that the registers tell of; 0 for a line typed at a prompt."""
+        error, line_of = self.register(), self.environment.line_of
+        if not error.line and error.place and line_of is not None:
+            error.line = line_of(error.place)
+        return error.line
 
     def register(self) -> Error:
         """The error that ERRCODE, ERRLINE, ERRSTRING and ERRDATA tell of."""

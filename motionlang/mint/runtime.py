@@ -67,12 +67,19 @@ class MintProgram(Program):
             return overridden(self, machine.overrides).run(machine)
         return self.run(machine)
 
+    def _line_of(self, place: int) -> int:
+        from motionlang.mint.parser import parse
+        from motionlang.source import Source
+
+        return parse(Source(self.name, self.text)).line(place)
+
     def run(self, machine: Machine) -> Task:
         """The parent task of the program as it stands."""
         environment = Environment(machine)
         environment.prepare()
         code, dt = self.code, machine.instruction_time
         environment.files[FILE] = code.places
+        environment.line_of = self._line_of
         operations = environment.make_operations(code.specs)
         namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
         namespace.update(E=environment, C=environment.clock, P=environment.say, dt=dt)
