@@ -127,7 +127,7 @@ class GeneratorTask(Task):
 
     @property
     def running(self) -> bool:
-        return self._generator is not None and self._generator.gi_running
+        return bool(getattr(self._generator, "gi_running", False))
 
     def at_error(self, error: BaseException) -> int:
         line, traceback = 0, error.__traceback__

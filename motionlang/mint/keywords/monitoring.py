@@ -70,4 +70,7 @@ ROWS = (
     _word("MISCERROR", "", "RW", "none", "bits", "monitoring.misc",
           "Errors of the controller itself, which only the machine file brings about. Writing 0 clears them.",
           "MISCERROR = 0\nPRINT MISCERROR", 0.0, 0, 0),
+    _word("MISCERRORDISABLE", "", "RW", "none", "bits", "monitoring.misc_disable",
+          "Bit pattern of the errors of the controller that MISCERROR does not show and that call no ONERROR.",
+          "MISCERRORDISABLE = 1\nPRINT MISCERRORDISABLE"),
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.region import Region
+from motionlang.controller.cells import Cells
 from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.inputs import LAST_CHANNEL, checked
 from motionlang.mint.operations.limits import axis_of
@@ -30,7 +30,7 @@ class Compare:
         self.mode, self.output = AT, -1
         self.positions = [0.0, 0.0]
         self.enabled = self.passed = False
-        self._region: Region | None = None
+        self._between: Cells | None = None
         self._watch: Watch | None = None
 
     def enable(self, enabled: bool) -> None:
@@ -41,8 +41,10 @@ class Compare:
             return
         self.passed = False
         if self.mode == BETWEEN:
-            low, high = sorted(self.positions)
-            self._region = Region(self._controller, self._axis, low, high, self._inside, physical=False)
+            track = self._controller.axes[self._axis]
+            self._between = Cells(self._controller, track, sorted(self.positions), self._moved)
+            if self._between.index == BETWEEN:
+                self._inside(True)
         else:
             self._watch = self._controller.watch(self._axis, self.positions[0], lambda _: self._inside(True))
 
@@ -57,17 +59,21 @@ class Compare:
         if self.enabled:
             self.enable(True)
 
+    def _moved(self, index: int) -> None:
+        """Below both positions, between them, or above both; a new zero may jump from one to another."""
+        self._inside(index == BETWEEN)
+
     def _inside(self, inside: bool) -> None:
         self.passed = self.passed or inside
         if self.output >= 0:
             self._controller.set_output(self.output, int(inside))
 
     def _forget(self) -> None:
-        if self._region is not None:
-            self._region.remove()
+        if self._between is not None:
+            self._between.remove()
         if self._watch is not None:
             self._controller.unwatch(self._axis, self._watch)
-        self._region = self._watch = None
+        self._between = self._watch = None
 
 
 class Compares:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import ANALOGUE_LIMIT
 from motionlang.mint.binding import scale_of
 from motionlang.mint.defaults import FATAL_ERROR
-from motionlang.mint.errors import AXIS, SYNCHRONOUS
+from motionlang.mint.errors import AXIS, MISC, SYNCHRONOUS
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import AxisErrors, axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
@@ -220,12 +220,15 @@ class Masks:
     def __init__(self, environment: Environment) -> None:
         self.calling: dict[int, int] = {}
         self.codes: set[tuple[int, int]] = set()
+        self.misc_disabled = 0
         environment.errors.masked = self.is_masked
 
     def is_masked(self, error: Error) -> bool:
         first = error.data[0] if error.data else 0
         if (error.number, first) in self.codes:
             return True
+        if error.group == MISC:
+            return not first & ~self.misc_disabled
         return error.group == AXIS and not error.data[1] & self.calling.get(error.data[0], ALL_BITS)
 
     def default(self, axis: int) -> None:
@@ -298,8 +301,22 @@ def write_drive_error(environment: Environment, row: Row) -> Operation:
 
 
 def read_misc(environment: Environment, row: Row) -> Operation:
-    world = environment.machine.world
-    return lambda: 0 if world is None else world.misc
+    world, masks = environment.machine.world, environment.part(Masks)
+    return lambda: 0 if world is None else world.misc & ~masks.misc_disabled
+
+
+def read_misc_disable(environment: Environment, row: Row) -> Operation:
+    masks = environment.part(Masks)
+    return lambda: masks.misc_disabled
+
+
+def write_misc_disable(environment: Environment, row: Row) -> Operation:
+    masks = environment.part(Masks)
+
+    def write(pattern: int) -> None:
+        masks.misc_disabled = pattern
+
+    return write
 
 
 def write_misc(environment: Environment, row: Row) -> Operation:
