@@ -157,6 +157,9 @@ class ProfileEntry(Action):
     def __init__(self, make: Make, again: Make | None) -> None:
         self.make, self.again = make, again
 
+    def prolong(self, end: float) -> Profile | None:
+        return self.make(end) if self.again is not None else None
+
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         profile = self.make(a.position(controller.clock.now))
         if self.again is not None:

@@ -86,6 +86,10 @@ class Action:
         """A setting has changed that acts at once."""
         controller._continue(a, self.plan(controller, a), "")
 
+    def prolong(self, end: float) -> Profile | None:
+        """What it would go on with, from `end`, where the profile before it does not come to rest."""
+        return None
+
     def more(self, controller: Core, a: Axis) -> None:
         """Further entries of the buffer were released while it is under way."""
 

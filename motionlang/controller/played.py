@@ -32,9 +32,11 @@ class Played(Action):
         self._began = 0.0
 
     def suspend(self, controller: Core, a: Axis) -> bool:
-        path, place, rate = self.state(controller, a)
-        pace = self._slowing(a, place, rate)
-        self._follow(controller, a, path, halted(pace, "suspend"), "suspend", "")
+        path, pace = self._on_the_way(controller, a)
+        if pace.end_velocity == 0.0:
+            pace = halted(pace, "suspend")
+        self._follow(controller, a, path, pace, "suspend", "")
+        self._aim(a, path)
         return True
 
     def plan(self, controller: Core, a: Axis) -> Profile:
@@ -43,6 +45,8 @@ class Played(Action):
         if a.suspend_time > 0.0 and rate < 1.0:
             change = 1.0 / a.suspend_time
             pace = plan_velocity("trapezoid", place, rate, 1.0, change, change)
+            path = self._long_enough(a, path, pace.position(pace.knots[-2]))
+            self._aim(a, path)
         else:
             pace = running(place, 1.0)
         end = pace.crossing(path.duration)
@@ -52,9 +56,9 @@ class Played(Action):
     def stop(self, controller: Core, a: Axis, ended: str) -> bool:
         if not self.on_path or ended == "fault":
             return False
+        path, pace = self._on_the_way(controller, a)
         controller.empty(a)
-        path, place, rate = self.state(controller, a)
-        self._follow(controller, a, path, self._slowing(a, place, rate), path.shape, ended)
+        self._follow(controller, a, path, pace, path.shape, ended)
         move = a.move
         assert move is not None
         a.target = move.target = a.profiles[-1].end
@@ -73,6 +77,28 @@ class Played(Action):
         return last.after(now - a.starts[-1]), 0.0, 1.0
 
     # -- inside
+
+    def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
+        """The profile, with what goes on behind its end, and its time coming to rest, or to the end where nothing does."""
+        path, place, rate = self.state(controller, a)
+        pace = self._slowing(a, place, rate)
+        path = self._long_enough(a, path, pace.end)
+        end = pace.crossing(path.duration) if pace.end > path.duration else None
+        return path, pace if end is None else pace.cut(end)
+
+    def _long_enough(self, a: Axis, path: Profile, duration: float) -> Profile:
+        """The profile, and behind it what the next entry of the buffer goes on with, as far as one does."""
+        head = a.buffer[0] if a.buffer else None
+        while path.duration < duration and head is not None and head.released and head.action is not None:
+            more = head.action.prolong(path.end)
+            if more is None:
+                break
+            path = path.then(more)
+        return path
+
+    def _aim(self, a: Axis, path: Profile) -> None:
+        if a.move is not None:
+            a.target = a.move.target = path.end
 
     def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
         """The time of the profile coming to rest."""

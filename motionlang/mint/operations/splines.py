@@ -185,7 +185,9 @@ def read_index(environment: Environment, row: Row) -> Operation:
         if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Played):
             return 0
         path, place, _ = a.move.action.state(controller, a)
-        return splines.ends[axis] - (len(path.knots) - 1 - bisect_right(path.knots, place))
+        ahead = len(path.knots) - 1 - bisect_right(path.knots, place)
+        # A cycle that was suspended near its end has the next one behind it.
+        return splines.ends[axis] - ahead % (splines.ends[axis] - splines.setting("SPLINESTART", axis) + 1)
 
     return read
 
