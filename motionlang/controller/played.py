@@ -79,7 +79,7 @@ class Played(Action):
     # -- inside
 
     def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
-        """The profile, with what goes on behind its end, and its time coming to rest, or to the end where nothing does."""
+        """The profile, with what goes on behind it, and its time coming to rest, or to the end where nothing does."""
         path, place, rate = self.state(controller, a)
         pace = self._slowing(a, place, rate)
         path = self._long_enough(a, path, pace.end)

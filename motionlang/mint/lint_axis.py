@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from motionlang.mint import nodes
 from motionlang.mint.flowgraph import DO, Step
 from motionlang.mint.lint_acts import COMMANDS, Act, Facts, Key
-from motionlang.mint.lint_words import FOLLOWS, HALTS, PATHS, SLOTS, ZEROES
+from motionlang.mint.lint_words import FOLLOWS, HALTS, HANDS_OVER, PATHS, SLOTS, ZEROES
 from motionlang.mint.symbols import Function, Symbol
 
 if TYPE_CHECKING:
@@ -151,7 +151,7 @@ class Follower:
 
     def _led(self) -> set[Key]:
         """Axes that may move without a GO of theirs: behind a master, on a path of another axis, by a trigger."""
-        found = self.facts.named(*FOLLOWS, "TRIGGERMODE")
+        found = self.facts.named(*FOLLOWS, *HANDS_OVER)
         for _, _, act in self.facts.all_acts():
             if act.row is not None and act.row.name in PATHS:
                 found.update(act.axes[1:])

@@ -24,7 +24,13 @@ STOPS = frozenset(("STOP", "CANCEL", "CANCELALL", "ABORT", "RESET", "RESETALL", 
 HALTS = STOPS - {"STOP"}
 OF_ALL_AXES = frozenset(("CANCELALL", "ABORT", "RESETALL", "DEFAULTALL"))
 # Move an axis at once, without GO.
-AT_ONCE = frozenset(("JOG", "INCA", "INCR", "HOME", "DATUM", "FOLLOW", "TORQUE", "FREQ"))
+AT_ONCE = frozenset((
+    "JOG", "INCA", "INCR", "HOME", "DATUM", "FOLLOW", "TORQUE", "FREQ", "JOGCOMMAND", "SPEEDREF", "SPEEDTESTREF",
+    "VELREF", "POSREF", "TORQUEREF", "HTA", "HOLDTOANALOG", "MOVECORRECTION", "SPEEDREFENABLE",
+    "TORQUEREFENABLE", "PRESETINDEX",
+))  # fmt: skip
+# Let something else than the program move an axis from now on: an input, a table, an analogue value.
+HANDS_OVER = frozenset(("TRIGGERMODE", "PRESETMOVEENABLE", "SPEEDREFSOURCE", "TORQUEREFSOURCE"))
 # Give the axis another zero.
 ZEROES = frozenset(("RESET", "RESETALL", "DEFAULT", "DEFAULTALL"))
 # Words that give the same property of moves; the one written last counts.
