@@ -147,14 +147,16 @@ def _may_be_refused(text: str) -> bool:
 
 
 def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
-    """Compile; Python takes twenty loops within one another and a hundred blocks, and so does Mint here."""
+    """Compile; Python takes twenty loops within one another, so many may stand here around what leaves them all."""
     try:
         return work()
     except SyntaxError as error:
         if not str(error.msg).startswith("too many"):
             raise
         at = places[min(before + (error.lineno or 0), len(places) - 1)]
-        problems.add("syntax", "blocks are nested too deeply here", at, "move a part of them into a sub")
+        message = "the blocks here are nested more deeply than this program can follow"
+        hint = "some twenty may stand around a Return, an Exit or a Gosub that leaves them; move the inner ones into a sub"
+        problems.add("syntax", message, at, hint)
         problems.raise_errors()
         raise
 

@@ -125,6 +125,7 @@ class Body:
         "analysed",
         "at",
         "calls",
+        "deepest",
         "facts",
         "function",
         "indent",
@@ -161,6 +162,8 @@ class Body:
         self.polls: list[Poll] = []
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
+        # How many loops stand within one another at most in what was written last.
+        self.deepest = 0
         self.facts: dict[int, ranges.Range] = {}
         self.analysed: set[Symbol] = set()
         # Variables that are the same wherever they are read, by their spelling.

@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 # A block with more lines than LONGEST is cut into parts of about SIZE lines.
 LONGEST = 600
 SIZE = 200
-# A block that stands so deep is a part.
+# A block that stands so deep is a part; so is a statement in a loop that is so many loops within one another: Python
+# takes twenty, and of ours each may be two, or have a `try` around it.
 DEEPEST = 60
+MOST_LOOPS = 8
 
 # What leaves a part, or calls what only the function around it knows.
 _LEAVES = ("return", "pc = ", "yield from j_")
@@ -60,11 +62,13 @@ def cut(b: Body, first: int, ends: list[int]) -> None:
     b.lines[first:] = [line for statement in statements for line in statement]
 
 
-def fold(b: Body, first: int) -> None:
-    """Move a whole block into a part: Python indents a hundred times, a chain of ElseIf is longer."""
+def fold(b: Body, first: int) -> bool:
+    """Move all lines from `first` on into a part, if that may be done."""
     lines = b.lines[first:]
-    if not b.whole.typed and not _is_left(lines):
-        b.lines[first:] = _part(b, lines)
+    if b.whole.typed or not lines or _is_left(lines):
+        return False
+    b.lines[first:] = _part(b, lines)
+    return True
 
 
 def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:

@@ -27,18 +27,22 @@ if TYPE_CHECKING:
 def block(b: Body, body: list[nodes.Stmt]) -> None:
     """Statements one after the other."""
     guarded = b.whole.guarded and b.function.name.lower() != "onerror"
-    first = len(b.lines)
+    first, outer, b.deepest = len(b.lines), b.deepest, len(b.loops)
     ends = []
     for node in body:
+        begin = len(b.lines)
         b.at = node.at
         b.observes = b.calls = False
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:
             _STATEMENTS[type(node)](b, node)
+        if b.loops and b.deepest - len(b.loops) >= parts.MOST_LOOPS and parts.fold(b, begin):
+            b.deepest = len(b.loops)
         ends.append(len(b.lines))
     if len(b.lines) - first > parts.LONGEST:
         parts.cut(b, first, ends)
+    b.deepest = max(outer, b.deepest)
 
 
 def _guard(b: Body, node: nodes.Stmt) -> None:

@@ -37,6 +37,7 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(parts, "LONGEST", 6)
     monkeypatch.setattr(parts, "SIZE", 4)
     monkeypatch.setattr(parts, "DEEPEST", 3)
+    monkeypatch.setattr(parts, "MOST_LOOPS", 1)
     monkeypatch.setattr(loops, "MANY_CASES", 1)
     monkeypatch.setattr(assembly, "SIZE", 4)
     monkeypatch.setattr(assembly, "SHORT", 0)
@@ -172,3 +173,53 @@ End Function
     result = run(Source("long.mnt", text), cache=False)
     assert result.diagnostics == []
     assert result.output == [str(4 * 1600)]
+
+
+def nested(count: int, leaf: str) -> str:
+    return "While x < 3\n" * count + leaf + "\n" + "Exit\nEnd While\n" * count
+
+
+# More loops within one another than CPython takes, and what the program prints.
+DEEP = {
+    "counted": (
+        "For i = 1 To 1\n" * 60 + "x = x + 1\n" + "Next\n" * 60 + "Print x",
+        ["1.0000"],
+    ),
+    "left one by one": (nested(60, "x = x + 1") + "Print x", ["1.0000"]),
+    "left at once by a jump": (nested(60, "x = 7 : Goto out") + "x = 8\n#out\nPrint x", ["7.0000"]),
+    "left for a loop a few further out": (
+        "For i = 1 To 5\n" + nested(12, "x = x + 1 : WAIT = 1\nExit For") + "Next\nPrint x; i",
+        ["1.00001.0000"],
+    ),
+    "in a task that others see": (
+        "Run t\nPause x > 2\nPrint x\nTask t\nDim y\n" + nested(30, "x = x + 5 : y = x : WAIT = 2") + "End Task",
+        ["5.0000"],
+    ),
+    "in a sub that calls itself": (
+        "f(3)\nPrint x\nSub f(a)\n" + nested(20, "x = x + 0.1\nIf a > 0 Then f(a - 1)") + "x = x + a\nEnd Sub",
+        ["6.4000"],
+    ),
+    "with a parameter by reference": (
+        "x = 1\nf(2, x)\nPrint x\nSub f(a, ByRef b)\nDim i\nFor i = 1 To 3\n"
+        + nested(30, "b = b + a + i")
+        + "Next\nEnd Sub",
+        ["4.0000"],
+    ),
+    "with a handler of errors": (
+        nested(30, "i = 3 : a(i) = 1 : x = 2") + "Print x\nEnd\nEvent ONERROR\nPrint ERRCODE > 0\nEnd Event",
+        ["1", "2.0000"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", DEEP)
+def test_more_loops_within_one_another_than_python_takes(name: str) -> None:
+    text, output = DEEP[name]
+    result = run(Source("deep.mnt", f"Dim x, i, a(2)\n{text}\n"), cache=False)
+    assert (result.output, result.diagnostics) == (output, [])
+
+
+def test_a_turn_of_many_loops_takes_as_long_as_its_statements() -> None:
+    """Sixty headers, one assignment, sixty ends."""
+    text = "Dim x, i\n" + "For i = 1 To 1\n" * 60 + "x = x + 1\n" + "Next\n" * 60
+    assert run(Source("deep.mnt", text), cache=False).time == pytest.approx(121 * 10e-6)
