@@ -17,6 +17,7 @@ from motionlang.mint.keywords import (
     latches,
     limits,
     monitoring,
+    pending,
     relays,
     remote,
     sensing,
@@ -26,7 +27,8 @@ from motionlang.mint.keywords import (
 from motionlang.source import Source
 
 GROUPS = (
-    camboxes, captures, comms, fastaux, homing, io, latches, limits, monitoring, relays, remote, sensing, steppers,
+    camboxes, captures, comms, fastaux, homing, io, latches, limits, monitoring, pending, relays, remote,
+    sensing, steppers,
 )  # fmt: skip
 WORDS = [row for group in GROUPS for row in group.ROWS if row.kind != "constant"]
 MACHINE = {
