@@ -155,7 +155,7 @@ def _checked(work: Callable[[], Made], places: Sequence[int], before: int, probl
             raise
         at = places[min(before + (error.lineno or 0), len(places) - 1)]
         message = "the blocks here are nested more deeply than this program can follow"
-        hint = "some twenty may stand around a Return, an Exit or a Gosub that leaves them; move the inner ones into a sub"
+        hint = "a Return, an Exit or a Gosub that leaves them stands in twenty at most; move the inner ones into a sub"
         problems.add("syntax", message, at, hint)
         problems.raise_errors()
         raise

@@ -192,11 +192,15 @@ DEEP = {
         ["1.00001.0000"],
     ),
     "in a task that others see": (
-        "Run t\nPause x > 2\nPrint x\nTask t\nDim y\n" + nested(30, "x = x + 5 : y = x : WAIT = 2") + "End Task",
+        "Run t\nPause x > 2\nPrint x\nTask t\nDim y\n"
+        + nested(30, "x = x + 5 : y = x : WAIT = 2")
+        + "End Task",
         ["5.0000"],
     ),
     "in a sub that calls itself": (
-        "f(3)\nPrint x\nSub f(a)\n" + nested(20, "x = x + 0.1\nIf a > 0 Then f(a - 1)") + "x = x + a\nEnd Sub",
+        "f(3)\nPrint x\nSub f(a)\n"
+        + nested(20, "x = x + 0.1\nIf a > 0 Then f(a - 1)")
+        + "x = x + a\nEnd Sub",
         ["6.4000"],
     ),
     "with a parameter by reference": (
