@@ -63,6 +63,11 @@ def test_the_time_of_a_jog_counts_while_it_lasts() -> None:
     assert ran(COMMAND + text).output == ["0", "123", "0"]
 
 
+@pytest.mark.parametrize("wait", ["PAUSE JOGTIME(0) > 200", "While JOGTIME(0) <= 200\nEnd While"])
+def test_a_program_waits_for_the_time_of_a_jog(wait: str) -> None:
+    assert ran(COMMAND + f"TIME = 0\nJOGCOMMAND(0) = 1\n{wait}\nPRINT TIME\nCANCEL(0)").output == ["201"]
+
+
 def test_a_stop_or_another_motion_ends_the_time_too() -> None:
     text = "JOGMODE(0) = 1 : JOGDURATION(0) = 400\nJOGCOMMAND(0) = 1\nWAIT = 100\nJOG(0) = 50\nWAIT = 1000\n"
     result = ran(COMMAND + text + "PRINT VEL(0)\nSTOP(0)")

@@ -83,6 +83,14 @@ def test_again_and_again_it_is_said_once(word: str) -> None:
     assert [what for _, what in feedback.changes if what == 2.0] == [2.0]
 
 
+@pytest.mark.parametrize("wait", ["PAUSE EFFORT(0) > 5", "While EFFORT(0) <= 5\nEnd While"])
+def test_a_program_waits_for_the_effort_of_a_motor_under_control(wait: str) -> None:
+    """The first acceleration asks for more than 5 % within the first ticks."""
+    text = "KPROP(0) = 20 : KDERIV(0) = 200\nSPEED(0) = 20000 : ACCEL(0) = 200000\nJOG(0) = 20000\nTIME = 0\n"
+    (time,) = numbers(text + f"{wait}\nPRINT TIME\nCANCEL(0)")
+    assert 0 < time < 50  # a look at the motor would else wait for the end of a block, half a second
+
+
 def test_without_a_motor_it_is_said_and_readings_are_0() -> None:
     result = run(Source("a.mnt", "TORQUEREF(0) = 20"), cache=False)
     assert [each.code for each in result.diagnostics] == ["not-simulated"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.ticking import Ticks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -80,7 +81,11 @@ class Jogs:
 
     def elapsed(self, axis: int) -> int:
         """Milliseconds since the jog of a command began, 0 while there is none."""
-        return self._environment.elapsed(self._began[axis]) if self.commanded(axis) else 0
+        if not self.commanded(axis):
+            return 0
+        began, passed = self._began[axis], self._environment.elapsed(self._began[axis])
+        self._environment.part(Ticks).at(began + (passed + 1) / 1000.0)
+        return passed
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
