@@ -24,8 +24,9 @@ SENTENCES = {
     "modbus.register": "What changes in their registers. Of two registers the lower one has the lower half.",
     "coil": "What a Modbus client writes into the coils of the controller.",
     "encoder": "Encoders that something outside of the controller turns, such as the conveyor that a program follows.",
-    "fault": "Faults of an axis: at a time, at a position, or when the program comes to a line for the first time. "
-    "What the axis then does is the program's choice (`FOLERRORMODE`, `ERRORINPUTMODE`, `LIMITMODE`).",
+    "fault": "Faults of an axis, of its drive or of the controller: at a time, at a position, or when the program "
+    "comes to a line for the first time. What the axis then does is the program's choice (`FOLERRORMODE`, `ERRORINPUTMODE`, "
+    "`LIMITMODE`); a drive goes off.",
     "key": "Keys that the operator presses.",
     "answer": "Lines that the operator types, one for each `INPUT`.",
     "serial": "What comes in at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
