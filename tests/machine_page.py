@@ -25,8 +25,8 @@ SENTENCES = {
     "coil": "What a Modbus client writes into the coils of the controller.",
     "encoder": "Encoders that something outside of the controller turns, such as the conveyor that a program follows.",
     "fault": "Faults of an axis, of its drive or of the controller: at a time, at a position, or when the program "
-    "comes to a line for the first time. What the axis then does is the program's choice (`FOLERRORMODE`, `ERRORINPUTMODE`, "
-    "`LIMITMODE`); a drive goes off.",
+    "comes to a line for the first time. What the axis then does is the program's choice (`FOLERRORMODE`, "
+    "`ERRORINPUTMODE`, `LIMITMODE`); a drive goes off.",
     "key": "Keys that the operator presses.",
     "answer": "Lines that the operator types, one for each `INPUT`.",
     "serial": "What comes in at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
