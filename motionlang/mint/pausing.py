@@ -23,10 +23,11 @@ MOVING = frozenset(
     {
         "position", "velocity", "remaining", "following_error", "time", "demand", "demand_velocity",
         "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
-        "sensing.turns", "following.offset", "path_speed", "paths.angle", "auxiliary.position", "turns.demand",
+        "sensing.turns", "identity.date", "following.offset", "path_speed", "paths.angle", "auxiliary.position",
+        "turns.demand",
     }
 )  # fmt: skip
-COUNTING = frozenset({"time", "sensing.seconds"})
+COUNTING = frozenset({"time", "sensing.seconds", "identity.date"})
 # Those of them whose crossing of a value can be solved.
 SOLVED = frozenset({"position", "demand", "remaining", "following.offset", "time"})
 COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))

@@ -109,10 +109,15 @@ _ACTS = frozenset((nodes.Print, nodes.Input, nodes.End))
 # Verbs that change nothing where they write what can be read there already.
 REPEATABLE = frozenset(
     {
-        "speed", "accel", "decel", "accel_time", "decel_time", "accel_jerk", "decel_jerk", "enabled", "jog",
-        "ramping.override", "ramping.limit", "ramping.jerk_time", "ramping.s_ramp", "following.part",
-        "outputs.bank", "outputs.bit", "outputs.dac", "comms.real", "comms.whole", "remote.bits", "remote.bit",
-        "remote.percent", "limits.soft", "limits.mode", "error_decel", "masters.setting", "homing.setting",
-        "sensing.window", "memory.word", "memory.real", "kept.value", "servo.gain", "signals.enable_output",
+        "speed", "accel", "decel", "accel_time", "decel_time", "accel_jerk", "decel_jerk", "enabled", "error_decel",
+        "ramping.override", "ramping.limit", "ramping.jerk_time", "ramping.s_ramp", "ramping.time_to_most",
+        "feedrate_mode", "profile_mode", "paths.mode", "following.part", "jogging.velocity", "jogging.setting",
+        "drives.speed", "drives.setting", "drives.velocity", "outputs.bank", "outputs.bit", "outputs.dac",
+        "relays.bank", "relays.relay", "relays.auxiliary", "signals.enable_output", "signals.error_output",
+        "comms.real", "comms.whole", "modbus.real", "modbus.whole", "modbus.word", "modbus.coil",
+        "modbus.own_register", "network.comms_real", "network.comms_whole", "network.first_bus_comms",
+        "remote.bits", "remote.bit", "remote.percent", "limits.soft", "limits.mode", "masters.setting",
+        "homing.setting", "sensing.window", "monitoring.limit", "memory.word", "memory.real", "kept.value",
+        "servo.gain", "servo.fatal_error", "terminal.terminal",
     }
 )  # fmt: skip

@@ -50,6 +50,8 @@ class Skipper:
             from motionlang.mint.watching import next_change
 
             level = next_change(environment, since, watches)
+            if level <= t:
+                environment.acts += 1  # the turn was not like the one before in everything that it looked at
         if since != self._last or task is not self._task:
             self._task, self._first = task, since
         scheduler = self._machine.scheduler

@@ -1,0 +1,97 @@
+"""Random programs that poll: one to three tasks, an event, subs, Goto; and a scenario that sets inputs now and then."""
+
+from __future__ import annotations
+
+from random import Random
+
+# A cost of which no period is a multiple: at a tie, rounding decides which statement still comes first.
+COST = 0.7310585e-5
+
+_HEAD = """\
+Dim g As Integer, h As Integer, q As Float
+Dim a(4) As Integer
+TIME = 0
+SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500
+"""
+_SUBS = """\
+Sub Act(ByVal k As Integer)
+  PRINT "act ", k, " ", TIME
+End Sub
+Sub Look()
+  If INX(1) Then g = 1 Else g = 0
+End Sub
+Function Ready() As Integer
+  Ready = INX(2) And g
+End Function
+"""
+_CONDITIONS = (
+    "INX(0)", "INX(1) = 0", "INX(2) And g", "TIME > 40", "TIME > 700", "IDLE(0)", "Not IDLE(0)", "POS(0) > 12",
+    "h > 0", "Ready()", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
+)  # fmt: skip
+_ACTS = (
+    'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",
+    "MOVER(0) = 5 : GO(0)", "COMMS(1) = h", "Act(3)", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
+)  # fmt: skip
+_LOOPS = (
+    ("Loop", "End Loop"),
+    ("While TIME < 2500", "End While"),
+    ("While INX(3) = 0", "End While"),
+    ("Repeat", "Until 0"),
+    ("Repeat", "Until INX(3) Or TIME > 2500"),
+)
+
+
+def program(seed: int) -> tuple[str, dict[str, object]]:
+    """A program and its machine."""
+    random = Random(seed)
+    tasks = random.choice((1, 1, 2, 2, 3))
+    lines = [_HEAD]
+    if random.random() < 0.3:
+        lines += [f"TIMEREVENT = {random.choice((70, 333, 500))}"]
+        lines += ["Event TIMER", "  h = h + 1", "End Event"]
+    lines += [f"Run T{k}" for k in range(1, tasks)]
+    lines += [f"Dim s{k} As Integer, x{k} As Integer, i{k} As Integer" for k in range(tasks)]
+    lines += _loop(random, 0)
+    lines += ['PRINT "end ", TIME, g, h, a(1), a(2), a(3)']
+    for k in range(1, tasks):
+        lines += [f"Task T{k}", *_loop(random, k), "End Task"]
+    machine: dict[str, object] = {"controller.instruction_time": COST}
+    entries = [_input(random) for _ in range(random.randint(0, 6))]
+    return "\n".join([*lines, _SUBS]), machine | ({"input": entries} if entries else {})
+
+
+def _input(random: Random) -> dict[str, object]:
+    entry: dict[str, object] = {"channel": random.randint(0, 3), "at": round(random.uniform(0, 2.5), 4)}
+    return entry | ({"for": round(random.uniform(0.001, 0.8), 4)} if random.random() < 0.6 else {})
+
+
+def _loop(random: Random, k: int) -> list[str]:
+    body = _statements(random, k)
+    if k == 0 and random.random() < 0.2:
+        return ["again:", *body, f"If {random.choice(('1', 'TIME < 2500', 'INX(3) = 0'))} Then Goto again"]
+    first, last = random.choice(_LOOPS)
+    return [first, *body, last]
+
+
+def _statements(random: Random, k: int) -> list[str]:
+    """Most of them look or repeat themselves; what acts does so a few times and never again."""
+    out: list[str] = []
+    for _ in range(random.randint(1, 4)):
+        kind, condition = random.randrange(13), random.choice(_CONDITIONS)
+        if kind < 5:
+            act = random.choice(_ACTS)
+            out += [
+                f"If {condition} And s{k} < {random.randint(1, 6)} Then",
+                f"s{k} = s{k} + 1",
+                act,
+                "End If",
+            ]
+        elif kind == 5:
+            out += [f"For i{k} = 1 To 3", f"a(i{k}) = INX(i{k})", "Next"]
+        else:
+            channel = random.randint(0, 3)
+            out += [
+                (f"x{k} = INX({channel})", "Look()", f"OUTX(4) = INX({channel})", "q = POS(0)",
+                 f"WAIT = {random.randint(1, 30)}", f"If {condition} Then x{k} = 3", f"x{k} = {channel}")[kind - 6]
+            ]  # fmt: skip
+    return out
