@@ -82,8 +82,8 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         **_WHEN,
     },
     "remote": {
-        "bus": ("channel", "The bus of the remote node, 1 unless given."),
-        "node": ("channel", "The remote node."),
+        "bus": ("bus", "The bus of the remote node, 1 unless given."),
+        "node": ("node", "The remote node."),
         "channel": ("channel", "Its digital input."),
         "analogue": ("channel", "Its analogue input, instead."),
         "encoder": ("channel", "Its encoder, instead."),
@@ -96,7 +96,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "for": ("positive", "How long an input stays so, in seconds; for ever unless given."),
     },
     "bus": {
-        "bus": ("channel", "The bus, 1 unless given."),
+        "bus": ("bus", "The bus, 1 unless given."),
         "event": (
             "bus event",
             "operational, passive or off, which the bus then is; receive-overrun or transmit-overrun.",
@@ -104,9 +104,9 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "at": _WHEN["at"],
     },
     "pdo": {
-        "bus": ("channel", "The bus, 1 unless given."),
+        "bus": ("bus", "The bus, 1 unless given."),
         "cobid": ("register", "The identifier of the process data, such as 0x182."),
-        "bank": ("channel", "Its lower 32 bits, 0, as unless given, or its upper ones, 1."),
+        "bank": ("bit", "Its lower 32 bits, 0, as unless given, or its upper ones, 1."),
         "value": ("number", "What it brings."),
         "at": _WHEN["at"],
     },
@@ -160,7 +160,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     },
     "answer": {"text": ("text", "What the operator types at the next INPUT."), "terminal": _TERMINAL},
     "serial": {
-        "port": ("channel", "The serial port, 1 unless given."),
+        "port": ("port", "The serial port, 1 unless given."),
         "text": ("text", "The characters that come in there, for SERIALCHAR."),
         "at": _WHEN["at"],
     },
@@ -296,6 +296,9 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         yield "[[fault]] needs axis", rows["axis"][1], "[[fault]]"
     if table == "remote":
         yield from _remote_problems(entry)
+    first, last = entry.get("first"), entry.get("last", LAST_REGISTER)
+    if isinstance(first, int) and isinstance(last, int) and first > last:
+        yield f"[[{table}]] ends before it begins", "last is its last register", "last"
     if "per_unit" in entry and "axis" not in entry:
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):
@@ -365,6 +368,10 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
         "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
         "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
+        "bus": (whole and 1 <= value <= 2, "must be 1 or 2"),  # type: ignore[operator]
+        "node": (whole and 0 <= value <= 255, "must be a whole number from 0 to 255"),  # type: ignore[operator]
+        "port": (whole and 1 <= value <= 8, "must be a whole number from 1 to 8"),  # type: ignore[operator]
+        "bit": (whole and 0 <= value <= 1, "must be 0 or 1"),  # type: ignore[operator]
         "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
         "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),
         "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
