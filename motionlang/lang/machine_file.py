@@ -297,7 +297,7 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     if table == "remote":
         yield from _remote_problems(entry)
     first, last = entry.get("first"), entry.get("last", LAST_REGISTER)
-    if isinstance(first, int) and isinstance(last, int) and first > last:
+    if isinstance(first, int) and isinstance(last, int) and last < first <= LAST_REGISTER:
         yield f"[[{table}]] ends before it begins", "last is its last register", "last"
     if "per_unit" in entry and "axis" not in entry:
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
