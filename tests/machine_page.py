@@ -31,6 +31,7 @@ SENTENCES = {
     "answer": "Lines that the operator types, one for each `INPUT`.",
     "serial": "What comes in at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
     "comms": "What the host writes into the comms array of a Mint controller; it raises the events of the elements.",
+    "dpr": "The same for the dual-port RAM of a controller on a PC's bus; it raises nothing.",
     "netdata": "The same for NetData.",
 }
 

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     Listener = Callable[[str, int, bool], None]
 
 # Area -> (first element, last element).
-AREAS = {"comms": (1, 99), "netdata": (0, 999)}
+AREAS = {"comms": (1, 99), "netdata": (0, 999), "dpr": (0, 4095)}
+# What they are called, and what is counted in them.
+_CALLED = {"comms": "the comms array", "netdata": "NetData", "dpr": "the dual-port RAM"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
 PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
 _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
@@ -97,9 +99,9 @@ class HostMemory:
         return 2 * low <= first and first + count <= 2 * high + 2
 
     def schedule(self, clock: Clock, area: str, entry: Mapping[str, object]) -> None:
-        """One `[[comms]]` or `[[netdata]]` of the machine file."""
+        """One `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file."""
         words = _words(area, entry)
-        time, element = float(entry.get("at", 0.0)), int(entry["element"])  # type: ignore[arg-type,call-overload]
+        time, element = float(entry.get("at", 0.0)), int(entry["address" if area == "dpr" else "element"])  # type: ignore[arg-type,call-overload]
         clock.at(max(time, clock.now), lambda: self.write(area, element, words))
 
 
@@ -127,7 +129,7 @@ def _words(area: str, entry: Mapping[str, object]) -> list[int]:
     if "text" in entry:
         return packed(str(entry["text"]))
     value: float = entry["value"]  # type: ignore[assignment]
-    view = entry.get("as", "integer" if area == "netdata" and isinstance(value, int) else "float")
+    view = entry.get("as", "integer" if area != "comms" and isinstance(value, int) else "float")
     if view == "integer":
         return [_signed(int(value) & 0xFFFFFFFF)]
     scratch = HostMemory()
@@ -142,6 +144,9 @@ def _signed(word: int) -> int:
 def _checked(area: str, element: int) -> int:
     first, last = AREAS[area]
     if not first <= element <= last:
-        what = "the comms array" if area == "comms" else "NetData"
-        raise Refusal("channel", f"{what} has no element {element}", f"its elements are {first} to {last}")
+        what = "address" if area == "dpr" else "element"
+        plural = "addresses" if area == "dpr" else "elements"
+        raise Refusal(
+            "channel", f"{_CALLED[area]} has no {what} {element}", f"its {plural} are {first} to {last}"
+        )
     return element

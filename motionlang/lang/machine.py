@@ -164,10 +164,10 @@ class Machine:
     def host(self) -> HostMemory:
         """The memory shared with a host, from the first use on, with what the machine file lets the host write."""
         if self._host is None:
-            from motionlang.controller.host import PRODUCTS, HostMemory, product
+            from motionlang.controller.host import AREAS, PRODUCTS, HostMemory, product
 
             self._host = HostMemory(PRODUCTS[product(self.model)])
-            for area in ("comms", "netdata"):
+            for area in AREAS:
                 for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
                     self._host.schedule(self.clock, area, entry)
         return self._host

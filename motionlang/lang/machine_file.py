@@ -58,7 +58,7 @@ _WHEN = {
 }
 _TERMINAL = ("terminal", "The terminal at which that is done: 1, 2, 4 and so on up to 128; 1 unless given.")
 _WRITTEN = {
-    "value": ("number", "The value: a float in the comms array, in NetData an integer where it is whole."),
+    "value": ("number", "The value: a float in the comms array, elsewhere an integer where it is whole."),
     "as": ("view", "integer or float, to have it otherwise."),
     "text": ("text", "A text instead of a value, four characters an element, the first one highest."),
 }
@@ -169,6 +169,11 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "element": ("channel", "The element of the comms array that the host writes, 1 to 99."),
         **_WRITTEN,
     },
+    "dpr": {
+        "at": _WHEN["at"],
+        "address": ("dpr", "The address of the dual-port RAM that the host writes, 0 to 4095."),
+        **_WRITTEN,
+    },
     "netdata": {
         "at": _WHEN["at"],
         "element": ("channel", "The NetData location that the host writes, 0 to 999."),
@@ -191,6 +196,7 @@ REQUIRED = {
     "serial": ("text",),
     "comms": ("element",),
     "netdata": ("element",),
+    "dpr": ("address",),
 }
 VIEWS = ("integer", "float")
 TERMINALS = (1, 2, 4, 8, 16, 32, 64, 128)
@@ -303,7 +309,7 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):
         yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
-    if table in ("comms", "netdata"):
+    if table in ("comms", "netdata", "dpr"):
         yield from _written_problems(table, entry)
 
 
@@ -371,6 +377,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "bus": (whole and 1 <= value <= 2, "must be 1 or 2"),  # type: ignore[operator]
         "node": (whole and 0 <= value <= 255, "must be a whole number from 0 to 255"),  # type: ignore[operator]
         "port": (whole and 1 <= value <= 8, "must be a whole number from 1 to 8"),  # type: ignore[operator]
+        "dpr": (whole and 0 <= value <= 4095, "must be a whole number from 0 to 4095"),  # type: ignore[operator]
         "bit": (whole and 0 <= value <= 1, "must be 0 or 1"),  # type: ignore[operator]
         "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
         "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_MODBUS = "ABB AN00198"
+_MODBUS, _LIBRARY = "ABB AN00198", "Mint type library"
 
 _PARAMETERS = (
     ("_mpENABLE", 0, "MODBUSPARAMETER: 1 while the server answers."),
@@ -44,4 +44,13 @@ ROWS = (
             "A location of NetData as an integer; it shares its 32 bits with NETFLOAT.",
             "NETFLOAT(3) = 1\nPRINT NETINTEGER(3)",
             default=0.0, source=_MODBUS, trust="manual", group="comms"),
+    Keyword("DPRFLOAT", "", "setting", "RW", "address", "number", "comms.real",
+            "A word of the dual-port RAM, 0 to 4095, as a float; it shares its 32 bits with DPRLONG. What the "
+            "controller itself publishes there is not simulated.",
+            "DPRFLOAT(100) = 2.5\nPRINT DPRFLOAT(100)",
+            default=0.0, source=_LIBRARY, trust="memory", group="comms"),
+    Keyword("DPRLONG", "", "setting", "RW", "address", "integer", "comms.whole",
+            "A word of the dual-port RAM as an Integer; it shares its 32 bits with DPRFLOAT.",
+            "DPRLONG(100) = 7\nPRINT DPRLONG(100)",
+            default=0.0, source=_LIBRARY, trust="memory", group="comms"),
 )  # fmt: skip

@@ -96,6 +96,6 @@ def write_modbus_parameter(environment: Environment, row: Row) -> Operation:
 
 
 def _area(row: Row) -> str:
-    area = "netdata" if row.name.startswith("NET") else "comms"
+    area = {"NET": "netdata", "DPR": "dpr"}.get(row.name[:3], "comms")
     assert area in AREAS
     return area
