@@ -36,6 +36,7 @@ CODES: dict[str, str] = {
     "argument": "The function has no value for this argument.",
     "disabled-axis": "The axis is off, and the command needs it on.",
     "enable-input": "The hardware enable input of the drive is off.",
+    "brake": "The brake of the axis is set; it takes no motion until that is lifted.",
     "axis-error": "The axis has an error; it takes no motion until that is cleared.",
     "zero-speed": "A move with no speed would never end.",
     "zero-acceleration": "A move with no acceleration or deceleration can neither start nor stop.",

@@ -285,6 +285,8 @@ class Core(Readings):
             )
         if not a.enabled:
             raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
+        if axis in self.braked:
+            raise Refusal("brake", f"the brake of axis {axis} is set", "lift the brake before it moves")
         self._hold(a)
         return a
 

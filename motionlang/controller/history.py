@@ -31,7 +31,13 @@ if TYPE_CHECKING:
 # Samples beyond which a motor's history is not held at once: twenty minutes at 4 kHz.
 MOST_SAMPLES = 5_000_000
 # What a trace shows of a motor: the quantity, its column of a `ServoTrace`.
-COLUMNS = {"actual": "measured", "actual velocity": "velocity", "following error": "error", "output": "output", "torque": "torque"}
+COLUMNS = {
+    "actual": "measured",
+    "actual velocity": "velocity",
+    "following error": "error",
+    "output": "output",
+    "torque": "torque",
+}
 
 
 class MoveFigures:

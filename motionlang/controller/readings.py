@@ -37,6 +37,8 @@ class Readings:
         self.latches: dict[int, Latch] = {}
         # The inputs without which the drives of axes cannot be enabled.
         self.interlocks: dict[int, int] = {}
+        # The axes whose brakes somebody has set by hand.
+        self.braked: set[int] = set()
         # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis), and of
         # ("latch", number), and of ("misc", bits) for an error of the controller itself.
         self.listeners: list[Callable[[str, int], None]] = []

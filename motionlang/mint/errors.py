@@ -28,6 +28,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "capture-running": (74, "capture running"),
     "capture-points": (75, "number of capture points invalid"),
     "buffer-in-use": (142, "move buffer must be empty"),
+    "brake": (218, "motor brake on"),
     "capture-stopped": (219, "capture not running"),
     "capture-triggered": (220, "capture not waiting for trigger"),
     "enable-input": (228, "hardware enable input off"),

@@ -31,7 +31,7 @@ ROWS = (
     _word("AUXDAC", "ad", "RW", "channel", "%", "auxiliary", "A spare analogue output in percent of its range.",
           "AUXDAC(0) = 25.5\nPRINT AUXDAC(0)", low=-100.0, high=100.0),
     _word("MOTORBRAKE", "", "W", "axis", "bool", "brake",
-          "Set (1) or lift (0) the brake of the motor by hand; a brake is a signal here and holds no axis.",
+          "Set (1) or lift (0) the brake of the motor by hand; an axis whose brake is set so takes no move.",
           "MOTORBRAKEOUTPUT(0) = 4\nMOTORBRAKE(0) = _ON\nPRINT OUTX(4)", low=0, high=1),
     _word("MOTORBRAKESTATUS", "", "R", "axis", "integer", "brake_status", "1 while the brake of the motor is set.",
           "MOTORBRAKE(0) = _ON\nPRINT MOTORBRAKESTATUS(0)"),

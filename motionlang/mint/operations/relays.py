@@ -110,7 +110,7 @@ NONE = -1
 
 
 class Brake:
-    """The brake of one motor: a spring that its output lifts. It is a signal only, it holds no axis."""
+    """The brake of one motor, a spring that its output lifts; one that is set by hand lets no move begin."""
 
     __slots__ = ("_controller", "_due", "axis", "delays", "engaged", "mode", "output")
 
@@ -137,7 +137,14 @@ class Brake:
             self._due.cancel()
             self._due = None
         self.engaged = engaged
+        self._controller.braked.discard(self.axis)
         self._show()
+
+    def engage_by_hand(self, engaged: bool) -> None:
+        """The same by MOTORBRAKE: the drive does not know of it, and must not move the motor."""
+        self.engage(engaged)
+        if engaged:
+            self._controller.braked.add(self.axis)
 
     def follow_drive(self) -> None:
         """The drive was switched: the brake follows, so many milliseconds later."""
@@ -170,6 +177,7 @@ class Brakes:
     def default(self, axis: int) -> None:
         """DEFAULT."""
         self._brakes.pop(axis, None)
+        self._environment.controller.braked.discard(axis)
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "switched" and axis in self._brakes:
@@ -181,7 +189,7 @@ def write_brake(environment: Environment, row: Row) -> Operation:
 
     def write(axis: int, engaged: int) -> None:
         row.check(engaged)
-        brake(axis).engage(bool(engaged))
+        brake(axis).engage_by_hand(bool(engaged))
 
     return write
 
