@@ -265,8 +265,14 @@ class Names:
                               hint=f"the first one is in line {self.problems.line(scope.names[key].at)}")  # fmt: skip
             return
         row = self.table.get(symbol.name)
-        # A word of v4 is no word of a program that has another use for its name.
-        if row is not None and row.name.lower() == key and row.simulated and row.group != "v4":
+        # A word of v4 is no word of a program that has another use for its name; those of statements are the grammar's.
+        if (
+            row is not None
+            and row.name.lower() == key
+            and row.simulated
+            and row.group != "v4"
+            and (row.kind != "statement" or key in TYPES)
+        ):
             self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
                               hint="choose another name")  # fmt: skip
         scope.names[key] = symbol
