@@ -93,3 +93,8 @@ def test_an_offset_that_is_cut_short_says_so(end: str, said: str) -> None:
     assert row["ended"] == said
     assert row["duration"] == pytest.approx(0.4, abs=1e-3)
     assert row["end"] == pytest.approx(2.0 + 0.2 * 20.0, abs=0.01)
+
+
+def test_a_lag_that_is_to_be_corrected_is_no_figure_of_the_run() -> None:
+    assert any("GEARINGMODE" in each for each in ran("GEARINGMODE(1) = 1 : GEARING(1) = 100").not_counted)
+    assert not any("GEARING" in each for each in ran("GEARINGMODE(1) = 0 : GEARING(1) = 100").not_counted)

@@ -124,6 +124,8 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     def write(axis: int, value: float) -> None:
         row.check(value)
         masters.set(name, axis_of(environment, axis), value)
+        if name == "GEARINGMODE" and value:  # what it corrects a lag by is not told
+            environment.machine.without_effect.setdefault(name, [])
 
     return write
 
