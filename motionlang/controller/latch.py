@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.cells import Cells
     from motionlang.controller.controller import Controller
     from motionlang.controller.watch import Watch
 
@@ -147,30 +148,43 @@ class IndexMarks:
 class Compare:
     """A digital output that is on while an axis is between two positions, switched at the exact moments."""
 
-    __slots__ = ("_controller", "_region", "axis", "enabled", "high", "low", "output")
+    __slots__ = ("_cells", "_controller", "_inside", "axis", "enabled", "high", "low", "output")
 
     def __init__(self, controller: Controller, axis: int, output: int, low: float, high: float) -> None:
-        from motionlang.controller.region import Region
-
         self._controller, self.axis, self.output = controller, axis, output
-        self.low, self.high, self.enabled = min(low, high), max(low, high), True
-        self._region = Region(controller, axis, self.low, self.high, self._changed, physical=False)
+        self.enabled, self._inside = True, False
+        self._cells: Cells | None = None
+        self.place(low, high)
 
     def place(self, low: float, high: float) -> None:
         """Put the two positions elsewhere."""
+        from motionlang.controller.cells import Cells
+
+        self.remove()
         self.low, self.high = min(low, high), max(low, high)
-        self._region.place(self.low, self.high)
+        track = self._controller.axes[self.axis]
+        self._cells = Cells(self._controller, track, (self.low, self.high), self._moved)
+        self._moved(self._cells.index)
 
     def enable(self, enabled: bool) -> None:
         """Let it switch the output, or leave that alone."""
         self.enabled = enabled
         if enabled:
-            self._changed(self._region.inside)
+            self._show()
 
     def remove(self) -> None:
         """Stop comparing."""
-        self._region.remove()
+        if self._cells is not None:
+            self._cells.remove()
+            self._cells = None
 
-    def _changed(self, inside: bool) -> None:
-        if self.enabled:
-            self._controller.outputs[self.output] = int(inside)
+    def _moved(self, index: int) -> None:
+        """Below both positions, between them, or above both; a new zero may jump from one to another."""
+        inside = index == 1
+        if inside is not self._inside:
+            self._inside = inside
+            if self.enabled:
+                self._show()
+
+    def _show(self) -> None:
+        self._controller.outputs[self.output] = int(self._inside)

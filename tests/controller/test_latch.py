@@ -111,3 +111,12 @@ def test_an_output_is_on_between_two_positions() -> None:
     compare.remove()
     c.move_to(0, 0.0)
     assert until(c, 9.0).output(7) == 1
+
+
+def test_a_compare_hears_of_a_new_zero() -> None:
+    c = Controller(1)
+    c.compare(0, 7, 5.0, 10.0)
+    c.define_position(0, 7.0)
+    between = c.output(7)
+    c.define_position(0, 12.0)
+    assert (between, c.output(7)) == (1, 0)
