@@ -35,6 +35,7 @@ WARNINGS: dict[str, str] = {
     "unused-variable": "Mint",
     "unused-sub": "Mint",
     "unused-task": "Mint",
+    "no-connection": "Mint",
     "not-simulated": "Mint, MCCL",
     "motor-off": "MCCL",
     "nothing-to-wait-for": "MCCL",

@@ -14,6 +14,7 @@ from motionlang.mint.lint_buffer import Buffers
 from motionlang.mint.lint_flow import Ways
 from motionlang.mint.lint_motion import Motion, Reach
 from motionlang.mint.lint_names import check_names, check_tasks
+from motionlang.mint.lint_servers import check_servers
 from motionlang.mint.lint_settings import Settings
 from motionlang.mint.names import Names
 from motionlang.mint.problems import Problems
@@ -85,4 +86,5 @@ def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
     Ways(facts, follower, settings, add).check()
     check_names(facts, add)
     check_tasks(facts, add)
+    check_servers(module, settings, add)
     return list(found.values())
