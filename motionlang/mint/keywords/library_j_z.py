@@ -163,9 +163,9 @@ MOVERTEST||axis, param|float|RW|listed by the type library without a meaning
 MOVESTATUS||axis|int|R|status of move
 MULTIPLECOMMANDSEXECUTE||flags|var|R|host: PC-side item
 NETFLOAT||index|float|RW|network data array (float)
-NETFLOATMULTIPLE||index, elements|var|RW|network data group
+NETFLOATMULTIPLE||index, elements|var|RW|several locations of NetData at once, of the PC's side: a program reads and writes NETFLOAT one by one
 NETINTEGER||index|int|RW|network data array (integer)
-NETINTEGERMULTIPLE||index, elements|var|RW|network data group
+NETINTEGERMULTIPLE||index, elements|var|RW|several locations of NetData at once, of the PC's side: a program reads and writes NETINTEGER one by one
 NODE|nd|none|int|RW|serial node
 NODELIVE||canbus, node|bool|R|TRUE if node alive
 NODENUMBER||none|int|RW|listed by the type library without a meaning
