@@ -25,7 +25,8 @@ from motionlang.mint.nodes import (
     Variable,
 )
 
-DEEPEST = 200  # blocks inside one another, an ElseIf being inside its If; a limit of this program, not of Mint
+# Blocks inside one another, an ElseIf being inside its If: a limit of this program, not of Mint.
+DEEPEST = 200
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
 INFINITE = float("inf")
 MOST_NUMBERS = 50_000
