@@ -171,8 +171,8 @@ COMMSMAPDATATYPE||axis|int|RW|comms map group
 COMMSMAPMODE||index|int|RW|comms map group
 COMMSMAPPARAMETER||index|int|RW|comms map group
 COMMSMODE||none|int|RW|comms group
-COMMSMULTIPLE||index, count|var|RW|several elements of the comms array at once, of the PC's side: a program reads and writes COMMS one by one
-COMMSMULTIPLEREMOTE||node, index, count|var|RW|the same of another node, of the PC's side: a program reads and writes COMMSREMOTE one by one
+COMMSMULTIPLE||index, count|var|RW|several elements at once, of the PC's side: a program uses COMMS
+COMMSMULTIPLEREMOTE||node, index, count|var|RW|several elements of a node, of the PC's side: a program uses COMMSREMOTE
 COMMSREMOTE||node, index|float|RW|comms array of another node
 COMMSSYNC||none|bool|RW|comms group
 COMMSTESTMODE||none|int|RW|comms group

@@ -163,9 +163,9 @@ MOVERTEST||axis, param|float|RW|listed by the type library without a meaning
 MOVESTATUS||axis|int|R|status of move
 MULTIPLECOMMANDSEXECUTE||flags|var|R|host: PC-side item
 NETFLOAT||index|float|RW|network data array (float)
-NETFLOATMULTIPLE||index, elements|var|RW|several locations of NetData at once, of the PC's side: a program reads and writes NETFLOAT one by one
+NETFLOATMULTIPLE||index, elements|var|RW|several locations at once, of the PC's side: a program uses NETFLOAT
 NETINTEGER||index|int|RW|network data array (integer)
-NETINTEGERMULTIPLE||index, elements|var|RW|several locations of NetData at once, of the PC's side: a program reads and writes NETINTEGER one by one
+NETINTEGERMULTIPLE||index, elements|var|RW|several locations at once, of the PC's side: a program uses NETINTEGER
 NODE|nd|none|int|RW|serial node
 NODELIVE||canbus, node|bool|R|TRUE if node alive
 NODENUMBER||none|int|RW|listed by the type library without a meaning
