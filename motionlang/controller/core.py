@@ -126,6 +126,8 @@ class Core(Readings):
         a, now = self.axes[axis], self.clock.now
         here = a.position(now)
         shift = position - self.position(axis)
+        if not shift:
+            return
         rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
         if a.move is not None and a.move.action is not None:
             a.move.action.shift(self, a, shift)
@@ -349,12 +351,7 @@ class Core(Readings):
             raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
 
     def _start(self, a: Axis, move: Move) -> None:
-        try:
-            profile = self._plan(a, move)
-        except Refusal as refusal:
-            refusal.line = move.line
-            raise
-        self._run(a, move, profile)
+        self._run(a, move, self._plan(a, move))
 
     def _run(self, a: Axis, move: Move, profile: Profile) -> None:
         self._record(a, move, profile)
@@ -425,18 +422,14 @@ class Core(Readings):
             if move.action is not None and not move.action.ready(self, a, move):
                 return
             self._take(a)
-            if move.action is None:
-                self._start(a, move)
-            else:
-                self._begin(a, move)
-
-    def _begin(self, a: Axis, move: Move) -> None:
-        assert move.action is not None
-        try:
-            move.action.begin(self, a, move)
-        except Refusal as refusal:
-            refusal.line = refusal.line or move.line
-            raise
+            try:
+                if move.action is None:
+                    self._start(a, move)
+                else:
+                    move.action.begin(self, a, move)
+            except Refusal as refusal:
+                refusal.line = refusal.line or move.line
+                raise
 
     def _take(self, a: Axis, place: int = 0) -> None:
         """An entry, the first one unless said otherwise, leaves the buffer."""

@@ -46,6 +46,15 @@ CASES = {
     "SPEEDREF": (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREF(0) = 70"),
     "SPEEDREFENABLE": (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREFENABLE(0) = 1"),
     "VELREF": ("VELREF(0) = 70\n", "VELREF(0) = 70"),
+    "DRIVEENABLE": (MOVE, "DRIVEENABLE(0) = 1"),
+    "GO": (MOVE, "GO(0)"),
+    "ramps": (MOVE, "ACCELJERK(0) = ACCELJERK(0) : PROFILEMODE(0) = PROFILEMODE(0) : ERRORDECEL(0) = 100000"),
+    "limits": ("MAXSPEED(0) = 90 : MAXACCEL(0) = 150\n" + MOVE, "MAXSPEED(0) = 90 : MAXACCEL(0) = 150"),
+    "scale": ("SCALEFACTOR(0) = 4\n" + MOVE, "SCALEFACTOR(0) = 4 : POSWRAP(0) = 0"),
+    "modes": (MOVE, "STOPMODE(0) = 0 : IDLEMODE(0) = 0 : LIMITMODE(0) = 1 : TRIGGERMODE(0) = 1"),
+    "POS at rest": ("POS(0) = 5\n", "POS(0) = 5"),
+    "POS in motion": (MOVE + "WAIT = 200\n", "POS(0) = POS(0)"),
+    "HTA": ("HTACHANNEL(0) = 1\nHTA(0) = 20\n", "HTA(0) = 20 : HTAKPROP(0) = 1"),
     "POSREF": ("POSREF(0) = 70\n", "POSREF(0) = 70"),
 }
 
