@@ -184,15 +184,15 @@ class _Reader:
             self._close(blocks[:1])
         else:
             message = f"`{words}` without {_article(name)}"
-            hint = self._else_if(at) if closer == "IF" else ""
+            hint = self._else_if(at) if closer == "IF" and self.kinds[self.start] in ("END", "ENDIF") else ""
             hint = hint or f"remove it, or add the {name} it belongs to"
             self.report("stray-end", message, self.start, hint, at)
         return self._skip(at)
 
     def _else_if(self, at: int) -> str:
         """A hint for an `End If` too many, where an `Else If` has been read as an ElseIf."""
-        for place in range(at - 1, 0, -1):
-            if self.kinds[place] == "IF" and self.kinds[place - 1] == "ELSE":
+        for place in range(at - 1, 1, -1):
+            if self.kinds[place - 2 : place + 1] == ["_NL", "ELSE", "IF"]:
                 line = self.places.line(place)
                 return f"the `Else If` of line {line} is an ElseIf; an If of its own stands on the line below Else"
             if self.kinds[place] in DECLARATIONS:

@@ -696,7 +696,20 @@ def _parameter_by_value_82(V, T):
     n.is_array = None is not None
 
 
-def _input_83(V, T):
+def _if_do_83(V, T):
+    v0 = V[-5]
+    v1 = V[-4]
+    v3 = V[-2]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = n = new(If)
+    n.at = v0
+    n.condition = v1
+    n.body = v3
+    n.orelse = v4
+
+
+def _input_84(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -709,7 +722,7 @@ def _input_83(V, T):
     n.terminal = v2
 
 
-def _print_84(V, T):
+def _print_85(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -720,7 +733,7 @@ def _print_84(V, T):
     n.terminal = v2
 
 
-def _last_using_85(V, T):
+def _last_using_86(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -731,7 +744,7 @@ def _last_using_85(V, T):
     n.separator = ''
 
 
-def _repeat_86(V, T):
+def _repeat_87(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -742,7 +755,7 @@ def _repeat_86(V, T):
     n.condition = v4
 
 
-def _select_87(V, T):
+def _select_88(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -753,7 +766,7 @@ def _select_87(V, T):
     n.cases = [v4]
 
 
-def _startup_88(V, T):
+def _startup_89(V, T):
     v0 = V[-5]
     v2 = V[-3]
     del V[-4:]
@@ -762,7 +775,7 @@ def _startup_88(V, T):
     n.body = v2
 
 
-def _while_89(V, T):
+def _while_90(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v3 = V[-2]
@@ -773,7 +786,7 @@ def _while_89(V, T):
     n.body = v3
 
 
-def _case_else_90(V, T):
+def _case_else_91(V, T):
     V.pop()
     V.pop()
     v0 = V[-1]
@@ -783,7 +796,7 @@ def _case_else_90(V, T):
     n.body = []
 
 
-def _case_91(V, T):
+def _case_92(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -793,7 +806,7 @@ def _case_91(V, T):
     n.body = []
 
 
-def _sized_type_92(V, T):
+def _sized_type_93(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -803,7 +816,7 @@ def _sized_type_92(V, T):
     n.size = v2
 
 
-def _constant_93(V, T):
+def _constant_94(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -811,7 +824,7 @@ def _constant_93(V, T):
     V[-1] = Const(v0, T[v0], v2, v4)
 
 
-def _typed_variable_94(V, T):
+def _typed_variable_95(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -819,7 +832,7 @@ def _typed_variable_94(V, T):
     V[-1] = declare(v0, v2, v4)
 
 
-def _event_95(V, T):
+def _event_96(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -830,7 +843,7 @@ def _event_95(V, T):
     n.body = v3
 
 
-def _parameter_96(V, T):
+def _parameter_97(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -842,7 +855,7 @@ def _parameter_96(V, T):
     n.is_array = None is not None
 
 
-def _parameter_97(V, T):
+def _parameter_98(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -854,7 +867,7 @@ def _parameter_97(V, T):
     n.is_array = v1 is not None
 
 
-def _if_98(V, T):
+def _if_99(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v4 = V[-2]
@@ -867,7 +880,7 @@ def _if_98(V, T):
     n.orelse = v5
 
 
-def _line_if_else_99(V, T):
+def _line_if_else_100(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -880,7 +893,7 @@ def _line_if_else_99(V, T):
     n.orelse = v5
 
 
-def _input_100(V, T):
+def _input_101(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -894,7 +907,7 @@ def _input_100(V, T):
     n.terminal = None
 
 
-def _print_101(V, T):
+def _print_102(V, T):
     v0 = V[-6]
     v2 = V[-4]
     v4 = V[-2]
@@ -906,7 +919,7 @@ def _print_101(V, T):
     n.terminal = v2
 
 
-def _last_open_102(V, T):
+def _last_open_103(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -917,7 +930,7 @@ def _last_open_102(V, T):
     n.separator = ','
 
 
-def _print_using_103(V, T):
+def _print_using_104(V, T):
     v1 = V[-4]
     v3 = V[-2]
     v4 = V[-1]
@@ -930,7 +943,7 @@ def _print_using_103(V, T):
     V[-1].append(n)
 
 
-def _select_nothing_104(V, T):
+def _select_nothing_105(V, T):
     v0 = V[-6]
     v2 = V[-4]
     del V[-5:]
@@ -940,7 +953,7 @@ def _select_nothing_104(V, T):
     n.cases = []
 
 
-def _task_105(V, T):
+def _task_106(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -948,7 +961,7 @@ def _task_105(V, T):
     V[-1] = task(v0, T[v1], v3)
 
 
-def _user_type_106(V, T):
+def _user_type_107(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -959,14 +972,14 @@ def _user_type_106(V, T):
     n.members = v3
 
 
-def _extend_107(V, T):
+def _extend_108(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = extended(v0, v1)
 
 
-def _shared_further_108(V, T):
+def _shared_further_109(V, T):
     v1 = V[-4]
     v2 = V[-3]
     v3 = V[-2]
@@ -974,7 +987,7 @@ def _shared_further_108(V, T):
     V[-1].append(counted(v1, v2, v3, T))
 
 
-def _member_args_109(V, T):
+def _member_args_110(V, T):
     v0 = V[-6]
     v2 = V[-4]
     v4 = V[-2]
@@ -986,7 +999,7 @@ def _member_args_109(V, T):
     n.args = v4
 
 
-def _test_is_110(V, T):
+def _test_is_111(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -997,7 +1010,7 @@ def _test_is_110(V, T):
     n.high = None
 
 
-def _test_range_111(V, T):
+def _test_range_112(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -1008,7 +1021,7 @@ def _test_range_111(V, T):
     n.high = v2
 
 
-def _for_head_112(V, T):
+def _for_head_113(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v3 = V[-4]
@@ -1023,7 +1036,7 @@ def _for_head_112(V, T):
     n.body = []
 
 
-def _parameter_by_reference_113(V, T):
+def _parameter_by_reference_114(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -1036,7 +1049,7 @@ def _parameter_by_reference_113(V, T):
     n.is_array = None is not None
 
 
-def _parameter_by_reference_114(V, T):
+def _parameter_by_reference_115(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v2 = V[-2]
@@ -1047,24 +1060,24 @@ def _parameter_by_reference_114(V, T):
     n.type = None
     n.by_ref = True
     n.is_array = v2 is not None
-
-
-def _parameter_by_value_115(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Parameter)
-    n.at = v0
-    n.name = T[v1]
-    n.type = v3
-    n.by_ref = False
-    n.is_array = None is not None
 
 
 def _parameter_by_value_116(V, T):
     v0 = V[-4]
     v1 = V[-3]
+    v3 = V[-1]
+    del V[-3:]
+    V[-1] = n = new(Parameter)
+    n.at = v0
+    n.name = T[v1]
+    n.type = v3
+    n.by_ref = False
+    n.is_array = None is not None
+
+
+def _parameter_by_value_117(V, T):
+    v0 = V[-4]
+    v1 = V[-3]
     v2 = V[-2]
     del V[-3:]
     V[-1] = n = new(Parameter)
@@ -1075,7 +1088,7 @@ def _parameter_by_value_116(V, T):
     n.is_array = v2 is not None
 
 
-def _function_117(V, T):
+def _function_118(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v2 = V[-5]
@@ -1090,7 +1103,7 @@ def _function_117(V, T):
     n.result = None
 
 
-def _input_118(V, T):
+def _input_119(V, T):
     v0 = V[-7]
     v2 = V[-5]
     v4 = V[-3]
@@ -1104,7 +1117,7 @@ def _input_118(V, T):
     n.terminal = v2
 
 
-def _input_119(V, T):
+def _input_120(V, T):
     v0 = V[-7]
     v2 = V[-5]
     v4 = V[-3]
@@ -1118,7 +1131,7 @@ def _input_119(V, T):
     n.terminal = v2
 
 
-def _sub_120(V, T):
+def _sub_121(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v2 = V[-5]
@@ -1133,14 +1146,14 @@ def _sub_120(V, T):
     n.result = None
 
 
-def _extend_121(V, T):
+def _extend_122(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
     V[-1] = extended(v0, v2)
 
 
-def _shared_122(V, T):
+def _shared_123(V, T):
     v1 = V[-5]
     v2 = V[-4]
     v4 = V[-2]
@@ -1148,7 +1161,7 @@ def _shared_122(V, T):
     V[-1].append(counted(v1, v2, v4, T))
 
 
-def _parameter_123(V, T):
+def _parameter_124(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v4 = V[-1]
@@ -1161,7 +1174,13 @@ def _parameter_123(V, T):
     n.is_array = v1 is not None
 
 
-def _print_using_two_124(V, T):
+def _third_125(V, T):
+    v2 = V[-2]
+    del V[-3:]
+    V[-1] = v2
+
+
+def _print_using_two_126(V, T):
     v1 = V[-6]
     v3 = V[-4]
     v5 = V[-2]
@@ -1175,7 +1194,7 @@ def _print_using_two_124(V, T):
     V[-1].append(n)
 
 
-def _for_head_125(V, T):
+def _for_head_127(V, T):
     v0 = V[-9]
     v1 = V[-8]
     v3 = V[-6]
@@ -1191,7 +1210,7 @@ def _for_head_125(V, T):
     n.body = []
 
 
-def _parameter_by_reference_126(V, T):
+def _parameter_by_reference_128(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v2 = V[-4]
@@ -1205,7 +1224,7 @@ def _parameter_by_reference_126(V, T):
     n.is_array = v2 is not None
 
 
-def _parameter_by_value_127(V, T):
+def _parameter_by_value_129(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v2 = V[-4]
@@ -1219,7 +1238,7 @@ def _parameter_by_value_127(V, T):
     n.is_array = v2 is not None
 
 
-def _function_128(V, T):
+def _function_130(V, T):
     v0 = V[-9]
     v1 = V[-8]
     v2 = V[-7]
@@ -1235,13 +1254,16 @@ def _function_128(V, T):
     n.result = v4
 
 
-def _third_129(V, T):
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = v2
+def _else_if_131(V, T):
+    v0 = V[-5]
+    v1 = V[-4]
+    v3 = V[-2]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = [If(v0, v1, v3, v4)]
 
 
-def _input_130(V, T):
+def _input_132(V, T):
     v0 = V[-9]
     v2 = V[-7]
     v4 = V[-5]
@@ -1254,24 +1276,6 @@ def _input_130(V, T):
     n.prompt = None if v4 is None else String(v4, string(T[v4]))
     n.using = v8 or []
     n.terminal = v2
-
-
-def _else_if_131(V, T):
-    v0 = V[-5]
-    v1 = V[-4]
-    v3 = V[-2]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = [If(v0, v1, v3, v4)]
-
-
-def _else_if_do_132(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v4 = V[-2]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = [If(v0, v1, v4, v5)]
 
 
 TOKEN = '[ \t]*+([A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?+|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?+|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?+(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
@@ -1657,94 +1661,94 @@ RULES = (
     (4, 'name{word}', _name_arg_48),
     (4, 'name{word}', _name_args_49),
     (4, 'name{word}', _name_axes_50),
+    (1, 'end_if', None),
+    (1, 'if_tail', _none_40),
+    (5, 'statement', _if_do_83),
     (2, 'inline', _skip_4),
-    (5, 'inline_statement', _input_83),
+    (5, 'inline_statement', _input_84),
     (2, 'end_loop', _skip_4),
-    (5, 'inline_statement', _print_84),
-    (3, 'print_last', _last_using_85),
-    (5, 'inline_statement', _repeat_86),
-    (5, 'select_head', _select_87),
-    (5, 'declaration', _startup_88),
+    (5, 'inline_statement', _print_85),
+    (3, 'print_last', _last_using_86),
+    (5, 'inline_statement', _repeat_87),
+    (5, 'select_head', _select_88),
+    (5, 'declaration', _startup_89),
     (2, 'task_body', _skip_4),
     (2, 'task_body', _label_before_9),
     (1, 'member_list', _one_12),
     (1, 'end_while', None),
     (1, 'end_while', None),
     (1, 'end_while', None),
-    (5, 'inline_statement', _while_89),
-    (3, 'case', _case_else_90),
-    (3, 'case', _case_91),
+    (5, 'inline_statement', _while_90),
+    (3, 'case', _case_else_91),
+    (3, 'case', _case_92),
     (3, 'slots', _more_29),
-    (3, 'type', _sized_type_92),
-    (5, 'constant', _constant_93),
-    (5, 'valued', _typed_variable_94),
-    (6, 'declaration', _event_95),
-    (3, 'parameter', _parameter_96),
+    (3, 'type', _sized_type_93),
+    (5, 'constant', _constant_94),
+    (5, 'valued', _typed_variable_95),
+    (6, 'declaration', _event_96),
     (3, 'parameter', _parameter_97),
+    (3, 'parameter', _parameter_98),
     (3, 'parameter_list', _more_53),
-    (1, 'end_if', None),
-    (1, 'if_tail', _none_40),
-    (6, 'statement', _if_98),
-    (6, 'statement', _if_98),
+    (2, 'else_if', _skip_4),
+    (2, 'end_if', _skip_4),
+    (6, 'statement', _if_99),
     (2, 'line_else', _skip_4),
-    (6, 'line_if', _line_if_else_99),
+    (6, 'line_if', _line_if_else_100),
     (3, 'closed', _more_53),
     (3, 'inline', _more_53),
     (3, 'line_tail', _more_53),
-    (6, 'inline_statement', _input_100),
-    (6, 'inline_statement', _input_100),
+    (6, 'inline_statement', _input_101),
+    (6, 'inline_statement', _input_101),
     (3, 'formats', _pair_80),
-    (6, 'inline_statement', _print_101),
-    (4, 'print_last', _last_open_102),
-    (5, 'print_list', _print_using_103),
-    (6, 'select', _select_nothing_104),
-    (6, 'declaration', _task_105),
+    (6, 'inline_statement', _print_102),
+    (4, 'print_last', _last_open_103),
+    (5, 'print_list', _print_using_104),
+    (6, 'select', _select_nothing_105),
+    (6, 'declaration', _task_106),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
-    (6, 'declaration', _user_type_106),
-    (3, 'members', _extend_107),
-    (3, 'members', _extend_107),
+    (6, 'declaration', _user_type_107),
+    (3, 'members', _extend_108),
+    (3, 'members', _extend_108),
     (2, 'end_while', _skip_4),
-    (5, 'shared', _shared_further_108),
-    (6, 'ref{name{leading}}', _member_args_109),
-    (6, 'ref{name{NAME}}', _member_args_109),
-    (3, 'test', _test_is_110),
-    (3, 'test', _test_is_110),
-    (3, 'test', _test_range_111),
+    (5, 'shared', _shared_further_109),
+    (6, 'ref{name{leading}}', _member_args_110),
+    (6, 'ref{name{NAME}}', _member_args_110),
+    (3, 'test', _test_is_111),
+    (3, 'test', _test_is_111),
+    (3, 'test', _test_range_112),
     (3, 'tests', _more_53),
-    (7, 'for_head', _for_head_112),
-    (4, 'parameter', _parameter_by_reference_113),
+    (7, 'for_head', _for_head_113),
     (4, 'parameter', _parameter_by_reference_114),
-    (4, 'parameter', _parameter_by_value_115),
+    (4, 'parameter', _parameter_by_reference_115),
     (4, 'parameter', _parameter_by_value_116),
-    (7, 'routine', _function_117),
-    (2, 'else_if', _skip_4),
-    (2, 'end_if', _skip_4),
-    (6, 'ref{name{word}}', _member_args_109),
-    (7, 'inline_statement', _input_118),
-    (7, 'inline_statement', _input_118),
+    (4, 'parameter', _parameter_by_value_117),
+    (7, 'routine', _function_118),
+    (6, 'ref{name{word}}', _member_args_110),
     (7, 'inline_statement', _input_119),
-    (7, 'routine', _sub_120),
-    (4, 'members', _extend_121),
-    (4, 'members', _extend_121),
+    (7, 'inline_statement', _input_119),
+    (7, 'inline_statement', _input_120),
+    (7, 'routine', _sub_121),
+    (4, 'members', _extend_122),
+    (4, 'members', _extend_122),
     (3, 'member_list', _more_53),
-    (6, 'shared', _shared_122),
-    (5, 'parameter', _parameter_123),
-    (7, 'print_list', _print_using_two_124),
-    (7, 'print_list', _print_using_two_124),
-    (9, 'for_head', _for_head_125),
-    (6, 'parameter', _parameter_by_reference_126),
-    (6, 'parameter', _parameter_by_value_127),
-    (9, 'routine', _function_128),
-    (4, 'if_tail', _third_129),
-    (6, 'closed_if', _line_if_else_99),
-    (9, 'inline_statement', _input_130),
-    (9, 'inline_statement', _input_130),
+    (6, 'shared', _shared_123),
+    (5, 'parameter', _parameter_124),
+    (4, 'if_tail', _third_125),
+    (7, 'print_list', _print_using_two_126),
+    (7, 'print_list', _print_using_two_126),
+    (9, 'for_head', _for_head_127),
+    (6, 'parameter', _parameter_by_reference_128),
+    (6, 'parameter', _parameter_by_value_129),
+    (9, 'routine', _function_130),
     (5, 'if_tail', _else_if_131),
-    (6, 'if_tail', _else_if_do_132),
+    (5, 'if_tail', _else_if_131),
+    (6, 'closed_if', _line_if_else_100),
+    (9, 'inline_statement', _input_132),
+    (9, 'inline_statement', _input_132),
 )
 
 ROWS = (
@@ -1912,7 +1916,7 @@ ROWS = (
     '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 275=bit_and_not{atom},compare_not{atom} 276=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 277=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
     '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 278=negated 279=shift{atom} 87=sum{atom} 88=term{atom}',
     '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 280=negated 281=shift{atom} 87=sum{atom} 88=term{atom}',
-    '282=COLON,_NL,sep',
+    '282=body d22',
     '283=_NL d85',
     '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 286=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     '292=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
@@ -2030,17 +2034,17 @@ ROWS = (
     '170=SHIFT d136',
     'd137',
     '170=SHIFT d138',
-    '389=body d22',
-    '390=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 394=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '395=body d22',
     'd139',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 391=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '392=ELSE,line_else',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 396=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '397=ELSE,line_else',
     'd140',
-    '393=COLON r141=_NL d142',
+    '398=COLON r141=_NL d142',
     'd143',
     'd144',
     'd145',
-    '394=LPAR d146',
+    '399=LPAR d146',
     '158=AND d147',
     '158=AND d148',
     '171=MINUS 172=PLUS d149',
@@ -2050,12 +2054,12 @@ ROWS = (
     '159=CIRCUMFLEX d153',
     '159=CIRCUMFLEX d154',
     '159=CIRCUMFLEX d155',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 395=STRING 396=axes,variable 84=name{word},ref{name{word}}',
-    '397=USING d156',
-    '398=USING d157',
-    '399=COMMA d158',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 400=STRING 401=axes,variable 84=name{word},ref{name{word}}',
+    '402=USING d156',
+    '403=USING d157',
+    '404=COMMA d158',
     'd159',
-    '400=LOOP 59=NAME d7',
+    '405=LOOP 59=NAME d7',
     'd160',
     'd161',
     'd162',
@@ -2084,223 +2088,221 @@ ROWS = (
     '159=CIRCUMFLEX d185',
     '159=CIRCUMFLEX d186',
     '159=CIRCUMFLEX d187',
-    '401=print_list d12',
+    '406=print_list d12',
     'd188',
     'd189',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 402=expr 403=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 404=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '225=CASE 345=COLON,_NL,sep 405=END 406=case',
-    '59=NAME 407=STARTUP d7',
-    '408=body d22',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 409=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 410=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 411=_NL 34=axes 35=call 37=for_head 412=inline_statement,select,statement 413=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 414=routine 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 407=expr 408=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 409=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '225=CASE 345=COLON,_NL,sep 410=END 411=case',
+    '59=NAME 412=STARTUP d7',
+    '413=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 414=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 415=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 416=_NL 34=axes 35=call 37=for_head 417=inline_statement,select,statement 418=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 419=routine 43=select_head 44=target',
     'd190',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 415=DIM 416=END 417=declared 418=member_list 419=typed',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 420=END 421=ENDW 422=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 423=WEND 32=WHILE 218=_NL 34=axes 35=call 424=end_while 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 420=DIM 421=END 422=declared 423=member_list 424=typed',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 425=END 426=ENDW 427=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 428=WEND 32=WHILE 218=_NL 34=axes 35=call 429=end_while 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd191',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 425=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 219=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '426=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 430=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 219=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '431=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
     'd192',
     'd193',
     'd194',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 427=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 428=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '429=COLON,_NL,sep',
-    '430=COMPARE 431=EQUAL',
-    '432=TO d195',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 432=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 433=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '434=COLON,_NL,sep',
+    '435=COMPARE 436=EQUAL',
+    '437=TO d195',
     'd196',
-    '433=COLON,_NL,sep 434=COMMA',
+    '438=COLON,_NL,sep 439=COMMA',
     'd197',
     'd198',
     'd199',
     'd200',
-    '435=COMMA d201',
+    '440=COMMA d201',
     'd202',
     'd203',
     'd204',
     'd205',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 436=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 437=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 441=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 442=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd206',
     'd207',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 438=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 265=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 439=expr 84=name{word},ref{name{word}} 85=or{atom} 440=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '441=EVENT 59=NAME d7',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 442=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 443=type',
-    '444=RPAR',
-    '445=AS 446=LPAR d208',
-    '447=AS 448=LPAR d209',
-    '257=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=BYREF 259=BYVAL 449=parameter',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 443=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 265=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 444=expr 84=name{word},ref{name{word}} 85=or{atom} 445=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '446=EVENT 59=NAME d7',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 447=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 448=type',
+    '449=RPAR',
+    '450=AS 451=LPAR d208',
+    '452=AS 453=LPAR d209',
+    '257=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=BYREF 259=BYVAL 454=parameter',
     'd210',
-    '450=COLON,_NL,sep',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 451=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '455=COLON,_NL,sep',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 456=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd211',
     'd212',
     'd213',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 457=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 458=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '459=THEN,line_then',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 460=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 461=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 462=inline 289=inline_statement,select 290=line_if 463=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 464=closed_if 37=for_head 465=inline_statement,select 466=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d214',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 467=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '468=COMMA 469=SEMICOLON',
-    '470=USING d215',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 471=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 472=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 473=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '457=COLON,_NL,sep 458=IF',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 459=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '460=IF 59=NAME d7',
+    'd214',
+    'd215',
     'd216',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 206=expr 84=name{word},ref{name{word}} 85=or{atom} 474=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d217',
-    '475=COMMA 476=SEMICOLON d158',
-    'd218',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 461=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '462=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 463=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 464=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 465=inline 289=inline_statement,select 290=line_if 466=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 467=closed_if 37=for_head 468=inline_statement,select 469=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d217',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 470=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '471=COMMA 472=SEMICOLON',
+    '473=USING d218',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 474=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 475=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 476=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd219',
-    '477=SELECT',
-    'd220',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 206=expr 84=name{word},ref{name{word}} 85=or{atom} 477=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d220',
+    '478=COMMA 479=SEMICOLON d158',
     'd221',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 478=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd222',
-    '59=NAME 479=TASK d7',
+    '480=SELECT',
     'd223',
-    '480=COLON 481=_NL',
-    '482=_NL',
-    '483=COLON 484=_NL',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 417=declared 485=member_list 419=typed',
-    '486=TYPE',
-    '487=AS',
-    '488=COLON 489=COMMA 490=_NL',
     'd224',
-    '59=NAME 491=WHILE d7',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 481=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd225',
+    '59=NAME 482=TASK d7',
     'd226',
+    '483=COLON 484=_NL',
+    '485=_NL',
+    '486=COLON 487=_NL',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 422=declared 488=member_list 424=typed',
+    '489=TYPE',
+    '490=AS',
+    '491=COLON 492=COMMA 493=_NL',
     'd227',
+    '59=NAME 494=WHILE d7',
     'd228',
-    '492=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d96',
-    '493=COMMA d98',
-    '236=COMMA 494=RPAR',
-    '236=COMMA 495=RPAR',
     'd229',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 496=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 497=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 498=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd230',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 357=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 358=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 499=test',
     'd231',
+    '495=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d96',
+    '496=COMMA d98',
+    '236=COMMA 497=RPAR',
+    '236=COMMA 498=RPAR',
     'd232',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 499=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 500=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 501=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd233',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 357=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 358=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 502=test',
     'd234',
-    '232=COMMA 500=RPAR',
-    '234=COMMA 501=RPAR',
     'd235',
-    '502=COLON,_NL,sep 503=STEP',
     'd236',
-    '504=AS d237',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 505=type',
-    '506=RPAR',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 507=type',
-    '508=RPAR',
+    'd237',
+    '232=COMMA 503=RPAR',
+    '234=COMMA 504=RPAR',
     'd238',
-    '509=body d22',
-    '510=FUNCTION 59=NAME d7',
-    '511=COLON,_NL,sep 512=IF',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 513=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '514=IF 59=NAME d7',
+    '505=COLON,_NL,sep 506=STEP',
     'd239',
-    'd240',
+    '507=AS d240',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 508=type',
+    '509=RPAR',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 510=type',
+    '511=RPAR',
     'd241',
+    '512=body d22',
+    '513=FUNCTION 59=NAME d7',
+    '514=body d22',
     'd242',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 515=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '515=DO 516=THEN',
     'd243',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 516=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '517=COLON d141',
     'd244',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 517=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd245',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 518=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '519=COLON d141',
     'd246',
     'd247',
-    '236=COMMA 518=RPAR',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 519=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 520=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 521=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd248',
     'd249',
+    '236=COMMA 520=RPAR',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 521=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 522=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 523=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd250',
     'd251',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 522=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} d252',
+    'd252',
     'd253',
-    'd254',
-    '59=NAME 523=SUB d7',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 524=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} d254',
     'd255',
     'd256',
+    '59=NAME 525=SUB d7',
     'd257',
     'd258',
     'd259',
     'd260',
-    '524=COLON 489=COMMA 525=_NL',
     'd261',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 526=type',
     'd262',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 417=declared 527=typed',
+    '526=COLON 492=COMMA 527=_NL',
     'd263',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 528=type',
     'd264',
-    '528=COMMA d191',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 422=declared 529=typed',
     'd265',
     'd266',
+    '530=COMMA d191',
     'd267',
     'd268',
     'd269',
     'd270',
     'd271',
+    'd272',
+    'd273',
     'r206=AS,EQUAL d211',
     'r207=AS,EQUAL d212',
-    'd272',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 529=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 530=type',
-    'd273',
-    '531=AS d274',
+    'd274',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 531=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 532=type',
     'd275',
-    '532=AS d276',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 533=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '533=AS d276',
     'd277',
-    '534=body d22',
-    'd278',
-    '535=DO 536=THEN',
+    '534=AS d278',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 535=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd279',
-    '537=ELSE,line_else',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 536=end_if 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '537=body d22',
+    '538=body d22',
+    '539=ELSE,line_else',
     '166=THEN,line_then',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 461=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 465=inline_statement,select 466=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d214',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 464=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 468=inline_statement,select 469=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d217',
     'd280',
-    '538=USING d281',
-    '539=USING d282',
+    '540=USING d281',
+    '541=USING d282',
     'd283',
-    '540=COMMA 541=SEMICOLON d250',
+    '542=COMMA 543=SEMICOLON d252',
     'd284',
     'd285',
     'd286',
     'd115',
     'd287',
     'd288',
-    '542=COLON,_NL,sep',
+    '544=COLON,_NL,sep',
     'd289',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 543=type',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 544=type',
-    '545=FUNCTION 59=NAME d7',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 546=end_if 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '547=COLON,_NL,sep',
-    '548=body d22',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 460=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 549=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 463=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 550=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 551=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 545=type',
+    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 546=type',
+    '547=FUNCTION 59=NAME d7',
     'd290',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 548=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 549=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 463=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 550=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 466=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 551=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 552=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd291',
     'd292',
     'd293',
     'd294',
     'd295',
     'd296',
-    '552=body d22',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 553=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd297',
     'd298',
     'd299',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 452=ELSE 453=ELSEIF,else_if 454=END 455=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 456=end_if 37=for_head 554=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd300',
     'd301',
 )

@@ -46,6 +46,8 @@ def hint(kinds: set[str], before: str, text: str) -> str:
         return 'add the closing "'
     if text == "!":
         return SLIPS["!", "="]
+    if text.lower() == "elseif" and "ELSE" in kinds:
+        return "in an If of one line write Else If"
     if text.lower() == "not" and kinds >= VALUE:
         return "Not takes all that follows; write it in brackets, (Not b)"
     if slip := SLIPS.get((before, text[:1])):
