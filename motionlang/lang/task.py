@@ -56,8 +56,8 @@ class Task:
     Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
 
     A task that only polls says so in `look`, what it leaves behind turn by turn; `looked` is when it last did, and
-    `level` the moment up to which it will do the same again if nothing happens. `in_vain` is the time since which it has looked for something
-    that nothing could bring about until the end of the run.
+    `level` the moment up to which it will do the same again if nothing happens. `in_vain` is the time since which it
+    has looked for something that nothing could bring about until the end of the run.
     """
 
     __slots__ = ("busy", "done", "in_vain", "level", "look", "looked", "name", "priority", "wait")
