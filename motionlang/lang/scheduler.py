@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Virtual seconds that one task may run while another is runnable.
 QUANTUM = 1e-3
+# By so much less, as a whole number of statements may fill it exactly, and rounding is not to decide which is the last.
+ROUNDING = 1e-9
 # How often a wait may be asked at one moment before time goes on without it.
 STALLS = 4
 
@@ -109,7 +111,8 @@ class Scheduler:
             horizon = min(clock.next_time(), until)
             several = len(self.tasks) > 1 or self.outside is not None
             if several:
-                horizon = min(horizon, clock.now + self._turn_length(horizon), self._next_due())
+                turn = self._turn_length(horizon) - ROUNDING
+                horizon = min(horizon, clock.now + turn, self._next_due())
             began = self.began = clock.now
             task.look = None
             time, task.wait = task.resume(began, horizon)

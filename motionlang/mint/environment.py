@@ -476,7 +476,8 @@ class MintTask(GeneratorTask):
                 self.in_vain = None
         quantum = environment.quanta.get(self.name)
         if quantum is not None:
-            horizon = min(horizon, now + quantum * environment.machine.instruction_time)
+            # Half a statement less, so that it is never rounding that decides whether the last one still fits.
+            horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
         try:
             time, wait = super().resume(now, horizon)
             environment.ran, environment.fired = self, clock.fired

@@ -9,7 +9,7 @@ COST = 0.7310585e-5
 
 _HEAD = """\
 Dim g As Integer, h As Integer, q As Float
-Dim a(4) As Integer
+Dim a(4) As Integer, sem As Semaphore
 TIME = 0
 SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500
 """
@@ -30,7 +30,14 @@ _CONDITIONS = (
 )  # fmt: skip
 _ACTS = (
     'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",
-    "MOVER(0) = 5 : GO(0)", "COMMS(1) = h", "Act(3)", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
+    "PAUSE IDLE(0)", "PAUSE INX(1) Or TIME > 300", "EVENTDISABLE = 0xFFFF", "EVENTDISABLE = 0", "TIMEREVENT = 45",
+    "FEEDRATEOVERRIDE(0) = 50", "STOP(0)", "MOVER(0) = 5 : GO(0)", "COMMS(1) = h",
+    "Act(3)", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
+)  # fmt: skip
+# With a second task, which they order about; and a semaphore.
+_TASK_ACTS = (
+    "TASKQUANTUM(T1) = 20", "TASKQUANTUM(T1) = 130", "TASKPRIORITY(T1) = 1", "TASKPRIORITY(T1) = 0",
+    "TASKSUSPEND(T1)", "TASKRESUME(T1)", "Run T1", "End T1", "sem = 1", "sem = 0",
 )  # fmt: skip
 _LOOPS = (
     ("Loop", "End Loop"),
@@ -51,10 +58,11 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
         lines += ["Event TIMER", "  h = h + 1", "End Event"]
     lines += [f"Run T{k}" for k in range(1, tasks)]
     lines += [f"Dim s{k} As Integer, x{k} As Integer, i{k} As Integer" for k in range(tasks)]
-    lines += _loop(random, 0)
+    acts = _ACTS if tasks == 1 else _ACTS + _TASK_ACTS
+    lines += _loop(random, 0, acts)
     lines += ['PRINT "end ", TIME, g, h, a(1), a(2), a(3)']
     for k in range(1, tasks):
-        lines += [f"Task T{k}", *_loop(random, k), "End Task"]
+        lines += [f"Task T{k}", *_loop(random, k, acts), "End Task"]
     machine: dict[str, object] = {"controller.instruction_time": COST}
     entries = [_input(random) for _ in range(random.randint(0, 6))]
     return "\n".join([*lines, _SUBS]), machine | ({"input": entries} if entries else {})
@@ -65,21 +73,21 @@ def _input(random: Random) -> dict[str, object]:
     return entry | ({"for": round(random.uniform(0.001, 0.8), 4)} if random.random() < 0.6 else {})
 
 
-def _loop(random: Random, k: int) -> list[str]:
-    body = _statements(random, k)
+def _loop(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
+    body = _statements(random, k, acts)
     if k == 0 and random.random() < 0.2:
         return ["again:", *body, f"If {random.choice(('1', 'TIME < 2500', 'INX(3) = 0'))} Then Goto again"]
     first, last = random.choice(_LOOPS)
     return [first, *body, last]
 
 
-def _statements(random: Random, k: int) -> list[str]:
+def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
     """Most of them look or repeat themselves; what acts does so a few times and never again."""
     out: list[str] = []
     for _ in range(random.randint(1, 4)):
         kind, condition = random.randrange(13), random.choice(_CONDITIONS)
         if kind < 5:
-            act = random.choice(_ACTS)
+            act = random.choice(acts)
             out += [
                 f"If {condition} And s{k} < {random.randint(1, 6)} Then",
                 f"s{k} = s{k} + 1",
