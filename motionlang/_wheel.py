@@ -16,6 +16,7 @@ class BuildWithGrammars(build_py):
     """`build_py`, then `grammars/*.lark` into `motionlang/grammars/`."""
 
     def run(self) -> None:
+        """Build, and copy the grammars into the package; an editable install reads those of the checkout."""
         super().run()
         if self.editable_mode:
             return

@@ -43,6 +43,7 @@ def set_values(
     overrides: dict[str, float | str],
     parser: argparse.ArgumentParser,
 ) -> None:
+    """Sort NAME=VALUE pairs into settings (a dot in the name) and variables; a wrong one: status 2."""
     for pair in pairs:
         name, equals, text = pair.partition("=")
         name = name.strip()

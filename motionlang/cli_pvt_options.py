@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:
+    """The options that say where points come from: a file, positions, an S-curve or a program."""
     add = parser.add_argument
     add(
         "file", nargs="?", help="points (.csv: position, velocity, time), or a program whose motion is fitted"

@@ -31,6 +31,7 @@ examples:
 
 
 def add_run(commands: Commands) -> None:
+    """`motionlang run` and its options."""
     parser = add_command(
         commands, "run", "run a program on the virtual machine and report what it did", _run, RUN_EPILOG
     )

@@ -17,6 +17,7 @@ SECONDS = {"second": 1.0, "minute": 60.0}
 
 
 def slip_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo slip`: friction, the load, and a move to be checked."""
     add = parser.add_argument
     _add_friction(parser)
     add("--weight", type=_positive, default=dissect.WEIGHT_LB, metavar="W", help="weight of the load (5 lb)")
@@ -28,6 +29,7 @@ def slip_options(parser: argparse.ArgumentParser) -> None:
 
 
 def dac_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo dac`: bits, the share of full scale, the gain."""
     add = parser.add_argument
     _add_friction(parser)
     add(
@@ -57,6 +59,7 @@ def _add_friction(parser: argparse.ArgumentParser) -> None:
 
 
 def compare_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo compare`: motor, loop, the move in counts, and when it has settled."""
     add = parser.add_argument
     add_plant(parser)
     add_loop(parser)
@@ -76,6 +79,7 @@ def step_options(parser: argparse.ArgumentParser) -> None:
 
 
 def tune_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo tune`: motor, rates, the bandwidth in Hz and the step that is shown."""
     add = parser.add_argument
     add_plant(parser)
     add("--loop", action="append", default=[], metavar="NAME=VALUE", help="rates and limits of the loop")
@@ -97,6 +101,7 @@ def figure_options(parser: argparse.ArgumentParser) -> None:
 
 
 def listing_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo listing`, all of them per update as in the listing itself."""
     add = parser.add_argument
     add("--distance", type=_count, default=20_000, metavar="D", help="counts (20000)")
     add("--speed", type=_count, default=50, metavar="V", help="MxVel, counts per update (50)")
@@ -119,6 +124,7 @@ def listing_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo run`: a program, how long it may take, motor and loop."""
     add = parser.add_argument
     add("file", metavar="FILE", help="the program")
     add("--dialect", choices=["mint", "mccl"], help="the language, where the suffix does not say it")

@@ -26,6 +26,7 @@ class VirtualWire:
         self._port.feed(data)
 
     def receive(self, timeout: float) -> bytes:
+        """What the board has said, or says within `timeout` machine seconds; b"" where it says nothing."""
         said = self._port.take()
         if said or timeout <= 0.0:
             return said

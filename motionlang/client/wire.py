@@ -51,6 +51,7 @@ class TcpWire:
             raise ConnectionLost(f"the connection is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
+        """What comes within `timeout` seconds; b"" where nothing does. ConnectionLost at the end."""
         try:
             self._socket.settimeout(max(timeout, 0.0))
             data = self._socket.recv(MOST)
@@ -96,6 +97,7 @@ class SerialWire:
         self.now = time.monotonic
 
     def send(self, data: bytes) -> None:
+        """Write all of `data`. ConnectionLost where the device is gone or takes nothing for too long."""
         end = time.monotonic() + self._timeout
         while data:
             select.select([], [self._device], [], max(0.0, end - time.monotonic()))
@@ -108,6 +110,7 @@ class SerialWire:
                 raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
+        """What comes within `timeout` seconds; b"" where nothing does. ConnectionLost at the end."""
         ready, _, _ = select.select([self._device], [], [], max(timeout, 0.0))
         if not ready:
             return b""

@@ -64,6 +64,7 @@ class CurveFollow(Follow):
         return self._along(self.coming()).start
 
     def arm(self, coming: Profile) -> None:
+        """Set the event for when the master leaves the curve, at either end where it may go back."""
         along, clock = self._along(coming), self.controller.clock
         length = self.curve.duration
         times: list[tuple[float, bool]] = []
@@ -190,6 +191,7 @@ class Fly(Action):
         self.master, self.distance, self.over = master, distance, over
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Tie the axis to its master from here on; a Refusal bears the line of the entry."""
         try:
             check_chain(a, self.master)
             self.follow(controller, a, move, 0.0).engage()
@@ -212,6 +214,7 @@ class Shear(CurveFollow):
     __slots__ = ()
 
     def over(self, forward: bool) -> bool:
+        """Go on with the next segment of the buffer, in the ratio this one ends with; or False."""
         controller, a = self.controller, self.a
         head = self._next_entry()
         if head is None or not isinstance(head.action, Fly):

@@ -43,6 +43,7 @@ class TableCam(Cam):
     table: Table
 
     def over(self, forward: bool) -> bool:
+        """Go on with the next cycle, whose table is read now, or with the one before."""
         if self.cyclic:
             if forward:
                 start = self.curve.end
@@ -61,6 +62,7 @@ class CamEntry(Action):
         self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Tie the axis to its master on a table read now. Refusal where it cannot be followed."""
         check_chain(a, self.master)
         here = a.position(controller.clock.now)
         curve = curve_of(a, self.table(here), here)
@@ -161,6 +163,7 @@ class ProfileEntry(Action):
         return self.make(end) if self.again is not None else None
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Make the profile and play it; one that is made `again` waits in the buffer behind it."""
         profile = self.make(a.position(controller.clock.now))
         if self.again is not None:
             following = Move(a.index, move.command, move.line, profile.end)

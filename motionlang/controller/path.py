@@ -99,6 +99,7 @@ class PathMove(Action):
         return all(each.move is None for each in self.axes) and self.stands_at(0)
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Take the entry out of every axis's buffer and run the path with all of them."""
         from motionlang.controller.path_run import PathRun
 
         for other, each in zip(self.axes, self.moves, strict=True):
@@ -134,6 +135,7 @@ class PathMove(Action):
             self.run.resume()
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
+        """Give up the path on all axes; a new target for one of them is refused."""
         if self.run is None:
             return
         if ended == "retarget":

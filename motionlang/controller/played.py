@@ -32,6 +32,7 @@ class Played(Action):
         self._began = 0.0
 
     def suspend(self, controller: Core, a: Axis) -> bool:
+        """Slow the profile's own time to a standstill within the axis's `suspend_time`."""
         path, pace = self._on_the_way(controller, a)
         if pace.end_velocity == 0.0:
             pace = halted(pace, "suspend")
@@ -54,6 +55,7 @@ class Played(Action):
         return self._made(controller, path, pace.cut(end), path.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+        """Come to rest on the profile, the buffer emptied; False for a fault, and where it is no path."""
         if not self.on_path or ended == "fault":
             return False
         path, pace = self._on_the_way(controller, a)

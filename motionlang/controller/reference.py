@@ -73,6 +73,7 @@ class SpeedReference(Reference):
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+        """After an error brake at `error_rate`, counts/s2; False where that is 0, and for other stops."""
         if ended != "fault" or not self.error_rate:
             return False
         controller.empty(a)

@@ -130,6 +130,7 @@ class GeneratorTask(Task):
         return bool(getattr(self._generator, "gi_running", False))
 
     def at_error(self, error: BaseException) -> int:
+        """The place of the innermost frame of the program that the error came through."""
         line, traceback = 0, error.__traceback__
         while traceback is not None:
             if traceback.tb_frame.f_code.co_filename == self._file:
@@ -138,6 +139,7 @@ class GeneratorTask(Task):
         return self._places[line] if line else self.at
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """Run to the horizon, to a wait or to the end: the time reached, s, and the wait if there is one."""
         self.busy = 0.0
         try:
             if self._generator is None:

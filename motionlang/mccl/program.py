@@ -65,6 +65,7 @@ class FileTask(CommandTask):
         override(self, values)
 
     def next_line(self) -> Line | None:
+        """The next line that can be carried out; the faults of others are told where they stand."""
         while self._next < len(self._lines):
             line = self._lines[self._next]
             self._next += 1

@@ -102,6 +102,7 @@ class Arc(Segment):
         return axis in (self.x, self.y)
 
     def at(self, axis: int, s: float) -> tuple[float, float]:
+        """Position and direction of an axis after a length `s`, counts, of the arc."""
         if not self.turns(axis):
             return super().at(axis, s)
         sign = 1.0 if self.sweep > 0.0 else -1.0

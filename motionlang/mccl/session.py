@@ -72,6 +72,7 @@ class LineTask(CommandTask):
         return self._entered
 
     def next_line(self) -> Line | None:
+        """The next of the lines entered that can be carried out; the faults of others are told."""
         while self._lines:
             line = self._lines.pop(0)
             if isinstance(line, Line):

@@ -107,6 +107,7 @@ class CommandTask(Task):
         return line.commands[self.here].name if line is not None and self.here < len(line.commands) else ""
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """Carry out commands to the horizon, a wait or another task's turn: the time, s, and the wait."""
         if now != self.base + self.count * self.cost:
             self.base, self.count = now, 0
         wait = self._go_on(now)

@@ -43,6 +43,7 @@ class MintInteractive(Interactive):
         return is_complete(text)
 
     def task(self, source: Source) -> Task:
+        """Compile a line, in which the names of earlier ones hold. ProgramError: it declares nothing."""
         module = parse(source)
         override_if_there(module, self.machine.overrides)
         before = dict(self._scope.names)

@@ -129,6 +129,7 @@ class Facts:
         }
 
     def written(self, function: Function, node: nodes.Node) -> Iterator[nodes.Name]:
+        """The names whose values a statement changes, arguments by reference and arrays among them."""
         if type(node) is nodes.Assign or type(node) is nodes.Input:
             target: nodes.Expr = node.target
             while type(target) is nodes.Member:

@@ -29,6 +29,7 @@ class Ahead(Formula):
         )
 
     def state(self, time: float) -> State:
+        """Position, velocity, acceleration and jerk, each with `lead` seconds of its own rate added."""
         now, lead = self.profile.at(time), self.lead
         return State(
             now.position + lead * now.velocity,

@@ -38,6 +38,7 @@ class Composed(Formula):
         )
 
     def state(self, time: float) -> State:
+        """The motion by the chain rule: v = f' s', a = f'' s'^2 + f' s'', and so on to the jerk."""
         s = self.along.at(time)
         if 0.0 <= s.position < self.path.duration:
             f = self.path.at(s.position)

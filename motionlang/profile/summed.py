@@ -31,6 +31,7 @@ class Sum(Formula):
         )
 
     def state(self, time: float) -> State:
+        """The sums of both."""
         a, b = self.first.at(time), self.second.at(time)
         return State(
             a.position + b.position,

@@ -40,6 +40,7 @@ class WordCompleter(Completer):
         self._paths = PathCompleter(expanduser=True)
 
     def get_completions(self, document: Document, complete_event: CompleteEvent) -> Iterable[Completion]:
+        """Files after a command that takes one, otherwise the words that fit."""
         word, _, argument = document.current_line_before_cursor.lstrip().partition(" ")
         command = COMMANDS.get(word[1:]) if is_command(word) else None
         if command is not None and "FILE" in command.argument and argument:

@@ -55,6 +55,7 @@ class WordLexer(Lexer):
         self._dialect = dialect
 
     def lex_document(self, document: Document) -> Callable[[int], StyleAndTextTuples]:
+        """Styled text by line number; beyond the last line nothing."""
         lines: list[StyleAndTextTuples] = [[]]
         for style, text, *_ in styled(self._dialect, document.text):
             first, *rest = text.split("\n")

@@ -39,6 +39,7 @@ class TcpChannel:
         return self._socket.fileno()
 
     def receive(self, most: int) -> bytes | None:
+        """What has come, b"" where nothing has, None where the host has hung up. Gone on an error."""
         try:
             return self._socket.recv(most) or None
         except (BlockingIOError, InterruptedError):
@@ -47,6 +48,7 @@ class TcpChannel:
             raise Gone from error
 
     def send(self, data: bytes) -> int:
+        """Send what can be sent now; how many bytes that was. Gone on an error."""
         try:
             return self._socket.send(data)
         except (BlockingIOError, InterruptedError):

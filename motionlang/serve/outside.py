@@ -100,6 +100,7 @@ class RealTime(Outside):
         self._began: float | None = None
 
     def advance(self, time: float) -> None:
+        """Let machine time pass with the wall's, answering meanwhile; an answer ends it early."""
         if self._began is None:
             self._began = self._wall() - self.clock.now / self._factor
         while True:
@@ -134,6 +135,7 @@ class LockStep(Outside):
         self._granted = step
 
     def advance(self, time: float) -> None:
+        """Let machine time pass as far as requests have granted; each further request grants a step."""
         while True:
             if time <= self._granted:
                 self.clock.advance(time)

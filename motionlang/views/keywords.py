@@ -99,6 +99,7 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
 
 
 def facts(row: Keyword) -> list[tuple[str, str]]:
+    """What the row says, as pairs of label and text; empty where it says nothing."""
     default = "" if row.default is None else _figure(row.default)
     source = f"{row.source} ({TRUST[row.trust]})" if row.source else TRUST[row.trust]
     return [

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 
 def contour_mode(task: CommandTask, command: Command) -> None:
+    """CM: the axis joins the contour of axis n. Fault while it moves or belongs to another contour."""
     axis, number = task.axis(command), task.whole(command)
     task.board.axis(number)
     if not task.board.controller.is_idle(axis.number):
@@ -30,6 +31,7 @@ def contour_mode(task: CommandTask, command: Command) -> None:
 
 
 def path(task: CommandTask, command: Command) -> None:
+    """CP: begin a path of kind n on the contour's axes; the commands that follow describe it."""
     axis = task.axis(command)
     if axis.mode != CONTOUR or axis.controlling != axis.number:
         raise Fault(

@@ -51,6 +51,7 @@ FUNCTIONS: tuple[tuple[str, Function], ...] = (
 
 
 def evaluate(task: CommandTask, command: Command) -> None:
+    """Replace the accumulator by function n of it. Fault where the function has no value."""
     name, function = FUNCTIONS[task.whole(command)]
     value = task.registers[0]
     try:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 
 def slave(task: CommandTask, command: Command) -> None:
+    """SM: the axis follows axis n; 0 frees it. Fault where it would follow itself, or is off."""
     board, axis, number = task.board, task.axis(command), task.whole(command)
     if number == 0:
         board.ungear(axis)

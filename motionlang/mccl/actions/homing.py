@@ -33,6 +33,7 @@ def arm_edge(task: CommandTask, command: Command) -> None:
 
 
 def wait_index(task: CommandTask, command: Command) -> Wait | None:
+    """WI: wait for the index mark; one that was armed by IA gives the position its value."""
     axis = task.axis(command)
     seek = task.board.seeks.get(axis.number)
     if seek is None or seek.kind != "index":

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 
 def motor_on(task: CommandTask, command: Command) -> None:
+    """MN: the units that wait come into force, faults are forgotten, and the axes are on."""
     controller = task.board.controller
     for axis in task.axes(command):
         axis.apply_units()
@@ -47,6 +48,7 @@ def move_to(task: CommandTask, command: Command) -> Wait | None:
 
 
 def move_by(task: CommandTask, command: Command) -> Wait | None:
+    """MR: move by n user units from the target, on a path from the end of what it has so far."""
     value = float(task.value(command))
     controller = task.board.controller
     path = task.path_open
@@ -78,6 +80,7 @@ def go(task: CommandTask, command: Command) -> None:
 
 
 def stop(task: CommandTask, command: Command) -> None:
+    """ST: come to rest; a contour stops as a whole, gears and joysticks let go."""
     board = task.board
     for axis in task.axes(command):
         axis.running = False
@@ -128,6 +131,7 @@ def gain_mode(task: CommandTask, command: Command) -> None:
 
 
 def reset(task: CommandTask, command: Command) -> None:
+    """RT: the axis, or with none the whole board, its outputs and every task."""
     if command.axis:
         task.board.reset_axis(task.axis(command))
         return
@@ -162,6 +166,7 @@ def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
 
 
 def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
+    """Start moves to targets, counts; an axis that must turn back rests first. Fault unless in PM."""
     path = task.path_open
     if path is not None:
         path.move(task, targets)

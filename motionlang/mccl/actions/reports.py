@@ -67,6 +67,7 @@ KEPT_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
 
 
 def tell_status(task: CommandTask, command: Command) -> None:
+    """TS: a status word of each axis, by its number."""
     from motionlang.mccl.status import word
 
     which = task.whole(command)

@@ -24,6 +24,7 @@ FULL, HALF = 1.0, 0.5
 
 
 def output_mode(task: CommandTask, command: Command) -> None:
+    """OM: how the amplifier is driven; a simulated motor stays bipolar, which is said."""
     mode = task.whole(command)
     if mode not in OUTPUT_MODES:
         modes = ", ".join(map(str, OUTPUT_MODES))

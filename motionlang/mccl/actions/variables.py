@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 
 def look_up(task: CommandTask, command: Command) -> None:
+    """LU: the address of a variable into the accumulator. Fault for an unknown name."""
     name = str(command.value).upper()
     address = NAMES.get(name)
     if address is None:

@@ -59,6 +59,7 @@ def read_speed(environment: Environment, row: Row) -> Operation:
 
 
 def write_speed(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERSPEED: the encoder turns at so many units a second from now on."""
     encoders = environment.part(AuxEncoders)
 
     def write(channel: int, speed: float) -> None:
@@ -69,6 +70,7 @@ def write_speed(environment: Environment, row: Row) -> Operation:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERSCALE, -PRESCALE and -WRAP."""
     encoders, name, whole = environment.part(AuxEncoders), row.name[3:], row.unit == "integer"
 
     def read(channel: int) -> float:
@@ -79,6 +81,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERSCALE, -PRESCALE and -WRAP."""
     encoders, name = environment.part(AuxEncoders), row.name[3:]
 
     def write(channel: int, value: float) -> None:

@@ -98,6 +98,7 @@ def read_trigger_mode(environment: Environment, row: Row) -> Operation:
 
 
 def write_trigger_mode(environment: Environment, row: Row) -> Operation:
+    """TRIGGERMODE."""
     triggers = environment.part(Triggers)
 
     def write(axis: int, mode: int) -> None:
@@ -108,6 +109,7 @@ def write_trigger_mode(environment: Environment, row: Row) -> Operation:
 
 
 def read_trigger(environment: Environment, row: Row) -> Operation:
+    """TRIGGERINPUT, -SOURCE, -CHANNEL and -VALUE, the value in units of what is watched."""
     triggers, name, whole = environment.part(Triggers), row.name, row.unit == "integer"
 
     def read(axis: int) -> float:
@@ -118,6 +120,7 @@ def read_trigger(environment: Environment, row: Row) -> Operation:
 
 
 def write_trigger(environment: Environment, row: Row) -> Operation:
+    """TRIGGERINPUT, -SOURCE, -CHANNEL and -VALUE; moves that wait go by it at once."""
     triggers, name = environment.part(Triggers), row.name
 
     def write(axis: int, value: float) -> None:
@@ -150,6 +153,7 @@ def loader(environment: Environment, put: Callable[..., None]) -> Operation:
 
 
 def load_dwell(environment: Environment, row: Row) -> Operation:
+    """MOVEDWELL: a rest between two moves, ms."""
     load = environment.controller.load_dwell
 
     def put(axis: int, milliseconds: float, line: int) -> None:
@@ -160,6 +164,7 @@ def load_dwell(environment: Environment, row: Row) -> Operation:
 
 
 def load_out(environment: Environment, row: Row) -> Operation:
+    """MOVEOUT: a bank of outputs, set between two moves."""
     load = environment.controller.load_output
 
     def put(axis: int, bank: int, bits: int, line: int) -> None:
@@ -170,6 +175,7 @@ def load_out(environment: Environment, row: Row) -> Operation:
 
 
 def load_out_bit(environment: Environment, row: Row) -> Operation:
+    """MOVEOUTX: one output, set between two moves."""
     load = environment.controller.load_output
 
     def put(axis: int, channel: int, value: int, line: int) -> None:
@@ -179,6 +185,7 @@ def load_out_bit(environment: Environment, row: Row) -> Operation:
 
 
 def load_pulse(environment: Environment, row: Row) -> Operation:
+    """MOVEPULSEOUTX: a pulse of an output, ms, that begins between two moves."""
     load = environment.controller.load_pulse
 
     def put(axis: int, channel: int, milliseconds: float, line: int) -> None:

@@ -50,6 +50,7 @@ class Source:
 
 
 def source_of(environment: Environment, kind: int, channel: int) -> Source:
+    """The track a cam box watches, and what its counts are in user units. Refusal where there is none."""
     controller = environment.controller
     if kind == AXIS:
         scale = scale_of(environment, channel)
@@ -181,6 +182,7 @@ def read_box(environment: Environment, row: Row) -> Operation:
 
 
 def write_box(environment: Environment, row: Row) -> Operation:
+    """CAMBOX: begin with the data as they are now, or end."""
     box = environment.part(CamBoxes).box
 
     def write(number: int, enabled: int) -> None:
@@ -191,6 +193,7 @@ def write_box(environment: Environment, row: Row) -> Operation:
 
 
 def do_data(environment: Environment, row: Row) -> Operation:
+    """CAMBOXDATA: output, source, lead in ms and table; a box at work begins anew with them."""
     boxes = environment.part(CamBoxes)
 
     def do(

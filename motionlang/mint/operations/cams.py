@@ -126,6 +126,7 @@ class Cams:
 
 
 def do_table(environment: Environment, row: Row) -> Operation:
+    """CAMTABLE: the arrays of positions and lengths, user units; without arrays the table is forgotten."""
     cams = environment.part(Cams)
 
     def do(axis: int, positions: Array | None, lengths: Array | None, line: int) -> None:
@@ -140,6 +141,7 @@ def do_table(environment: Environment, row: Row) -> Operation:
 
 
 def load_cam(environment: Environment, row: Row) -> Operation:
+    """CAM: follow the table once or for ever, mode by mode; the arrays are read again for each cycle."""
     controller, cams, masters = environment.controller, environment.part(Cams), environment.part(Masters)
 
     def put(axis: int, mode: int, line: int) -> None:

@@ -276,6 +276,7 @@ def read_channel(environment: Environment, row: Row) -> Operation:
 
 
 def write_channel(environment: Environment, row: Row) -> Operation:
+    """CAPTUREMODE, -AXIS and -MODEPARAMETER; refused while a capture runs."""
     capture, name = environment.part(Capture), _CHANNEL[row.name]
 
     def write(channel: int, value: int) -> None:
@@ -302,6 +303,7 @@ def read_trigger(environment: Environment, row: Row) -> Operation:
 
 
 def write_trigger(environment: Environment, row: Row) -> Operation:
+    """CAPTURETRIGGERMODE, -SOURCE, -CHANNEL, -VALUE and -ABSOLUTE; refused while a capture runs."""
     capture, name = environment.part(Capture), _trigger_setting(row)
 
     def write(trigger: int, value: float) -> None:
@@ -324,6 +326,7 @@ def read_spacing(environment: Environment, row: Row) -> Operation:
 
 
 def write_spacing(environment: Environment, row: Row) -> Operation:
+    """CAPTUREINTERVAL in ticks, CAPTUREPERIOD in µs, CAPTUREDURATION in ms: the last one written holds."""
     capture, name = environment.part(Capture), row.name
 
     def write(value: float) -> None:
@@ -339,6 +342,7 @@ def read_points(environment: Environment, row: Row) -> Operation:
 
 
 def write_points(environment: Environment, row: Row) -> Operation:
+    """CAPTURENUMPOINTS; refused while a capture runs."""
     capture = environment.part(Capture)
 
     def write(points: int) -> None:
@@ -357,6 +361,7 @@ def read_before(environment: Environment, row: Row) -> Operation:
 
 
 def write_before(environment: Environment, row: Row) -> Operation:
+    """CAPTUREPRETRIGGERDURATION, ms; refused while a capture runs."""
     capture = environment.part(Capture)
 
     def write(milliseconds: float) -> None:

@@ -22,6 +22,8 @@ def _finite(row: Row, value: float) -> None:
 
 
 def write_by(environment: Environment, row: Row) -> Operation:
+    """INCR: the target moves by user units, of a move under way too."""
+
     def write(axis: int, value: float, line: int) -> None:
         _finite(row, value)
         counts = scale_of(environment, axis).to_counts(value)
@@ -31,6 +33,8 @@ def write_by(environment: Environment, row: Row) -> Operation:
 
 
 def write_to(environment: Environment, row: Row) -> Operation:
+    """INCA: a new target, user units, of a move under way too."""
+
     def write(axis: int, value: float, line: int) -> None:
         _finite(row, value)
         counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
@@ -45,6 +49,7 @@ def read_suspend(environment: Environment, row: Row) -> Operation:
 
 
 def write_suspend(environment: Environment, row: Row) -> Operation:
+    """SUSPEND: 1 rests, 0 goes on."""
     controller = environment.controller
 
     def write(axis: int, value: int, line: int) -> None:

@@ -86,6 +86,7 @@ def read_modbus_parameter(environment: Environment, row: Row) -> Operation:
 
 
 def write_modbus_parameter(environment: Environment, row: Row) -> Operation:
+    """MODBUSPARAMETER."""
     parameters = environment.part(ModbusParameters)
 
     def write(bus: int, parameter: int, value: int) -> None:

@@ -111,6 +111,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """COMPAREMODE and COMPAREOUTPUT; a compare at work begins anew."""
     compare, name = environment.part(Compares).compare, _NAMES[row.name]
 
     def write(axis: int, value: int) -> None:
@@ -121,6 +122,7 @@ def write_setting(environment: Environment, row: Row) -> Operation:
 
 
 def read_position(environment: Environment, row: Row) -> Operation:
+    """COMPAREPOS, user units."""
     compare = environment.part(Compares).compare
 
     def read(axis: int, register: int) -> float:
@@ -131,6 +133,7 @@ def read_position(environment: Environment, row: Row) -> Operation:
 
 
 def write_position(environment: Environment, row: Row) -> Operation:
+    """COMPAREPOS, user units; a compare at work goes by it at once."""
     compare = environment.part(Compares).compare
 
     def write(axis: int, register: int, value: float) -> None:
@@ -152,6 +155,7 @@ def read_enable(environment: Environment, row: Row) -> Operation:
 
 
 def write_enable(environment: Environment, row: Row) -> Operation:
+    """COMPAREENABLE: every compare that drives the output."""
     compares = environment.part(Compares)
 
     def write(output: int, enabled: int) -> None:

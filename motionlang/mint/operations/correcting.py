@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 
 def write_correction(environment: Environment, row: Row) -> Operation:
+    """MOVECORRECTION: user units more of the move under way; refused where the axis is idle."""
     controller = environment.controller
 
     def write(axis: int, value: float, line: int) -> None:
@@ -52,6 +53,7 @@ class TimeScales:
 
 
 def write_time(environment: Environment, row: Row) -> Operation:
+    """TIMESCALE: the seconds in the axis's unit of time."""
     scales = environment.part(TimeScales)
 
     def write(axis: int, seconds: float) -> None:

@@ -115,6 +115,7 @@ def top_speed(environment: Environment, axis: int) -> float:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """DRIVESPEEDMAX, times in ms and the other settings of speed references."""
     drives, name, unit = environment.part(Drives), row.name, row.unit
 
     def read(axis: int) -> float:
@@ -125,6 +126,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """DRIVESPEEDMAX, times in ms and the other settings of speed references."""
     drives, name, unit = environment.part(Drives), row.name, row.unit
 
     def write(axis: int, value: float) -> None:
@@ -137,6 +139,7 @@ def write_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_speed(environment: Environment, row: Row) -> Operation:
+    """SPEEDREF and SPEEDTESTREF, user units a second."""
     drives, name, unit = environment.part(Drives), row.name, row.unit
 
     def write(axis: int, value: float, line: int) -> None:
@@ -147,6 +150,7 @@ def write_speed(environment: Environment, row: Row) -> Operation:
 
 
 def read_speed(environment: Environment, row: Row) -> Operation:
+    """SPEEDREF and SPEEDTESTREF: the reference in force, from an analogue input where one is its source."""
     drives, name, unit = environment.part(Drives), row.name, row.unit
 
     def read(axis: int) -> float:

@@ -36,6 +36,7 @@ class AuxLatches:
         self._latches: dict[int, AuxLatch] = {}
 
     def latch(self, channel: int) -> AuxLatch:
+        """The latch of an auxiliary encoder, made on first use; a catch raises FASTIN."""
         latch = self._latches.get(_channel(channel))
         if latch is None:
             events = self._environment.events
@@ -54,6 +55,7 @@ def _per_unit(environment: Environment, row: Row, channel: int) -> float:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
     latches, name, whole = environment.part(AuxLatches), _setting(row), row.unit != "number"
 
     def read(channel: int) -> float:
@@ -64,6 +66,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
     latches, name = environment.part(AuxLatches), _setting(row)
 
     def write(channel: int, value: float) -> None:
@@ -172,6 +175,7 @@ def read_aux_passed(environment: Environment, row: Row) -> Operation:
 
 
 def write_zero_enable(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERZEROENABLE: the next index mark is caught."""
     indexes = environment.part(Indexes)
 
     def write(channel: int, armed: int) -> None:
@@ -187,6 +191,7 @@ def read_zero_mode(environment: Environment, row: Row) -> Operation:
 
 
 def write_zero_mode(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERZEROLATCHMODE."""
     indexes = environment.part(Indexes)
 
     def write(channel: int, mode: int) -> None:

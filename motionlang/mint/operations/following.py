@@ -53,6 +53,7 @@ def read_follow(environment: Environment, row: Row) -> Operation:
 
 
 def write_follow(environment: Environment, row: Row) -> Operation:
+    """FOLLOW: the ratio of slave to master from now on; 0 brings the slave to rest."""
     masters = environment.part(Masters)
 
     def write(axis: int, ratio: float, line: int) -> None:
@@ -82,6 +83,7 @@ def write_part(environment: Environment, row: Row) -> Operation:
 
 
 def load_fly(environment: Environment, row: Row) -> Operation:
+    """FLY: user units of the slave while the master goes MASTERDISTANCE."""
     load = environment.controller.load_fly
 
     def put(axis: int, value: float, line: int) -> None:
@@ -101,6 +103,7 @@ def load_fly(environment: Environment, row: Row) -> Operation:
 
 
 def load_offset(environment: Environment, row: Row) -> Operation:
+    """OFFSET: user units on top of what the axis follows, over OFFSETDISTANCE of the master."""
     controller, masters = environment.controller, environment.part(Masters)
 
     def put(axis: int, value: float, line: int) -> None:

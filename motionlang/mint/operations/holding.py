@@ -113,6 +113,7 @@ class Holds:
 
 
 def read_hold(environment: Environment, row: Row) -> Operation:
+    """HTA: what the axis holds, percent; 0 where it holds nothing."""
     holds = environment.part(Holds)
 
     def read(axis: int) -> float:
@@ -123,6 +124,7 @@ def read_hold(environment: Environment, row: Row) -> Operation:
 
 
 def write_hold(environment: Environment, row: Row) -> Operation:
+    """HTA: move so that the analogue input holds a value, percent."""
     holds = environment.part(Holds)
 
     def write(axis: int, value: float, line: int) -> None:
@@ -134,6 +136,7 @@ def write_hold(environment: Environment, row: Row) -> Operation:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """HTACHANNEL and the gains of the law."""
     holds, name, whole = environment.part(Holds), row.name, row.unit == "integer"
 
     def read(axis: int) -> float:
@@ -144,6 +147,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """HTACHANNEL and the gains of the law; an axis that holds goes by them at once."""
     holds, name = environment.part(Holds), row.name
 
     def write(axis: int, value: float) -> None:

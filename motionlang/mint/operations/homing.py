@@ -139,6 +139,7 @@ class Homes:
 
 
 def write_home(environment: Environment, row: Row) -> Operation:
+    """HOME: begin a search of the type given."""
     homes = environment.part(Homes)
 
     def write(axis: int, kind: int, line: int) -> None:
@@ -154,6 +155,7 @@ def read_home(environment: Environment, row: Row) -> Operation:
 
 
 def write_type(environment: Environment, row: Row) -> Operation:
+    """HOMETYPE."""
     types = environment.part(Homes).types
 
     def write(axis: int, kind: int) -> None:
@@ -172,6 +174,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """HOMESPEED, HOMEOFFSET and the like, user units of the axis."""
     homes, name, unit = environment.part(Homes), row.name, row.unit
 
     def write(axis: int, value: float) -> None:
@@ -192,6 +195,7 @@ def read_status(environment: Environment, row: Row) -> Operation:
 
 
 def write_status(environment: Environment, row: Row) -> Operation:
+    """HOMESTATUS: the program says itself whether the axis is homed."""
     found = environment.part(Homes).found
 
     def write(axis: int, value: int) -> None:

@@ -45,6 +45,7 @@ def read_version(environment: Environment, row: Row) -> Operation:
 
 
 def read_count(environment: Environment, row: Row) -> Operation:
+    """NUMBEROF: the axes; of other items what the machine file says, else the run ends."""
     axes = environment.controller.axes
 
     def count(item: int) -> int:
@@ -80,6 +81,7 @@ read_fit_axis = read_fit
 
 
 def read_takes_moves(environment: Environment, row: Row) -> Operation:
+    """OKTOLOADMOVE: 1 where every axis of the array could take a move into its buffer now."""
     controller = environment.controller
 
     def takes(axis: int) -> bool:

@@ -180,6 +180,7 @@ def read_debounce(environment: Environment, row: Row) -> Operation:
 
 
 def write_debounce(environment: Environment, row: Row) -> Operation:
+    """INPUTDEBOUNCE: samples for which an input must stay as it is."""
     inputs = environment.part(Inputs)
 
     def write(bank: int, samples: int) -> None:

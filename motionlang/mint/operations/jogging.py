@@ -119,6 +119,7 @@ class Jogs:
 
 
 def write_velocity(environment: Environment, row: Row) -> Operation:
+    """JOG: user units a second, the sign the direction, kept until something else is said."""
     jogs = environment.part(Jogs)
 
     def write(axis: int, value: float, line: int) -> None:
@@ -134,6 +135,7 @@ def read_velocity(environment: Environment, row: Row) -> Operation:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """JOGSPEED in user units a second, JOGMODE, and times in ms."""
     jogs, name, unit = environment.part(Jogs), row.name, row.unit
 
     def read(axis: int) -> float:
@@ -144,6 +146,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """JOGSPEED in user units a second, JOGMODE, and times in ms."""
     jogs, name, unit = environment.part(Jogs), row.name, row.unit
 
     def write(axis: int, value: float) -> None:
@@ -159,6 +162,7 @@ def read_command(environment: Environment, row: Row) -> Operation:
 
 
 def write_command(environment: Environment, row: Row) -> Operation:
+    """JOGCOMMAND."""
     jogs = environment.part(Jogs)
 
     def write(axis: int, direction: int, line: int) -> None:

@@ -51,6 +51,7 @@ def read_value(environment: Environment, row: Row) -> Operation:
 
 
 def write_value(environment: Environment, row: Row) -> Operation:
+    """A setting that is kept and changes nothing here; the report tells that it was written."""
     values, name, without_effect = environment.part(Kept).values, row.name, environment.machine.without_effect
 
     def write(*given: object) -> None:

@@ -67,6 +67,7 @@ def do_motion(environment: Environment, row: Row) -> Operation:
 
 
 def read_factor(environment: Environment, row: Row) -> Operation:
+    """What the program wrote, or the machine file says; otherwise 1."""
     kept = environment.part(Kept)
 
     def read(*given: object) -> object:

@@ -137,6 +137,7 @@ class Latches:
         self._latches: dict[int, Latch] = {}
 
     def latch(self, channel: int) -> Latch:
+        """The latch of a channel, made on first use; a catch raises LATCH."""
         latch = self._latches.get(checked(channel, LAST_LATCH, "latch channel"))
         if latch is None:
             events = self._environment.events
@@ -153,6 +154,7 @@ class FastLatches:
         self._latches: dict[int, Latch] = {}
 
     def latch(self, axis: int) -> Latch:
+        """The fast latch of an axis, made on first use; a catch raises FASTIN."""
         latch = self._latches.get(axis_of(self._environment, axis))
         if latch is None:
             events = self._environment.events
@@ -176,6 +178,7 @@ def _find(environment: Environment, row: Row) -> Callable[[int], Latch]:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """What a latch goes by; positions in user units of its axis, times in ms."""
     find, name, unit = _find(environment, row), SETTINGS[row.name], row.unit
 
     def read(channel: int) -> float:
@@ -187,6 +190,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """What a latch goes by; positions in user units of its axis, times in ms."""
     find, name, unit = _find(environment, row), SETTINGS[row.name], row.unit
 
     def write(channel: int, value: float) -> None:

@@ -153,6 +153,7 @@ def read_mode(environment: Environment, row: Row) -> Operation:
 
 
 def write_mode(environment: Environment, row: Row) -> Operation:
+    """What an axis does about one kind of error."""
     errors, name = environment.part(AxisErrors), row.name
 
     def write(axis: int, mode: int) -> None:
@@ -172,6 +173,7 @@ def read_soft(environment: Environment, row: Row) -> Operation:
 
 
 def write_soft(environment: Environment, row: Row) -> Operation:
+    """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
     errors, bit = environment.part(AxisErrors), _soft_bit(row)
 
     def write(axis: int, value: float) -> None:

@@ -109,6 +109,7 @@ class Masters:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """Whom an axis follows, and how: the settings of masters, gears, offsets and cams."""
     masters, name, whole = environment.part(Masters), row.name, row.unit in ("integer", "bool")
 
     def read(axis: int) -> float:
@@ -119,6 +120,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """Whom an axis follows, and how; a GEARINGMODE is noted, for it corrects nothing."""
     masters, name = environment.part(Masters), row.name
 
     def write(axis: int, value: float) -> None:

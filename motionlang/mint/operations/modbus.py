@@ -154,6 +154,7 @@ def read_word(environment: Environment, row: Row) -> Operation:
 
 
 def write_word(environment: Environment, row: Row) -> Operation:
+    """MODBUSTCP16: one register of a server."""
     servers = environment.part(Servers)
 
     def write(server: int, register: int, value: int) -> None:
@@ -194,6 +195,7 @@ def _own(environment: Environment, register: int) -> tuple[str, int]:
 
 
 def read_own_register(environment: Environment, row: Row) -> Operation:
+    """HOLDINGREGISTER: half an element of the memory that hosts write too, 0 to 65535."""
     host = environment.machine.host
 
     def read(register: int) -> int:
@@ -243,6 +245,7 @@ def read_coil(environment: Environment, row: Row) -> Operation:
 
 
 def write_coil(environment: Environment, row: Row) -> Operation:
+    """COIL."""
     coils = environment.part(Coils)
 
     def write(coil: int, value: int) -> None:

@@ -83,6 +83,7 @@ def read_limit(environment: Environment, row: Row) -> Operation:
 
 
 def write_limit(environment: Environment, row: Row) -> Operation:
+    """ADCMAX and ADCMIN, percent."""
     monitors, name = environment.part(Monitors), row.name
 
     def write(channel: int, value: float) -> None:
@@ -166,6 +167,7 @@ def read_warning(environment: Environment, row: Row) -> Operation:
 
 
 def write_warning(environment: Environment, row: Row) -> Operation:
+    """AXISWARNING: whatever is written, it clears the warnings of the axis."""
     warnings = environment.part(Warnings)
 
     def write(axis: int, value: int) -> None:
@@ -181,6 +183,7 @@ def read_warning_disable(environment: Environment, row: Row) -> Operation:
 
 
 def write_warning_disable(environment: Environment, row: Row) -> Operation:
+    """AXISWARNINGDISABLE: the bits that are set do not warn."""
     disabled = environment.part(Warnings).disabled
 
     def write(axis: int, pattern: int) -> None:
@@ -190,6 +193,7 @@ def write_warning_disable(environment: Environment, row: Row) -> Operation:
 
 
 def read_following_warning(environment: Environment, row: Row) -> Operation:
+    """FOLERRORWARNING, user units."""
     levels = environment.part(Warnings).levels
 
     def read(axis: int) -> float:
@@ -200,6 +204,7 @@ def read_following_warning(environment: Environment, row: Row) -> Operation:
 
 
 def write_following_warning(environment: Environment, row: Row) -> Operation:
+    """FOLERRORWARNING, user units; without a motor it has no effect, which the report tells."""
     warnings = environment.part(Warnings)
 
     def write(axis: int, value: float) -> None:
@@ -224,6 +229,7 @@ class Masks:
         environment.errors.masked = self.is_masked
 
     def is_masked(self, error: Error) -> bool:
+        """Whether an error calls no ONERROR: its code, its bit of the axis or of MISCERROR is masked."""
         first = error.data[0] if error.data else 0
         if (error.number, first) in self.codes:
             return True
@@ -242,6 +248,7 @@ def read_mask(environment: Environment, row: Row) -> Operation:
 
 
 def write_mask(environment: Environment, row: Row) -> Operation:
+    """ERRORMASK: the errors of the axis that call ONERROR."""
     calling = environment.part(Masks).calling
 
     def write(axis: int, pattern: int) -> None:
@@ -256,6 +263,7 @@ def read_code_mask(environment: Environment, row: Row) -> Operation:
 
 
 def write_code_mask(environment: Environment, row: Row) -> Operation:
+    """ERRORMASKCODE: one code, with its first datum, calls ONERROR no more or again."""
     codes = environment.part(Masks).codes
 
     def write(code: int, data: int, masked: int) -> None:
@@ -311,6 +319,7 @@ def read_misc_disable(environment: Environment, row: Row) -> Operation:
 
 
 def write_misc_disable(environment: Environment, row: Row) -> Operation:
+    """MISCERRORDISABLE: the bits that are set call no ONERROR."""
     masks = environment.part(Masks)
 
     def write(pattern: int) -> None:
@@ -320,6 +329,7 @@ def write_misc_disable(environment: Environment, row: Row) -> Operation:
 
 
 def write_misc(environment: Environment, row: Row) -> Operation:
+    """MISCERROR: clears the errors of the controller."""
     world = environment.machine.world
 
     def write(value: int) -> None:

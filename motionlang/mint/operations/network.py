@@ -124,6 +124,7 @@ def read_comms_whole(environment: Environment, row: Row) -> Operation:
 
 
 def write_comms_whole(environment: Environment, row: Row) -> Operation:
+    """REMOTECOMMSINTEGER: an element of a node's memory."""
     nodes = environment.part(Nodes)
 
     def write(bus: int, node: int, element: int, value: int) -> None:
@@ -135,6 +136,7 @@ def write_comms_whole(environment: Environment, row: Row) -> Operation:
 
 
 def write_group_comms(environment: Environment, row: Row) -> Operation:
+    """GROUPCOMMS: an element of every node of a group."""
     write, groups = _real(environment)[1], environment.part(Groups)
 
     def each(bus: int, group: int, element: int, value: float) -> None:
@@ -151,6 +153,7 @@ def write_group_comms(environment: Environment, row: Row) -> Operation:
 
 
 def read_encoder(environment: Environment, row: Row) -> Operation:
+    """REMOTEENCODER, counts."""
     nodes = environment.part(Nodes)
 
     def read(bus: int, node: int, channel: int) -> int:
@@ -160,6 +163,7 @@ def read_encoder(environment: Environment, row: Row) -> Operation:
 
 
 def write_encoder(environment: Environment, row: Row) -> Operation:
+    """REMOTEENCODER, counts."""
     nodes = environment.part(Nodes)
 
     def write(bus: int, node: int, channel: int, value: int) -> None:
@@ -177,6 +181,7 @@ def _object(index: int, sub: int) -> tuple[int, int]:
 
 
 def read_object_value(environment: Environment, row: Row) -> Operation:
+    """REMOTEOBJECTFLOAT: an object of a node; 0 where it is a text or was never given a value."""
     nodes = environment.part(Nodes)
 
     def read(bus: int, node: int, index: int, sub: int) -> float:
@@ -192,6 +197,7 @@ def write_object_value(environment: Environment, row: Row) -> Operation:
 
 
 def read_object_text(environment: Environment, row: Row) -> Operation:
+    """REMOTEOBJECTSTRING: an object of a node as text."""
     nodes = environment.part(Nodes)
 
     def read(bus: int, node: int, index: int, sub: int) -> str:
@@ -217,6 +223,7 @@ def _of_type(value: int, type: int) -> int:
 
 
 def read_object_whole(environment: Environment, row: Row) -> Operation:
+    """REMOTEOBJECT: an object of a node in the width of its type; a text reads 0."""
     nodes = environment.part(Nodes)
 
     def read(bus: int, node: int, index: int, sub: int, type: int) -> int:
@@ -227,6 +234,7 @@ def read_object_whole(environment: Environment, row: Row) -> Operation:
 
 
 def write_object_whole(environment: Environment, row: Row) -> Operation:
+    """REMOTEOBJECT: an object of a node, in the width of its type."""
     nodes = environment.part(Nodes)
 
     def write(bus: int, node: int, index: int, sub: int, type: int, value: int) -> None:
@@ -269,6 +277,7 @@ def read_emergency_stop(environment: Environment, row: Row) -> Operation:
 
 
 def write_emergency_stop(environment: Environment, row: Row) -> Operation:
+    """REMOTEESTOP: what the program asks of the node is in the report."""
     nodes = environment.part(Nodes)
 
     def write(bus: int, node: int, value: int) -> None:
@@ -324,6 +333,7 @@ def read_process_data(environment: Environment, row: Row) -> Operation:
 
 
 def do_send_process_data(environment: Environment, row: Row) -> Operation:
+    """REMOTEPDOOUT: what is sent is in the report."""
     nodes = environment.part(Nodes)
 
     def send(bus: int, node: int, data: int) -> None:
@@ -346,6 +356,7 @@ def read_connection(environment: Environment, row: Row) -> Operation:
 
 
 def write_connection(environment: Environment, row: Row) -> Operation:
+    """CONNECT: two nodes that both answer are connected or not."""
     nodes, connected = environment.part(Nodes), environment.part(Groups).connected
 
     def write(bus: int, start: int, end: int, value: int) -> None:
@@ -367,6 +378,7 @@ def read_member(environment: Environment, row: Row) -> Operation:
 
 
 def write_member(environment: Environment, row: Row) -> Operation:
+    """GROUP: a node joins a group or leaves it."""
     members = environment.part(Groups).members
 
     def write(bus: int, group: int, node: int, value: int) -> None:
@@ -380,6 +392,7 @@ def _place(bus: int, group: int, node: int) -> tuple[int, int, int]:
 
 
 def read_groups(environment: Environment, row: Row) -> Operation:
+    """GROUPINFO: the groups of a node, a bit each, as a signed number of 32 bits."""
     members = environment.part(Groups).members
 
     def read(bus: int, node: int) -> int:
@@ -395,6 +408,7 @@ def read_group_master(environment: Environment, row: Row) -> Operation:
 
 
 def write_group_master(environment: Environment, row: Row) -> Operation:
+    """GROUPMASTER."""
     masters = environment.part(Groups).masters
 
     def write(bus: int, group: int, node: int) -> None:
@@ -409,6 +423,7 @@ def read_own_node(environment: Environment, row: Row) -> Operation:
 
 
 def write_own_node(environment: Environment, row: Row) -> Operation:
+    """BUSNODE: the number that this controller has on a bus."""
     own = environment.part(Groups).own
 
     def write(bus: int, node: int) -> None:
@@ -419,6 +434,7 @@ def write_own_node(environment: Environment, row: Row) -> Operation:
 
 
 def read_is_master(environment: Environment, row: Row) -> Operation:
+    """GROUPMASTERSTATUS: whether this controller is the group's master."""
     groups = environment.part(Groups)
 
     def read(bus: int, group: int) -> int:

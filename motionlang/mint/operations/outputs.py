@@ -43,6 +43,7 @@ def read_active_level(environment: Environment, row: Row) -> Operation:
 
 
 def write_active_level(environment: Environment, row: Row) -> Operation:
+    """OUTPUTACTIVELEVEL: a bit of 0 makes an output of the bank active low."""
     outputs = environment.controller.outputs
 
     def write(bank: int, bits: int) -> None:
@@ -96,6 +97,7 @@ def read_adc_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_adc_setting(environment: Environment, row: Row) -> Operation:
+    """ADCGAIN, ADCOFFSET and the like, percent, and ADCMODE."""
     analogue, name = environment.part(Analogue), row.name
 
     def write(channel: int, value: float) -> None:
@@ -111,6 +113,7 @@ def read_dac(environment: Environment, row: Row) -> Operation:
 
 
 def write_dac(environment: Environment, row: Row) -> Operation:
+    """DAC, percent."""
     set_output = environment.controller.set_analogue_output
 
     def write(channel: int, value: float) -> None:

@@ -35,6 +35,7 @@ def _loaded(environment: Environment, axes: Sequence[int]) -> None:
 
 
 def load_line(environment: Environment, row: Row) -> Operation:
+    """VECTORA and VECTORR: a line, user units of each axis."""
     controller = environment.controller
     relative = row.name.endswith("R")
 
@@ -58,6 +59,7 @@ def load_line(environment: Environment, row: Row) -> Operation:
 
 
 def load_arc(environment: Environment, row: Row) -> Operation:
+    """CIRCLEA, CIRCLER, HELIXA and HELIXR: the centre in user units, the angle in degrees."""
     controller = environment.controller
     relative = row.name.endswith("R")
 

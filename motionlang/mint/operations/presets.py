@@ -134,6 +134,7 @@ def _preset(preset: int) -> int:
 
 
 def read_entry(environment: Environment, row: Row) -> Operation:
+    """A field of a preset in the table, user units; 0 until it is written."""
     presets, name, whole = environment.part(Presets), row.name, row.unit == "integer"
 
     def read(preset: int) -> float:
@@ -144,6 +145,7 @@ def read_entry(environment: Environment, row: Row) -> Operation:
 
 
 def write_entry(environment: Environment, row: Row) -> Operation:
+    """A field of a preset in the table, user units."""
     table, name = environment.part(Presets).table, row.name
 
     def write(preset: int, value: float) -> None:
@@ -170,6 +172,7 @@ def _second(row: Row, number: int) -> int:
 
 
 def read_format(environment: Environment, row: Row) -> Operation:
+    """A field with a format or a parameter of its own, such as PRESETACCEL; 0 until it is written."""
     presets, name, whole = environment.part(Presets), row.name, row.unit == "integer"
 
     def read(preset: int, number: int) -> float:
@@ -180,6 +183,7 @@ def read_format(environment: Environment, row: Row) -> Operation:
 
 
 def write_format(environment: Environment, row: Row) -> Operation:
+    """A field with a format or a parameter of its own; a rate and the time for it replace each other."""
     table, name = environment.part(Presets).table, row.name
 
     def write(preset: int, number: int, value: float) -> None:
@@ -197,6 +201,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """What selects and starts the presets of an axis; it may start one at once."""
     presets, name = environment.part(Presets), row.name
 
     def write(axis: int, value: int, line: int) -> None:

@@ -73,6 +73,7 @@ def _parameter(parameter: int) -> str:
 
 
 def read_parameter(environment: Environment, row: Row) -> Operation:
+    """FEEDRATEPARAMETER, user units; 0 where moves have the axis's own rate."""
     axes = environment.controller.axes
 
     def read(axis: int, parameter: int) -> float:
@@ -84,6 +85,7 @@ def read_parameter(environment: Environment, row: Row) -> Operation:
 
 
 def write_parameter(environment: Environment, row: Row) -> Operation:
+    """FEEDRATEPARAMETER: a rate for the moves that are loaded from now on, user units; 0 takes it back."""
     controller = environment.controller
 
     def write(axis: int, parameter: int, value: float) -> None:
@@ -97,6 +99,7 @@ def write_parameter(environment: Environment, row: Row) -> Operation:
 
 
 def read_time_to_most(environment: Environment, row: Row) -> Operation:
+    """ACCELTIMEMAX and DECELTIMEMAX, ms; 0 without MAXSPEED."""
     axes, which = environment.controller.axes, 0 if row.name.startswith("ACCEL") else 1
 
     def read(axis: int) -> int:
@@ -108,6 +111,7 @@ def read_time_to_most(environment: Environment, row: Row) -> Operation:
 
 
 def write_time_to_most(environment: Environment, row: Row) -> Operation:
+    """ACCELTIMEMAX and DECELTIMEMAX, ms from rest to MAXSPEED."""
     times, name = environment.part(TimesToMost), row.name
 
     def write(axis: int, milliseconds: float) -> None:
@@ -130,6 +134,7 @@ def read_jerk_time(environment: Environment, row: Row) -> Operation:
 
 
 def write_jerk_time(environment: Environment, row: Row) -> Operation:
+    """ACCELJERKTIME and DECELJERKTIME, ms in which a rate builds up."""
     configure = environment.controller.configure
     name = "accel_jerk_time" if row.name.startswith("ACCEL") else "decel_jerk_time"
 
@@ -141,6 +146,7 @@ def write_jerk_time(environment: Environment, row: Row) -> Operation:
 
 
 def read_s_ramp(environment: Environment, row: Row) -> Operation:
+    """SRAMP, percent."""
     axes = environment.controller.axes
 
     def read(axis: int) -> float:
@@ -151,6 +157,7 @@ def read_s_ramp(environment: Environment, row: Row) -> Operation:
 
 
 def write_s_ramp(environment: Environment, row: Row) -> Operation:
+    """SRAMP: the percentage of a ramp that is rounded; it replaces jerk times, and 0 makes trapezoids."""
     configure = environment.controller.configure
 
     def write(axis: int, percent: float) -> None:
@@ -178,6 +185,7 @@ def read_limit(environment: Environment, row: Row) -> Operation:
 
 
 def write_limit(environment: Environment, row: Row) -> Operation:
+    """MAXSPEED, MAXACCEL and MAXDECEL, user units; rates that were times to MAXSPEED follow it."""
     configure, times = environment.controller.configure, environment.part(TimesToMost)
     attribute = {"MAXSPEED": "max_speed", "MAXACCEL": "max_accel", "MAXDECEL": "max_decel"}[row.name]
 

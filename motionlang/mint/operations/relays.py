@@ -28,6 +28,7 @@ LAST_RELAY_BANK = LAST_RELAY // BANK
 
 
 def write_pulse(environment: Environment, row: Row) -> Operation:
+    """PULSEOUTX: an output comes on for so many ms."""
     pulse = environment.controller.pulse
 
     def write(channel: int, milliseconds: float) -> None:
@@ -52,6 +53,7 @@ def read_bank(environment: Environment, row: Row) -> Operation:
 
 
 def write_bank(environment: Environment, row: Row) -> Operation:
+    """RELAYOUT: a bank of relays, a bit each."""
     outputs = environment.controller.outputs
 
     def write(bank: int, bits: int) -> None:
@@ -74,6 +76,7 @@ def read_relay(environment: Environment, row: Row) -> Operation:
 
 
 def write_relay(environment: Environment, row: Row) -> Operation:
+    """RELAY and RELAYOUTX."""
     set_output = environment.controller.set_output
 
     def write(number: int, value: int) -> None:
@@ -93,6 +96,7 @@ def read_auxiliary(environment: Environment, row: Row) -> Operation:
 
 
 def write_auxiliary(environment: Environment, row: Row) -> Operation:
+    """AUXDAC, percent."""
     set_output = environment.controller.set_analogue_output
 
     def write(channel: int, value: float) -> None:
@@ -185,6 +189,7 @@ class Brakes:
 
 
 def write_brake(environment: Environment, row: Row) -> Operation:
+    """MOTORBRAKE: engage the brake by hand, or release it."""
     brake = environment.part(Brakes).brake
 
     def write(axis: int, engaged: int) -> None:
@@ -205,6 +210,7 @@ def read_brake_mode(environment: Environment, row: Row) -> Operation:
 
 
 def write_brake_mode(environment: Environment, row: Row) -> Operation:
+    """MOTORBRAKEMODE."""
     brake = environment.part(Brakes).brake
 
     def write(axis: int, mode: int) -> None:
@@ -220,6 +226,7 @@ def read_brake_output(environment: Environment, row: Row) -> Operation:
 
 
 def write_brake_output(environment: Environment, row: Row) -> Operation:
+    """MOTORBRAKEOUTPUT."""
     brake = environment.part(Brakes).brake
 
     def write(axis: int, output: int) -> None:
@@ -235,6 +242,7 @@ def read_brake_delay(environment: Environment, row: Row) -> Operation:
 
 
 def write_brake_delay(environment: Environment, row: Row) -> Operation:
+    """MOTORBRAKEDELAY, ms."""
     brake = environment.part(Brakes).brake
 
     def write(axis: int, which: int, milliseconds: float) -> None:

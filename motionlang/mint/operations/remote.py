@@ -263,6 +263,7 @@ def read_bits(environment: Environment, row: Row) -> Operation:
 
 
 def write_bits(environment: Environment, row: Row) -> Operation:
+    """REMOTEOUT and, with the number of a bank, REMOTEOUTBANK."""
     nodes, kind = environment.part(Nodes), _kind(row)
 
     def write(bus: int, node: int, *rest: int) -> None:
@@ -274,6 +275,7 @@ def write_bits(environment: Environment, row: Row) -> Operation:
 
 
 def read_bit(environment: Environment, row: Row) -> Operation:
+    """REMOTEINX and REMOTEOUTX; inputs in terms of their active level."""
     nodes, kind = environment.part(Nodes), _kind(row)
 
     def read(bus: int, node: int, channel: int) -> int:
@@ -285,6 +287,7 @@ def read_bit(environment: Environment, row: Row) -> Operation:
 
 
 def write_bit(environment: Environment, row: Row) -> Operation:
+    """REMOTEOUTX."""
     nodes, kind = environment.part(Nodes), _kind(row)
 
     def write(bus: int, node: int, channel: int, value: int) -> None:
@@ -294,6 +297,7 @@ def write_bit(environment: Environment, row: Row) -> Operation:
 
 
 def read_percent(environment: Environment, row: Row) -> Operation:
+    """REMOTEADC and REMOTEDAC, percent."""
     nodes, kind = environment.part(Nodes), _kind(row)
 
     def read(bus: int, node: int, channel: int) -> float:
@@ -303,6 +307,7 @@ def read_percent(environment: Environment, row: Row) -> Operation:
 
 
 def write_percent(environment: Environment, row: Row) -> Operation:
+    """REMOTEDAC, percent."""
     nodes, kind = environment.part(Nodes), _kind(row)
 
     def write(bus: int, node: int, channel: int, value: float) -> None:

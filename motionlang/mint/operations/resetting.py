@@ -95,6 +95,7 @@ def _default(environment: Environment, axis: int) -> None:
 
 
 def do_stop(environment: Environment, row: Row) -> Operation:
+    """STOP: each axis as its STOPMODE says; one that there is not stops none."""
     modes = environment.part(StopModes).modes
 
     def do(axes: tuple[int, ...], line: int) -> None:
@@ -112,6 +113,7 @@ def read_stop_mode(environment: Environment, row: Row) -> Operation:
 
 
 def write_stop_mode(environment: Environment, row: Row) -> Operation:
+    """STOPMODE."""
     modes = environment.part(StopModes).modes
 
     def write(axis: int, mode: int) -> None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 
 def do_defaults(environment: Environment, row: Row) -> Operation:
+    """SYSTEMDEFAULTS and FACTORYDEFAULTS: DEFAULTALL, and what was kept is forgotten."""
     values, restore = environment.part(Kept).values, do_default_all(environment, row)
 
     def do() -> None:

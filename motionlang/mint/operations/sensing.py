@@ -36,6 +36,7 @@ _BITS = {word: bit for bit, words in KINDS.items() for word in words}
 
 
 def read_axis_mode(environment: Environment, row: Row) -> Operation:
+    """AXISMODE: a bit for the kind of motion, 0 at rest, and one more while it is suspended."""
     axes = environment.controller.axes
 
     def read(axis: int) -> int:
@@ -48,6 +49,7 @@ def read_axis_mode(environment: Environment, row: Row) -> Operation:
 
 
 def read_acceleration(environment: Environment, row: Row) -> Operation:
+    """ACCELDEMAND, user units a second squared."""
     axes, clock = environment.controller.axes, environment.clock
 
     def read(axis: int) -> float:
@@ -161,6 +163,7 @@ class IdleWindows:
 
 
 def read_window(environment: Environment, row: Row) -> Operation:
+    """IDLEPOS and IDLEVEL in user units, IDLETIME in ms, IDLEMODE."""
     windows, name, unit = environment.part(IdleWindows), row.name, row.unit
 
     def read(axis: int) -> float:
@@ -171,6 +174,7 @@ def read_window(environment: Environment, row: Row) -> Operation:
 
 
 def write_window(environment: Environment, row: Row) -> Operation:
+    """IDLEPOS and IDLEVEL in user units, IDLETIME in ms, IDLEMODE."""
     windows, name, unit = environment.part(IdleWindows), row.name, row.unit
 
     def write(axis: int, value: float) -> None:
@@ -181,6 +185,7 @@ def write_window(environment: Environment, row: Row) -> Operation:
 
 
 def read_settling_time(environment: Environment, row: Row) -> Operation:
+    """IDLESETTLINGTIME, ms."""
     windows = environment.part(IdleWindows)
 
     def read(axis: int) -> int:
@@ -272,6 +277,7 @@ def read_encoder_count(environment: Environment, row: Row) -> Operation:
 
 
 def read_encoder_setting(environment: Environment, row: Row) -> Operation:
+    """ENCODERSCALE, ENCODERPRESCALE and ENCODERWRAP."""
     encoders, name, whole = environment.part(Encoders), row.name, row.unit == "integer"
 
     def read(channel: int) -> float:
@@ -282,6 +288,7 @@ def read_encoder_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_encoder_setting(environment: Environment, row: Row) -> Operation:
+    """ENCODERSCALE, ENCODERPRESCALE and ENCODERWRAP."""
     encoders, name = environment.part(Encoders), row.name
 
     def write(channel: int, value: float) -> None:
@@ -319,6 +326,7 @@ def read_turns(environment: Environment, row: Row) -> Operation:
 
 
 def write_turns(environment: Environment, row: Row) -> Operation:
+    """POSROLLOVER: the position grows by the turns that are more, POS stays."""
     turns = read_turns(environment, row)
 
     def write(axis: int, value: int) -> None:

@@ -69,6 +69,7 @@ def read_character(environment: Environment, row: Row) -> Operation:
 
 
 def write_character(environment: Environment, row: Row) -> Operation:
+    """SERIALCHAR: send a character, by its code."""
     ports = environment.part(Ports)
 
     def write(port: int, code: int) -> None:

@@ -42,6 +42,7 @@ def _tell(environment: Environment, row: Row, axes: tuple[int, ...]) -> None:
 
 
 def read_gain(environment: Environment, row: Row) -> Operation:
+    """A gain of the axis's servo loop, in the units of its word."""
     gain, name, whole = environment.controller.gain, row.name, row.unit == "integer"
 
     def read(axis: int) -> float:
@@ -52,6 +53,7 @@ def read_gain(environment: Environment, row: Row) -> Operation:
 
 
 def write_gain(environment: Environment, row: Row) -> Operation:
+    """A gain of the axis's servo loop; without a motor it has no effect, which the report tells."""
     environment.part(Loops)
     name = row.name
 
@@ -69,6 +71,7 @@ def read_loop_time(environment: Environment, row: Row) -> Operation:
 
 
 def write_loop_time(environment: Environment, row: Row) -> Operation:
+    """LOOPTIME, µs, of all axes."""
     controller = environment.controller
 
     def write(value: int) -> None:
@@ -81,6 +84,7 @@ def write_loop_time(environment: Environment, row: Row) -> Operation:
 
 
 def read_fatal_error(environment: Environment, row: Row) -> Operation:
+    """FOLERRORFATAL, user units."""
     fatal = environment.part(Loops).fatal
 
     def read(axis: int) -> float:
@@ -91,6 +95,7 @@ def read_fatal_error(environment: Environment, row: Row) -> Operation:
 
 
 def write_fatal_error(environment: Environment, row: Row) -> Operation:
+    """FOLERRORFATAL, user units; without a motor it has no effect, which the report tells."""
     fatal = environment.part(Loops).fatal
 
     def write(axis: int, value: float) -> None:
@@ -103,6 +108,7 @@ def write_fatal_error(environment: Environment, row: Row) -> Operation:
 
 
 def read_torque(environment: Environment, row: Row) -> Operation:
+    """TORQUE, percent of full scale; 0 while the loop is closed."""
     controller, torque = environment.controller, environment.part(Loops).torque
 
     def read(axis: int) -> float:
@@ -112,6 +118,7 @@ def read_torque(environment: Environment, row: Row) -> Operation:
 
 
 def write_torque(environment: Environment, row: Row) -> Operation:
+    """TORQUE: open the loop and put out percent of full scale."""
     torque = environment.part(Loops).torque
 
     def write(axis: int, value: float) -> None:

@@ -60,6 +60,7 @@ def read_enable_output(environment: Environment, row: Row) -> Operation:
 
 
 def write_enable_output(environment: Environment, row: Row) -> Operation:
+    """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
     signals = environment.part(Signals)
 
     def write(axis: int, output: int) -> None:
@@ -75,6 +76,7 @@ def read_error_output(environment: Environment, row: Row) -> Operation:
 
 
 def write_error_output(environment: Environment, row: Row) -> Operation:
+    """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
     signals = environment.part(Signals)
 
     def write(output: int) -> None:

@@ -120,6 +120,7 @@ def _seam(points: list[float], times: list[float], smooth: bool) -> float:
 
 
 def do_table(environment: Environment, row: Row) -> Operation:
+    """SPLINETABLE: the arrays of positions, velocities and times; without any the table is forgotten."""
     splines = environment.part(Splines)
 
     def do(
@@ -136,6 +137,7 @@ def do_table(environment: Environment, row: Row) -> Operation:
 
 
 def load_spline(environment: Environment, row: Row) -> Operation:
+    """SPLINE: run through the table once or for ever. Refusal unless the axis is idle, its buffer empty."""
     controller, splines = environment.controller, environment.part(Splines)
 
     def put(axis: int, mode: int, line: int) -> None:
@@ -167,6 +169,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """SPLINESTART, SPLINEEND, and SPLINETIME in ms."""
     splines, name = environment.part(Splines), row.name
 
     def write(axis: int, value: float) -> None:

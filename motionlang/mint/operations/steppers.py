@@ -34,6 +34,7 @@ def read_count(environment: Environment, row: Row) -> Operation:
 
 
 def write_count(environment: Environment, row: Row) -> Operation:
+    """STEPPER: the pulses read as so many user units from now on."""
     steppers = environment.part(Steppers)
 
     def write(channel: int, value: float) -> None:
@@ -58,6 +59,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """STEPPERSCALE and STEPPERWRAP."""
     steppers, name = environment.part(Steppers), _name(row)
 
     def write(channel: int, value: float) -> None:

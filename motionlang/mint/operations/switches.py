@@ -119,6 +119,7 @@ def read_input(environment: Environment, row: Row) -> Operation:
 
 
 def write_input(environment: Environment, row: Row) -> Operation:
+    """LIMITFORWARDINPUT, HOMEINPUT and the like: the input that is the switch, -1 for none."""
     switches, name = environment.part(Switches), row.name
 
     def write(axis: int, channel: int) -> None:
@@ -144,6 +145,7 @@ def read_stop_input_mode(environment: Environment, row: Row) -> Operation:
 
 
 def write_stop_input_mode(environment: Environment, row: Row) -> Operation:
+    """STOPINPUTMODE."""
     modes = environment.part(Switches).stop_modes
 
     def write(axis: int, mode: int) -> None:

@@ -60,6 +60,7 @@ class Terminals:
         return found[0]
 
     def write(self, text: str, pattern: int = CURRENT) -> None:
+        """Print on the terminals of a pattern, or on those that TERMINAL has chosen."""
         self._environment.acts += 1
         if not self._chosen and pattern == CURRENT:
             self._machine.terminal.write(text)
@@ -87,6 +88,7 @@ def read_terminal(environment: Environment, row: Row) -> Operation:
 
 
 def write_terminal(environment: Environment, row: Row) -> Operation:
+    """TERMINAL: the terminals that PRINT speaks to, a bit each."""
     terminals = environment.part(Terminals)
 
     def write(pattern: int) -> None:

@@ -122,6 +122,7 @@ def read_reference(environment: Environment, row: Row) -> Operation:
 
 
 def write_reference(environment: Environment, row: Row) -> Operation:
+    """TORQUEREF: ramp the motor's output to a percentage, in place of its servo loop."""
     references = environment.part(TorqueReferences)
 
     def write(axis: int, percent: float, line: int) -> None:
@@ -133,6 +134,7 @@ def write_reference(environment: Environment, row: Row) -> Operation:
 
 
 def read_setting(environment: Environment, row: Row) -> Operation:
+    """The source of TORQUEREF and its enabling, and its ramps in ms."""
     references, name = environment.part(TorqueReferences), row.name
     whole = row.unit in ("integer", "bool")
 
@@ -144,6 +146,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
+    """The source of TORQUEREF and its enabling, and its ramps in ms."""
     references, name = environment.part(TorqueReferences), row.name
 
     def write(axis: int, value: float) -> None:

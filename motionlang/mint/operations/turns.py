@@ -50,6 +50,7 @@ def read_last_target(environment: Environment, row: Row) -> Operation:
 
 
 def do_datum(environment: Environment, row: Row) -> Operation:
+    """DATUM: HOME of type _hmNEGATIVE_INDEX."""
     from motionlang.mint.operations.homing import write_home
 
     home = write_home(environment, row)
@@ -62,6 +63,7 @@ def do_datum(environment: Environment, row: Row) -> Operation:
 
 
 def write_frequency(environment: Environment, row: Row) -> Operation:
+    """FREQ, pulses a second."""
     controller = environment.controller
 
     def write(axis: int, pulses: float, line: int) -> None:

@@ -33,6 +33,8 @@ def read_acceleration(environment: Environment, row: Row) -> Operation:
 
 
 def write_position(environment: Environment, row: Row) -> Operation:
+    """POSSCALEFACTOR, counts; the factors of speeds and accelerations stay."""
+
     def write(axis: int, value: float) -> None:
         row.check(value)
         scale = scale_of(environment, axis)
