@@ -188,10 +188,13 @@ class Scheduler:
 
         That is so while every task that can run is busy with what is its own, and nothing is due before the round ends.
         """
-        if self._left and self.current.busy >= self._length:
+        busy = self.current.busy
+        if self._left and busy >= self._length:
             self._left -= 1
             return self._length
         self._left = 0
+        if busy < 2 * QUANTUM:
+            return QUANTUM
         tasks = self.interrupts[-1:] or self.tasks
         running = [task for task in tasks if task.wait is None]
         busy = min(task.busy for task in running)
@@ -233,7 +236,10 @@ class Scheduler:
         """The next task that does not wait or whose wait is over: of the highest priority, in turn."""
         tasks = self.interrupts[-1:] or self.tasks
         count = len(tasks)
-        highest = max(task.priority for task in tasks)
+        highest = tasks[0].priority
+        for task in tasks:
+            if task.priority > highest:
+                highest = task.priority
         found: Task | None = None
         self._alone = False
         for k in range(count):

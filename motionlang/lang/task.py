@@ -10,6 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
 
+    from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine import Machine
 
@@ -31,10 +32,28 @@ class Wait:
         self.since, self.ready, self.due, self.why = since, ready, due, why
 
 
+class Delay(Wait):
+    """A wait for a moment; programs have millions of them, so its reason is put into words when somebody asks."""
+
+    __slots__ = ("_clock", "_time")
+
+    def __init__(self, clock: Clock, since: float, time: float) -> None:
+        self.since, self._clock, self._time = since, clock, time
+
+    def ready(self) -> bool:
+        return self._clock.now >= self._time
+
+    def due(self) -> float:
+        return self._time
+
+    @property
+    def why(self) -> str:  # type: ignore[override]
+        return f"for {self._time - self.since:g} s"
+
+
 def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait:
     """Wait for a moment."""
-    clock = machine.clock
-    return Wait(since, lambda: clock.now >= time, lambda: time, f"for {time - since:g} s")
+    return Delay(machine.clock, since, time)
 
 
 def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
