@@ -1,12 +1,13 @@
 """The virtual controller: everything a language may ask of it.
 
-The verbs of single axes are `Core`'s, those that only tell something `Readings`'; here are those of several axes at
+The verbs of single axes are `AxisVerbs`', those that only tell something `Readings`'; here are those of several axes at
 once and of what goes on beside motion. Each is a thin door to the module of its family, brought in when first needed.
 """
 
 from __future__ import annotations
 
-from motionlang.controller.core import MAX_MOVES, SETTINGS, Core
+from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
+from motionlang.controller.core import MAX_MOVES
 from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.profile.reference import Slope
 
 
-class Controller(Core):
+class Controller(AxisVerbs):
     """`axes` axes numbered from `first`, a clock, and the log of every move that was started."""
 
     # --------------------------------------------------------------------------------------------- paths

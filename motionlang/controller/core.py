@@ -1,13 +1,12 @@
-"""The virtual controller: axes that move in closed form on a virtual clock.
+"""The life of a move, from the axis's buffer (or at once, `move_to`) to its end.
 
-The life of a move: a language loads it (`load_to`, `load_by`) and starts it (`go`), or does both at once
-(`move_to`, `move_by`); `_start` plans a `Profile` from the axis's state and settings, appends it to the axis's
-track and sets one event for its end; `_arrive` starts the next move of the buffer, if it was released.
+`_start` plans a `Profile` from the axis's state and settings, appends it to the axis's track and sets one event for its
+end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has released it.
 """
 
 from __future__ import annotations
 
-from motionlang.controller import buffer, feedrate, halt
+from motionlang.controller import buffer, halt
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal, names
 from motionlang.controller.move import Move
@@ -17,168 +16,15 @@ from motionlang.profile import hold, plan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
     from motionlang.controller.axis import Axis
     from motionlang.profile import Profile
 
 # The log of one run; beyond it the run ends with a diagnostic rather than with the machine's memory.
 MAX_MOVES = 2_000_000
 
-SETTINGS = frozenset(
-    {
-        "speed",
-        "accel",
-        "decel",
-        "accel_time",
-        "decel_time",
-        "accel_jerk",
-        "decel_jerk",
-        "accel_jerk_time",
-        "decel_jerk_time",
-        "s_ramp",
-        "own_rates",
-        "error_decel",
-        "ramp",
-        "shape",
-        "buffer_size",
-        "buffer_low",
-        "move_id",
-        "live_speed",
-        "feedrate_mode",
-        "override",
-        "suspend_time",
-        "max_speed",
-        "max_accel",
-        "max_decel",
-        "contour_mode",
-        "contour_angle",
-        "blend_mode",
-        "blend_distance",
-    }
-)
-
 
 class Core(Readings):
-    """The verbs of single axes, and what becomes of a move."""
-
-    # ------------------------------------------------------------------------------------------- settings
-
-    def configure(self, axis: int, name: str, value: object) -> None:
-        """Set one of `SETTINGS`; a rate and the time for it replace each other."""
-        assert name in SETTINGS, name
-        a = self.axes[axis]
-        if a.move is not None and name in feedrate.LIVE and feedrate.unchanged(a, name, value):
-            return
-        setattr(a, name, value)
-        if name == "accel":
-            a.accel_time = None
-        elif name == "decel":
-            a.decel_time = None
-        if a.move is not None and name in feedrate.LIVE:
-            feedrate.changed(self, a, name)
-
-    def setting(self, axis: int, name: str) -> float | str | None:
-        """Read one of `SETTINGS` back."""
-        value: float | str | None = getattr(self.axes[axis], name)
-        return value
-
-    def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
-        """Set the door between user units and counts."""
-        self.axes[axis].scale.set(counts, rate, zero)
-        self.tell("scale", axis)
-
-    # ---------------------------------------------------------------------------------------- on and off
-
-    def enable(self, axis: int) -> None:
-        """Switch an axis on where it stands: target, demanded and actual position become one; faults are forgotten."""
-        a = self.axes[axis]
-        if not self.may_enable(axis):
-            words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
-            raise Refusal("enable-input", words, "the drive can be enabled while it is on")
-        a.enabled = True
-        a.faults = 0
-        if a.feedback is not None:
-            a.feedback.take_over(self)
-        if a.move is None:
-            a.target = a.position(self.clock.now)
-        self.tell("switched", axis)
-
-    def disable(self, axis: int) -> None:
-        """Switch an axis off: its demand stands where it is, and so does the axis unless a simulated motor coasts."""
-        a = self.axes[axis]
-        self._freeze(a, "fault" if a.faults else "cancel")
-        a.enabled = False
-        if a.feedback is not None:
-            a.feedback.open(0.0)
-        self.tell("switched", axis)
-
-    def clear_faults(self, axis: int) -> None:
-        """Forget an axis's faults."""
-        a = self.axes[axis]
-        a.faults = 0
-        if a.feedback is not None:
-            a.feedback.look_again()
-        self.tell("cleared", axis)
-
-    def define_position(self, axis: int, position: float) -> None:
-        """Give the present position a new value, also in motion: the rest of the move shifts with it."""
-        a, now = self.axes[axis], self.clock.now
-        here = a.position(now)
-        shift = position - self.position(axis)
-        if not shift:
-            return
-        rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
-        if a.move is not None and a.move.action is not None:
-            a.move.action.shift(self, a, shift)
-        a.datum += shift
-        a.target += shift
-        self._follow(a, rest.shifted(shift))
-        if a.move is not None:
-            a.move.offset += shift
-            a.move.target += shift
-
-    # -------------------------------------------------------------------------------------------- moving
-
-    def room(self, axis: int) -> int:
-        """How many moves the buffer can still take, the one being executed not counted."""
-        a = self.axes[axis]
-        return a.buffer_size - len(a.buffer)
-
-    def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Put a move to `position` into the buffer."""
-        buffer.put(self._ready(axis), Move(axis, command, line, position))
-
-    def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Put a move by `distance` into the buffer, counted from the end of the move before it."""
-        a = self._ready(axis)
-        buffer.put(a, Move(axis, command, line, buffer.known_end(a) + distance))
-
-    def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Put a rest of `duration` seconds into the buffer."""
-        buffer.put_action(self._ready(axis), buffer.Dwell(duration), command, line)
-
-    def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
-        """Put a change of outputs, channel to value, into the buffer; it takes no time."""
-        buffer.put_action(self._ready(axis), buffer.Outputs(dict(values)), command, line)
-
-    def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
-        buffer.put_action(self._ready(axis), buffer.Pulse(channel, duration), command, line)
-
-    def go(self, axes: Iterable[int]) -> None:
-        """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
-        for axis in axes:
-            a = self._ready(axis)
-            for move in a.buffer:
-                if move.action is None:
-                    move.released = True
-                else:
-                    move.action.release(move)
-            if a.move is None:
-                self._next(a)
-            elif a.move.action is not None:
-                a.move.action.more(self, a)
+    """What becomes of a move: what motions of every kind, in the buffer or under way, ask of the controller."""
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from whatever the axis is doing."""
@@ -194,91 +40,8 @@ class Core(Readings):
         base = a.target if abs(a.target) < INFINITY else a.position(self.clock.now)
         self.move_to(axis, base + distance, command, line)
 
-    def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Let the move in progress end at `position`; an axis at rest starts at once."""
-        halt.retarget(self, self._ready(axis), position, command, line)
-
-    def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Let the move in progress end `distance` further on; an axis at rest starts at once."""
-        self.retarget_to(axis, self.axes[axis].target + distance, command, line)
-
-    def jog(
-        self,
-        axis: int,
-        velocity: float,
-        command: str = "",
-        line: int = 0,
-        rates: tuple[float | None, float | None] | None = None,
-        ends: bool = False,
-    ) -> None:
-        """Ramp to `velocity`, counts/s, and keep it; with `ends` a jog to 0 is over when the axis stands."""
-        from motionlang.controller.jog import jog
-
-        jog(self, self._ready(axis), velocity, command, line, rates, ends)
-
-    def play(
-        self, axis: int, profile: Profile, command: str = "", line: int = 0, on_path: bool = False
-    ) -> None:
-        """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it."""
-        from motionlang.controller.played import Played
-
-        a = self._ready(axis)
-        move = Move(axis, command, line, profile.end)
-        move.action = Played(on_path)
-        self._end_move(a, "retarget")
-        self._run(a, move, profile)
-
-    def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
-        """Replace the rest of the present move by a ready-made profile, such as a path that grew or was stopped."""
-        a = self.axes[axis]
-        if a.move is not None:
-            self._continue(a, profile, ended)
-            a.target = a.move.target = profile.end
-
-    def stop(self, axis: int, ended: str = "stop") -> None:
-        """Decelerate to rest at the set rate (at `error_decel` for a fault) and empty the buffer."""
-        a = self.axes[axis]
-        self._hold(a)
-        a.suspended = False
-        if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended):
-            self.empty(a)
-            halt.stop(self, a, ended)
-
-    def suspend(self, axis: int) -> None:
-        """Ramp to rest and keep the move, and those of the buffer, until `resume`."""
-        halt.suspend(self, self.axes[axis])
-
-    def resume(self, axis: int) -> None:
-        """Go on with what `suspend` held."""
-        halt.resume(self, self.axes[axis])
-
-    def is_suspended(self, axis: int) -> bool:
-        """Whether `suspend` holds the axis."""
-        return self.axes[axis].suspended
-
-    def abort(self, axis: int, ended: str = "cancel") -> None:
-        """Come to rest at once and empty the buffer."""
-        a = self.axes[axis]
-        self._freeze(a, ended)
-        self._hold(a)
-
-    def fault(self, axis: int, bit: int, action: str) -> None:
-        """Raise a fault on an axis and do what `action` (one of `limit.ACTIONS`) says about it."""
-        self.axes[axis].faults |= bit
-        if action == "stop":
-            self.stop(axis)
-        elif action == "error-stop":
-            self.stop(axis, "fault")
-        elif action == "abort":
-            self.abort(axis, "fault")
-        elif action == "off":
-            self.disable(axis)
-        if action != "ignore":
-            self.tell("fault", axis)
-
-    # ------------------------------------------------------------------------------------ the life of a move
-
     def _ready(self, axis: int) -> Axis:
+        """An axis that may move: Refusal while it is off, has an error that locks it, or its brake is set."""
         a = self.axes[axis]
         if a.faults & a.locks:
             what = names(a.faults)
