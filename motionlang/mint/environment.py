@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.lang.task import GeneratorTask, Wait, wait_until
+from motionlang.lang.task import Wait, wait_until
+from motionlang.mint.task import MintTask, TaskEnd
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -440,62 +441,3 @@ def _nothing() -> None:
 
 class Jump(Exception):
     """A Goto out of loops."""
-
-
-class TaskEnd(Exception):
-    """The running task ends here."""
-
-    def __init__(self, time: float) -> None:
-        super().__init__()
-        self.time = time
-
-
-class MintTask(GeneratorTask):
-    """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
-
-    __slots__ = ("axes", "environment", "held", "suspended", "timer")
-
-    def __init__(self, name: str, make: Make, environment: Environment) -> None:
-        file = make.__code__.co_filename
-        super().__init__(name, make, file, environment.files[file])
-        self.environment = environment
-        self.timer = [environment.clock.now]
-        self.axes: tuple[int, ...] = (0,)
-        self.suspended = False
-        self.held: Wait | None = None
-
-    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        environment = self.environment
-        environment.task = self
-        clock = environment.clock
-        if environment.ran is not self or environment.fired != clock.fired:
-            # Others have run since: what a loop looked at before may have changed.
-            environment.acts += 1
-            environment.resumed += 1
-            if environment.fired != clock.fired:
-                self.in_vain = None
-        quantum = environment.quanta.get(self.name)
-        if quantum is not None:
-            # Half a statement less, so that it is never rounding that decides whether the last one still fits.
-            horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
-        try:
-            time, wait = super().resume(now, horizon)
-            environment.ran, environment.fired = self, clock.fired
-            if self.look is not None and self.look[0] != environment.acts - environment.resumed:
-                self.look = self.in_vain = None  # it has done something since
-        except TaskEnd as end:
-            self.done = True
-            return end.time, None
-        except Refusal as refusal:
-            from motionlang.mint.errors import with_number
-
-            with_number(refusal)
-            raise
-        if self.suspended:
-            self.held, wait = wait, self.never()
-        return time, wait
-
-    def never(self) -> Wait:
-        """The wait of a suspended task."""
-        now = self.environment.clock.now
-        return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})")

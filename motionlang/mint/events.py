@@ -7,7 +7,7 @@ from memory (docs/fidelity.md).
 
 from __future__ import annotations
 
-from motionlang.mint.environment import MintTask
+from motionlang.mint.task import MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

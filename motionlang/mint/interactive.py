@@ -9,10 +9,11 @@ from __future__ import annotations
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import Interactive
 from motionlang.mint.compiler import compile_line
-from motionlang.mint.environment import Environment, MintTask
+from motionlang.mint.environment import Environment
 from motionlang.mint.overriding import override_if_there
 from motionlang.mint.parser import is_complete, parse
 from motionlang.mint.symbols import Function, Scope
+from motionlang.mint.task import MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from motionlang.lang.program import Program
 from motionlang.mint.code import FILE, loaded
-from motionlang.mint.environment import Environment, MintTask
+from motionlang.mint.environment import Environment
+from motionlang.mint.task import MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

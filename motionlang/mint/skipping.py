@@ -12,7 +12,8 @@ from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.environment import Environment, MintTask
+    from motionlang.mint.environment import Environment
+    from motionlang.mint.task import MintTask
 
 INFINITY = float("inf")
 # How far from a whole number of statements a turn may seem to have been, by rounding.
