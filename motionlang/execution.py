@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 ONE_SHIFT = 8 * 3600.0
 # New objects between two looks of the garbage collector.
 GARBAGE = 200_000
-# So many lines are named of each word.
-MOST_LINES = 5
 # What follows a program's name, without its suffix, in the name of the machine file beside it.
 MACHINE_SUFFIX = ".machine.toml"
 
@@ -131,8 +129,11 @@ def run(
     )
     name = _cache_name(source, language, settings) if cache else ""
     compiled = _compile(source, language, settings, result, name)
-    if nv is not None and not _open_kept(result, nv):
-        compiled = None
+    if nv is not None:
+        from motionlang.remarks import open_kept
+
+        if not open_kept(result, nv):
+            compiled = None
     if compiled is not None:
         if begun is not None:
             begun(result.machine)
@@ -145,65 +146,19 @@ def run(
 
             result.not_counted += notes(result.controller)
         result.not_counted += result.machine.notes
-        _tell_words(result, "words that have no effect here", result.machine.without_effect)
-        _tell_words(result, "values that nobody knows, 0 or empty here", result.machine.assumed)
+        if result.machine.without_effect or result.machine.assumed:
+            from motionlang.remarks import tell_words
+
+            tell_words(result)
         if result.machine.nv is not None:
-            _save_kept(result)
+            from motionlang.remarks import save_kept
+
+            save_kept(result)
         if compiled.size > size:
             _keep(compiled, name)
     result.machine.close_terminals()
     result.time = result.machine.clock.now
     return result
-
-
-def _tell_words(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
-    """Name words of the program that count for less than they say, with the lines where it came to them."""
-    if words:
-        named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
-        result.not_counted.append(f"{what}: {named}")
-
-
-def _in_lines(lines: list[int]) -> str:
-    if not lines:
-        return ""
-    shown = [str(line) for line in sorted(lines)[:MOST_LINES]]
-    if len(lines) > MOST_LINES:
-        shown.append("…")
-    return f" (line{'s' if len(lines) > 1 else ''} {', '.join(shown)})"
-
-
-def _open_kept(result: Run, path: str) -> bool:
-    """Read the file of nv data; false where it cannot be read, and the program is not run."""
-    from motionlang.lang.nonvolatile import NonVolatile
-
-    try:
-        result.machine.nv = NonVolatile(path)
-    except (OSError, ValueError) as problem:
-        _no_kept(result, f"the nv data of {path} cannot be read", problem)
-        return False
-    return True
-
-
-def _save_kept(result: Run) -> None:
-    """Write the file of nv data, or say which data last no longer than the run."""
-    kept = result.machine.kept
-    if kept.path is None:
-        if kept.names:
-            words = ", ".join(kept.names)
-            result.not_counted.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
-        return
-    try:
-        kept.save()
-    except OSError as problem:
-        _no_kept(result, f"the nv data cannot be written to {kept.path}", problem)
-
-
-def _no_kept(result: Run, message: str, problem: Exception) -> None:
-    from motionlang.errors import Diagnostic
-
-    why = getattr(problem, "strerror", None) or str(problem)
-    result.diagnostics.append(Diagnostic("file", f"{message}: {why}"))
-    result.status = "fault"
 
 
 def end_of(settings: Mapping[str, object]) -> float:
@@ -304,16 +259,22 @@ def _execute(
         scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
         result.status = scheduler.run(until)
         if result.status == "until":
-            _tell_who_waited(result, scheduler)
+            from motionlang.remarks import tell_who_waited
+
+            tell_who_waited(result, scheduler)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
             result.not_counted.append(f"axis {names} was still jogging when the program had ended")
     except KeyboardInterrupt as error:
         result.status = "interrupted"
-        result.diagnostics.append(_interrupted(result, scheduler, error))
+        from motionlang.remarks import interrupted
+
+        result.diagnostics.append(interrupted(result, scheduler, error))
     except Stuck as stuck:
-        _stuck(result, stuck, until)
+        from motionlang.remarks import tell_stuck
+
+        tell_stuck(result, stuck, until)
     except Exception as error:
         from motionlang.lang.trouble import explain
 
@@ -324,48 +285,6 @@ def _execute(
         result.diagnostics.append(diagnostic)
     finally:
         gc.set_threshold(*thresholds)
-
-
-def _tell_who_waited(result: Run, scheduler: Scheduler) -> None:
-    """A wait that only an event could have ended, and none did, is no figure of this run."""
-    if result.machine.moving():
-        return
-    for task in scheduler.tasks:
-        if task.wait is not None and task.wait.due() == float("inf"):
-            line, _, _ = result.dialect.locate(result.source, task.at)
-            since = f"since {task.wait.since:.3f} s"
-            result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
-        elif task.wait is None and task.in_vain is not None:
-            line, _, _ = result.dialect.locate(result.source, task.at)
-            what = "still polled, and nothing could change what it looks at any more"
-            result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
-
-
-def _stuck(result: Run, stuck: Stuck, until: float) -> None:
-    """A wait that nothing can end is a mistake, unless the machine file says how long its scenario goes on."""
-    from motionlang.errors import Diagnostic
-
-    line, column, length = result.dialect.locate(result.source, stuck.task.at)
-    message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
-    result.not_counted.append(f"line {line}: {message}")
-    if "run.until" in result.machine.settings:
-        result.status = "until"
-        result.controller.clock.advance(until)
-        return
-    hint = "start a move first, or let a machine file say what happens, and with run.until how long"
-    result.status = "fault"
-    result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
-
-
-def _interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
-    """Ctrl-C as a diagnostic, at the place that the current task had come to."""
-    from motionlang.errors import Diagnostic
-
-    message = "the run was ended from the keyboard"
-    if scheduler is None:
-        return Diagnostic("interrupted", message)
-    line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
-    return Diagnostic("interrupted", message, line, column, length=length)
 
 
 __all__ = [

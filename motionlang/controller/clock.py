@@ -6,7 +6,10 @@ jumps to the next event. Both end in `advance`, so an event always runs at its o
 
 from __future__ import annotations
 
-from heapq import heappop, heappush
+try:  # what heapq adds to it is not needed, and every run would wait for it
+    from _heapq import heappop, heappush
+except ImportError:
+    from heapq import heappop, heappush
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -1,0 +1,114 @@
+"""What there is to say of a run besides its figures: what was not counted, who waited in vain, what became of nv data.
+
+Apart from `motionlang.execution`, because most runs end without a remark.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.errors import Diagnostic
+    from motionlang.execution import Run
+    from motionlang.lang.scheduler import Scheduler, Stuck
+
+# Of a word that changes nothing, so many lines are named.
+MOST_LINES = 5
+
+
+def tell_words(result: Run) -> None:
+    """Name words of the program that count for less than they say, with the lines where it came to them."""
+    _tell(result, "words that have no effect here", result.machine.without_effect)
+    _tell(result, "values that nobody knows, 0 or empty here", result.machine.assumed)
+
+
+def _tell(result: Run, what: str, words: Mapping[str, list[int]]) -> None:
+    if words:
+        named = ", ".join(word + _in_lines(lines) for word, lines in words.items())
+        result.not_counted.append(f"{what}: {named}")
+
+
+def _in_lines(lines: list[int]) -> str:
+    if not lines:
+        return ""
+    shown = [str(line) for line in sorted(lines)[:MOST_LINES]]
+    if len(lines) > MOST_LINES:
+        shown.append("…")
+    return f" (line{'s' if len(lines) > 1 else ''} {', '.join(shown)})"
+
+
+def open_kept(result: Run, path: str) -> bool:
+    """Read the file of nv data; false where it cannot be read, and the program is not run."""
+    from motionlang.lang.nonvolatile import NonVolatile
+
+    try:
+        result.machine.nv = NonVolatile(path)
+    except (OSError, ValueError) as problem:
+        _no_kept(result, f"the nv data of {path} cannot be read", problem)
+        return False
+    return True
+
+
+def save_kept(result: Run) -> None:
+    """Write the file of nv data, or say which data last no longer than the run."""
+    kept = result.machine.kept
+    if kept.path is None:
+        if kept.names:
+            words = ", ".join(kept.names)
+            result.not_counted.append(f"nv data that lasts as long as the run, without --nv FILE: {words}")
+        return
+    try:
+        kept.save()
+    except OSError as problem:
+        _no_kept(result, f"the nv data cannot be written to {kept.path}", problem)
+
+
+def _no_kept(result: Run, message: str, problem: Exception) -> None:
+    from motionlang.errors import Diagnostic
+
+    why = getattr(problem, "strerror", None) or str(problem)
+    result.diagnostics.append(Diagnostic("file", f"{message}: {why}"))
+    result.status = "fault"
+
+
+def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
+    """A wait that only an event could have ended, and none did, is no figure of this run."""
+    if result.machine.moving():
+        return
+    for task in scheduler.tasks:
+        if task.wait is not None and task.wait.due() == float("inf"):
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            since = f"since {task.wait.since:.3f} s"
+            result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
+        elif task.wait is None and task.in_vain is not None:
+            line, _, _ = result.dialect.locate(result.source, task.at)
+            what = "still polled, and nothing could change what it looks at any more"
+            result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
+
+
+def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
+    """A wait that nothing can end is a mistake, unless the machine file says how long its scenario goes on."""
+    from motionlang.errors import Diagnostic
+
+    line, column, length = result.dialect.locate(result.source, stuck.task.at)
+    message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
+    result.not_counted.append(f"line {line}: {message}")
+    if "run.until" in result.machine.settings:
+        result.status = "until"
+        result.controller.clock.advance(until)
+        return
+    hint = "start a move first, or let a machine file say what happens, and with run.until how long"
+    result.status = "fault"
+    result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
+
+
+def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
+    """Ctrl-C as a diagnostic, at the place that the current task had come to."""
+    from motionlang.errors import Diagnostic
+
+    message = "the run was ended from the keyboard"
+    if scheduler is None:
+        return Diagnostic("interrupted", message)
+    line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
+    return Diagnostic("interrupted", message, line, column, length=length)
