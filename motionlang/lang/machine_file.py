@@ -446,7 +446,7 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
         word = text.split("=")[0].strip(' "')
         full = f"{here}.{word}" if here else word
         within = "{" in text and key.startswith(f"{full}.")  # a table in one line
-        if full == key or within or (here == key and word == name and seen == entry):
+        if word and (full == key or within or (here == key and word == name and seen == entry)):
             return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
     return Diagnostic("machine-file", message, *place[:2], length=place[2], hint=hint)
 
