@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from motionlang import run
@@ -19,6 +21,12 @@ def ran(text: str, until: float = 20.0) -> Run:
     result = run(Source("a.mnt", text), cache=False, until=until)
     assert [each.message for each in result.diagnostics] == []
     return result
+
+
+def offset_of(result: Run) -> Any:
+    """The row of the report about the offset."""
+    moves: Any = result.report["moves"]
+    return next(row for row in moves if row["command"] == "OFFSET")
 
 
 def test_a_correction_moves_the_end_of_the_move() -> None:
@@ -76,7 +84,7 @@ def test_jogs_and_references_too_and_through_a_new_scale() -> None:
 def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:
     """10 at 20 and 100: 0.2 + 0.3 + 0.2 s, counted from where the slave would else be."""
     result = ran(SLAVE + "OFFSET(1) = 10\nGO(1)\nWAIT = 1000\nSTOP(0)\nPAUSE IDLE(0)")
-    row = next(row for row in result.report["moves"] if row["command"] == "OFFSET")  # type: ignore[union-attr]
+    row = offset_of(result)
     assert (row["axis"], row["line"], row["start"], row["end"]) == (1, 7, 0.0, 10.0)
     assert row["duration"] == pytest.approx(0.7)
     assert [phase["name"] for phase in row["phases"]] == ["accel", "slew", "decel"]
@@ -89,7 +97,7 @@ def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:
 )
 def test_an_offset_that_is_cut_short_says_so(end: str, said: str) -> None:
     result = ran(SLAVE + f"OFFSET(1) = 10\nGO(1)\nWAIT = 400\n{end}", 20.0 if end else 0.9)
-    row = next(row for row in result.report["moves"] if row["command"] == "OFFSET")  # type: ignore[union-attr]
+    row = offset_of(result)
     assert row["ended"] == said
     assert row["duration"] == pytest.approx(0.4, abs=1e-3)
     assert row["end"] == pytest.approx(2.0 + 0.2 * 20.0, abs=0.01)

@@ -5,6 +5,8 @@ Loops of machine programs write JOG, SPEED or FEEDRATEOVERRIDE in every turn, wh
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pytest
 
 from motionlang import run
@@ -59,7 +61,7 @@ CASES = {
 }
 
 
-def track(text: str) -> tuple[Run, list[object]]:
+def track(text: str) -> tuple[Run, Sequence[object]]:
     result = run(Source("a.mnt", text), cache=False, until=4.0)
     assert [each.message for each in result.diagnostics] == []
     made = [

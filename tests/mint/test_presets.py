@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from motionlang import run
@@ -130,7 +132,7 @@ def test_a_preset_homes() -> None:
 
 
 def test_a_preset_turns_a_motor_by_torque() -> None:
-    motor = {"axis.0.plant.amplifier": "current"}
+    motor: dict[str, Any] = {"axis.0.plant.amplifier": "current"}
     text = (
         "PRESETMOVETYPE(1, 0) = 7 : PRESETMOVEPARAMETER(1, 0) = 5\nPRESETINDEX(0) = 1\n"
         "PRESETMOVEENABLE(0) = 1\nWAIT = 50\n"
