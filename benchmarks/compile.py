@@ -11,12 +11,11 @@ Times are processor times, ratios the medians of rounds in which both run one af
 
 from __future__ import annotations
 
-import gc
 import sys
 from statistics import median
-from time import process_time
 
 from parse_program import program
+from timing import seconds
 
 from motionlang.mint.compiler import compile_source
 from motionlang.mint.parser import parse
@@ -30,18 +29,6 @@ if TYPE_CHECKING:
 
 ROUNDS = 11
 LINES = (10_000, 40_000)
-
-
-def seconds(work: Callable[[], object]) -> float:
-    """The time of one call, with the cyclic collector off."""
-    gc.collect()
-    gc.disable()
-    began = process_time()
-    result = work()
-    taken = process_time() - began
-    gc.enable()
-    del result
-    return taken
 
 
 def runnable(source: Source) -> MintProgram:

@@ -10,36 +10,18 @@ shipped (its contextual lexer, the collector on) and once with the collector off
 from __future__ import annotations
 
 import ast
-import gc
 import sys
 from statistics import median
-from time import process_time
 
 from parse_program import program
+from timing import seconds
 
 from motionlang.lang.grammar import build_lark
 from motionlang.mint.parser import parse
 from motionlang.mint.tables import TABLES
 from motionlang.source import Source
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
 ROUNDS = 5
-
-
-def seconds(work: Callable[[], object], collect: bool) -> float:
-    """The time of one call, with the cyclic collector on or off."""
-    gc.collect()
-    if not collect:
-        gc.disable()
-    began = process_time()
-    result = work()
-    taken = process_time() - began
-    gc.enable()
-    del result
-    return taken
 
 
 def main(arguments: list[str]) -> int:
@@ -52,10 +34,10 @@ def main(arguments: list[str]) -> int:
     ratios: dict[str, list[float]] = {"lark": [], "lark_gc_off": [], "ast": [], "lex": []}
     ours = []
     for _ in range(ROUNDS):
-        mine = seconds(lambda: parse(source), collect=False)
+        mine = seconds(lambda: parse(source))
         ours.append(mine)
-        ratios["ast"].append(seconds(lambda: ast.parse(python), collect=False) / mine)
-        ratios["lex"].append(seconds(lambda: TABLES.texts(mint), collect=False) / mine)
+        ratios["ast"].append(seconds(lambda: ast.parse(python)) / mine)
+        ratios["lex"].append(seconds(lambda: TABLES.texts(mint)) / mine)
     for name, collect in (("lark", True), ("lark_gc_off", False)):
         ratios[name].append(seconds(lambda: lark.parse(mint), collect) / median(ours))
     size = len(mint) / 1e6

@@ -263,11 +263,19 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
                              target.at)  # fmt: skip
 
 
+def _task(b: Body, node: nodes.Run | nodes.End, name: str) -> Symbol | None:
+    """The task that a statement names, or the diagnostic of one that there is not."""
+    symbol = b.scope.find(name)
+    if symbol is not None and symbol.kind == "task":
+        return symbol
+    tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
+    b.whole.problems.unknown(f"there is no task {name}", name, tasks, node.at)
+    return None
+
+
 def _run(b: Body, node: nodes.Run) -> None:
-    symbol = b.scope.find(node.name)
-    if symbol is None or symbol.kind != "task":
-        tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
-        b.whole.problems.unknown(f"there is no task {node.name}", node.name, tasks, node.at)
+    symbol = _task(b, node, node.name)
+    if symbol is None:
         return
     b.observes = True
     b.settle()
@@ -373,10 +381,8 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
 
 def _end(b: Body, node: nodes.End) -> None:
     if node.name is not None:
-        symbol = b.scope.find(node.name)
-        if symbol is None or symbol.kind != "task":
-            tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
-            b.whole.problems.unknown(f"there is no task {node.name}", node.name, tasks, node.at)
+        symbol = _task(b, node, node.name)
+        if symbol is None:
             return
         b.observes = True
         b.act(f"{b.whole.use('env', 'end_task')}({symbol.name.lower()!r})")

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.gains import LM628_RATE, MCCL, MINT, mccl_loop, mint_loop
-from motionlang.controller.servo.loop import Loop
+from motionlang.controller.servo.loop import GAINS, Loop
 from motionlang.controller.servo.settings import SERVO, make_loop
 
 if TYPE_CHECKING:
@@ -45,18 +45,6 @@ FIELDS: dict[str, tuple[str, ...]] = {
     "SQ": ("output_limit",),
     "RATE": ("servo_rate", "trajectory_rate"),
 }
-GAINS = frozenset(
-    (
-        "proportional",
-        "integral",
-        "derivative",
-        "velocity_feedback",
-        "velocity_ff",
-        "accel_ff",
-        "decel_ff",
-    )
-)
-"""Fields without any of which an output stays zero."""
 _LEAST_BANDWIDTH = 0.1
 
 
@@ -84,7 +72,7 @@ def axis_loop(
     """
     set_by_program = {field for word in words for field in FIELDS[word]}
     kept = {name: value for name, value in section.items() if name not in set_by_program}
-    if set_by_program & GAINS:
+    if not set_by_program.isdisjoint(GAINS):
         loop = _language(section, words, model, scale)
         # The section's integral acts as the section says, not as a language does that was not asked for one.
         return Chosen(
@@ -94,7 +82,7 @@ def axis_loop(
     if model == "dcx":
         loop = replace(loop, servo_rate=LM628_RATE, trajectory_rate=LM628_RATE)
     loop = make_loop(kept, _acting(loop, set_by_program))
-    if GAINS & set(section):
+    if any(name in section for name in GAINS):
         return Chosen(loop, "machine file")
     bandwidth = section.get("bandwidth", SERVO["bandwidth"].default)
     assert isinstance(bandwidth, (int, float))

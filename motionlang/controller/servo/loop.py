@@ -18,6 +18,16 @@ INTEGRAL_MODES: dict[str, str] = {
     "stopped": "The integral acts at zero demanded speed and is frozen in motion (KINTMODE 3; PMC's second mode).",
     "zeroed": "As stopped, and cleared when motion begins (PMC's third mode).",
 }
+GAINS = (
+    "proportional",
+    "integral",
+    "derivative",
+    "velocity_feedback",
+    "velocity_ff",
+    "accel_ff",
+    "decel_ff",
+)
+"""Fields without any of which an output stays zero."""
 FULL_SCALE = 10.0
 """Volts at the end of the DAC's range."""
 FINE_BITS = 16
@@ -128,16 +138,7 @@ class Loop:
 
 
 def _check_numbers(loop: Loop) -> None:
-    gains = (
-        "proportional",
-        "integral",
-        "derivative",
-        "velocity_feedback",
-        "velocity_ff",
-        "accel_ff",
-        "decel_ff",
-    )
-    for name in (*gains, "output_offset"):
+    for name in (*GAINS, "output_offset"):
         _check(isfinite(getattr(loop, name)), f"{name.replace('_', ' ')} must be a finite number")
     for name in ("integral_limit", "output_limit", "output_deadband"):
         _check(getattr(loop, name) >= 0.0, f"{name.replace('_', ' ')} must not be negative")

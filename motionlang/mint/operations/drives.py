@@ -13,6 +13,7 @@ from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.operations.settings import forget
 from motionlang.profile.reference import Slope
 
 TYPE_CHECKING = False
@@ -83,9 +84,7 @@ class Drives:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name, each in list(self._settings):
-            if each == axis:
-                del self._settings[name, axis]
+        forget(self._settings, axis)
 
     def _slopes(self, axis: int, name: str) -> tuple[Slope, Slope]:
         a, top = self._controller.axes[axis], top_speed(self._environment, axis)

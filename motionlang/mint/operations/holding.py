@@ -10,6 +10,7 @@ from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.operations.settings import forget
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -98,9 +99,7 @@ class Holds:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name, each in list(self._settings):
-            if each == axis:
-                del self._settings[name, axis]
+        forget(self._settings, axis)
 
     def _changed(self, channel: int, value: float) -> None:
         for axis in list(self._holding):

@@ -7,6 +7,7 @@ from motionlang.controller.homing import HOME, LIMIT, STATES, Homing
 from motionlang.mint.binding import scale_of
 from motionlang.mint.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.settings import forget
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -130,9 +131,7 @@ class Homes:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name, each in list(self._settings):
-            if each == axis:
-                del self._settings[name, axis]
+        forget(self._settings, axis)
 
 
 # ----------------------------------------------------------------------------------------------- operations

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.settings import forget
 from motionlang.mint.operations.ticking import Ticks
 
 TYPE_CHECKING = False
@@ -89,9 +90,7 @@ class Jogs:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name, each in list(self._settings):
-            if each == axis:
-                del self._settings[name, axis]
+        forget(self._settings, axis)
         self.commands.pop(axis, None)
 
     def _jog(self, axis: int, direction: int, line: int) -> None:

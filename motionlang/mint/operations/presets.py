@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.operations.inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.settings import forget
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -85,9 +86,7 @@ class Presets:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name, each in list(self._settings):
-            if each == axis:
-                del self._settings[name, axis]
+        forget(self._settings, axis)
 
     def _after(self, preset: int) -> int:
         """The next preset of the table that is anything, behind the last one the first."""

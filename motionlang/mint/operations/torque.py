@@ -11,6 +11,7 @@ from motionlang.mint.defaults import LOOP_TIME
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.operations.settings import forget
 from motionlang.mint.operations.ticking import Ticks
 
 TYPE_CHECKING = False
@@ -76,9 +77,7 @@ class TorqueReferences:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name, each in list(self._settings):
-            if each == axis:
-                del self._settings[name, axis]
+        forget(self._settings, axis)
 
     def _step(self, axis: int) -> None:
         """One servo loop of the ramp."""
