@@ -10,7 +10,6 @@ Until the axis is first commanded to move nothing is computed: the motor rests a
 
 from __future__ import annotations
 
-from operator import sub
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +21,7 @@ from motionlang.controller.servo.replay import apply, run_to, sample_at, stands
 from motionlang.controller.servo.servo import Servo
 from motionlang.controller.servo.settings import make_plant
 from motionlang.controller.sight import REST_ERROR, REST_TIME, Sight, Window, crossing, next_side
+from motionlang.controller.stillness import Stillness
 from motionlang.controller.watch import margin, place
 from motionlang.profile import hold
 
@@ -38,10 +38,6 @@ if TYPE_CHECKING:
     from motionlang.controller.watch import Watch
 
 SHORT, LONG = 64, 0.5
-# Seconds of rest after which a motor that hunts, but no further than before, is left to it.
-HUNTING = 20.0
-# What two blocks of a motor at rest may differ by: counts, and volts.
-_SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 _NEVER = 1 << 62
 # Counts: an error below this is none.
 _ROUNDING = 1e-9
@@ -58,17 +54,14 @@ class Feedback:
         "_axis",
         "_clock",
         "_due",
-        "_envelope",
         "_event",
         "_long",
         "_mark",
-        "_rests",
         "_servo",
         "_sight",
         "_size",
-        "_widest",
+        "_stillness",
         "_words",
-        "calm",
         "changes",
         "chosen",
         "closed",
@@ -111,12 +104,7 @@ class Feedback:
         # When something is looked at next: the event, and its sample.
         self._event: Event | None = None
         self._due = _NEVER
-        # How far the motor went in the last block of rest, and in all of them, and how many there were.
-        self._envelope: tuple[float, ...] | None = None
-        self._widest: tuple[float, ...] | None = None
-        self._rests = 0
-        # Whether the motor stands for good, as far as nothing is done to it.
-        self.calm = True
+        self._stillness = Stillness()
         # The last sample that was searched for events, all of which have happened.
         self.scanned = 0
 
@@ -199,6 +187,11 @@ class Feedback:
     def is_settled(self, name: str = "rest") -> bool:
         """Whether a window has been kept long enough."""
         return self.settled_time(name) <= self._clock.now
+
+    @property
+    def calm(self) -> bool:
+        """Whether the motor stands for good, as far as nothing is done to it."""
+        return self._stillness.calm
 
     @property
     def resting(self) -> bool:
@@ -286,7 +279,7 @@ class Feedback:
         if self.scanned < due <= now:  # time went past it in one go
             self._happen(due)
         self.scanned = max(self.scanned, now)
-        self.calm, self._envelope, self._widest, self._rests = False, None, None, 0
+        self._stillness.disturb()
         self._await(now)
 
     def arm(self, watch: Watch) -> None:
@@ -388,12 +381,7 @@ class Feedback:
         if stands(servo, self._long, servo.sample):
             place, output = sight.encoder[-self._long :], sight.output[-self._long :]
             new = (-float(place.min()), float(place.max()), -float(output.min()), float(output.max()))
-        old, self._envelope = self._envelope, new
-        widest = self._widest if new is not None else None
-        self._rests = self._rests + 1 if new is not None else 0
-        self._widest = new if widest is None or new is None else tuple(map(max, widest, new))
-        hunting = self._rests * LONG > HUNTING and not _grown(widest, new)
-        self.calm = hunting or not _grown(old, new)
+        self._stillness.judge(new, LONG)
         if self.calm and now > servo.sample and servo.state == self._mark[0]:
             sight.keep(sight.end - 1, sight.end)
             sight.first = now - 1
@@ -489,10 +477,3 @@ class Feedback:
             self.warned()
         if trips and self._is_armed:
             self.tripped()
-
-
-def _grown(before: tuple[float, ...] | None, after: tuple[float, ...] | None) -> bool:
-    """Whether a block went further than what was before it."""
-    if before is None or after is None:
-        return True
-    return any(by > slack for by, slack in zip(map(sub, after, before), _SLACK, strict=True))
