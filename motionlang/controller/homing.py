@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.profile import plan
 
 TYPE_CHECKING = False
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 HOME, LIMIT, INDEX = "home", "limit", "index"
 # In the order in which they come; "done" at the end and after whatever else ended the homing.
 STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
+
+_SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
 
 
 class Homing:
@@ -169,10 +171,10 @@ class Homing:
         return any(limit.active for limit in self._limits())
 
     def _allow_limit(self, allowed: bool) -> None:
-        """A limit switch that is looked for is no error."""
-        if self._switch == LIMIT:
-            for limit in self._limits():
-                limit.enabled = allowed
+        """A limit switch that is looked for is no error, nor is a software limit before its zero is known."""
+        looked_for = self._limits() if self._switch == LIMIT else []
+        for limit in [*looked_for, *(each for each in self._axis.limits if each.bit in _SOFT)]:
+            limit.enabled = allowed
 
     def _heard(self, what: str, axis: int) -> None:
         if axis != self.axis:

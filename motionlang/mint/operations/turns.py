@@ -63,12 +63,12 @@ def do_datum(environment: Environment, row: Row) -> Operation:
 
 
 def write_frequency(environment: Environment, row: Row) -> Operation:
-    """FREQ, pulses a second."""
+    """FREQ, pulses a second; 0 ends it, as it ends a jog."""
     controller = environment.controller
 
     def write(axis: int, pulses: float, line: int) -> None:
         row.check(pulses)
-        controller.jog(axis_of(environment, axis), pulses, row.name, line)
+        controller.jog(axis_of(environment, axis), pulses, row.name, line, None, not pulses)
 
     return write
 
