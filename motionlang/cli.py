@@ -6,6 +6,7 @@ argparse, whose import alone takes as long as such a run; a test holds both read
 
 from __future__ import annotations
 
+import gc
 import sys
 
 TYPE_CHECKING = False
@@ -68,11 +69,15 @@ def quick_options(given: Sequence[str]) -> Options | None:
 
 
 def _command(given: Sequence[str]) -> int:
-    options = quick_options(given)
-    if options is not None:
-        from motionlang.cli_run import run_command
+    gc.disable()  # what is loaded stays, and the collector would look at it; a run collects for itself
+    try:
+        options = quick_options(given)
+        if options is not None:
+            from motionlang.cli_run import run_command
 
-        return run_command(options)
+            return run_command(options)
+    finally:
+        gc.enable()
     from motionlang.cli_options import parse
 
     return parse(given)

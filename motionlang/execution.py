@@ -250,8 +250,9 @@ def _execute(
     """Run to the end, or to what ends it; whatever happened before stays in the result."""
     scheduler: Scheduler | None = None
     # The log of a run lives as long as the run: looking through it over and over finds nothing to collect.
-    thresholds = gc.get_threshold()
+    thresholds, collecting = gc.get_threshold(), gc.isenabled()
     gc.set_threshold(GARBAGE, *thresholds[1:])
+    gc.enable()
     try:
         if outside is not None:
             outside.start(result.machine)
@@ -285,6 +286,8 @@ def _execute(
         result.diagnostics.append(diagnostic)
     finally:
         gc.set_threshold(*thresholds)
+        if not collecting:
+            gc.disable()
 
 
 __all__ = [

@@ -112,13 +112,14 @@ def _function(whole: Whole, function: Function) -> Body:
 
 def warn_of_misspellings(whole: Whole) -> None:
     """A name that is only ever assigned to and looks like a keyword is a typing error, not a variable."""
-    words = [row.name.lower() for row in whole.table if row.simulated and row.kind != "statement"]
+    words: list[str] = []
     for function in whole.names.functions:
         for symbol in function.scope.names.values():
             if symbol.kind != "variable" or symbol.declared or symbol.uses > 0:
                 continue
             from difflib import get_close_matches
 
+            words = words or [r.name.lower() for r in whole.table if r.simulated and r.kind != "statement"]
             near = get_close_matches(symbol.name.lower(), words, n=1, cutoff=0.75)
             row = whole.table.get(near[0]) if near and len(symbol.name) > 2 else None
             if row is not None:

@@ -7,7 +7,7 @@ import pytest
 from motionlang import run
 from motionlang.lang.keyword import Keyword
 from motionlang.mint import DIALECT
-from motionlang.mint.keywords import kept, known, library_a_i, library_j_z, table
+from motionlang.mint.keywords import Vocabulary, indexing, kept, known, library_a_i, library_j_z, table
 from motionlang.source import Source
 
 SIMULATED = [row for row in table() if row.simulated and row.example]
@@ -129,3 +129,15 @@ def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant
     (diagnostic, *_) = DIALECT.check(Source("a.mnt", written))
     assert diagnostic.code == "unknown-word"
     assert f"did you mean {meant}?" in diagnostic.hint
+
+
+def test_the_index_knows_where_every_word_stands() -> None:
+    assert indexing.PLACE.read_text(encoding="utf-8") == indexing.written()
+
+
+def test_a_word_is_found_whatever_was_looked_for_before() -> None:
+    for row in table():
+        for spelling in filter(None, (row.name, row.short)):
+            found = Vocabulary().get(spelling)
+            assert found is not None
+            assert found.name == row.name

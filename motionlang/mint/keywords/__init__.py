@@ -1,4 +1,8 @@
-"""The vocabulary of Mint: what is simulated, group by group, and every further word of its type library."""
+"""The vocabulary of Mint: found word by word, as a program uses a few dozen of a thousand.
+
+`index` says in which group each word stands. A group is loaded when a word of it is met, and all of them when somebody
+looks through the whole vocabulary. What belongs to it is written in `all_words`.
+"""
 
 from __future__ import annotations
 
@@ -6,115 +10,60 @@ from motionlang.lang.keyword import Keyword, Table
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable
 
-_table: Table | None = None
+_vocabulary: Vocabulary | None = None
 
 
 def table() -> Table:
-    """All words of Mint, made on first use."""
-    global _table  # noqa: PLW0603 - one vocabulary a process
-    if _table is None:
-        from motionlang.mint.keywords.limits import HIDDEN
-
-        _table = Table(_rows(), HIDDEN)
-    return _table
+    """All words of Mint."""
+    global _vocabulary  # noqa: PLW0603 - one vocabulary a process
+    if _vocabulary is None:
+        _vocabulary = Vocabulary()
+    return _vocabulary
 
 
-def _rows() -> list[Keyword]:
-    from motionlang.mint.keywords import (
-        axis,
-        buffer,
-        camboxes,
-        captures,
-        changing,
-        comms,
-        constants,
-        control,
-        correcting,
-        drives,
-        fastaux,
-        feedrate,
-        following,
-        functions,
-        holding,
-        homing,
-        identity,
-        io,
-        jogging,
-        kept,
-        language,
-        latches,
-        limits,
-        memory,
-        modbus,
-        monitoring,
-        motion,
-        network,
-        older,
-        paths,
-        pending,
-        presets,
-        profiles,
-        relays,
-        remote,
-        restoring,
-        sensing,
-        serial,
-        servo,
-        state,
-        steppers,
-        tasks,
-        terminal,
-        torque,
-        turns,
-        units,
-    )
+class Vocabulary(Table):
+    """A table whose rows come when they are wanted."""
 
-    groups = (
-        correcting, presets, holding, torque, jogging, drives,
-        axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes, captures, fastaux, monitoring, pending, relays, steppers,
-        io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
-        kept, identity, older, restoring, units, constants, language,
-    )  # fmt: skip
-    rows = [row for group in groups for row in group.ROWS]
-    taken = {spelling.lower() for row in rows for spelling in (row.name, row.short) if spelling}
-    for row in _not_simulated():
-        if row.name.lower() not in taken:
-            taken.add(row.name.lower())
-            if row.short.lower() in taken:
-                row.short = ""
-            elif row.short:
-                taken.add(row.short.lower())
-            rows.append(row)
-    return rows
+    __slots__ = ("_groups", "_whole")
 
+    def __init__(self) -> None:
+        from motionlang.mint.keywords.index import GROUPS
 
-_UNITS = {
-    "int": "integer",
-    "bool": "bool",
-    "float": "number",
-    "string": "text",
-    "var": "text",
-    "date": "text",
-}
+        self._whole: tuple[Keyword, ...] | None = None
+        self._by_name = {}
+        self._groups = {word: group for group, words in GROUPS.items() for word in words.split()}
 
+    @property
+    def rows(self) -> tuple[Keyword, ...]:  # type: ignore[override]
+        """All rows, in the order of the groups."""
+        if self._whole is None:
+            from motionlang.mint.keywords.all_words import rows
 
-def _not_simulated() -> Iterator[Keyword]:
-    """The rest of the type library: recognised and explained, not simulated."""
-    from motionlang.mint.keywords import commands, kept, known, library_a_i, library_j_z
+            self._whole = tuple(rows())
+            self._enter(self._whole)
+        return self._whole
 
-    source = "Mint ActiveX type library, build 5626"
-    for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines():
-        name, short, index, kind, access, meaning = line.split("|")
-        sense = "reading" if access == "R" else "setting"
-        verb = kept.VERB if name in kept.WORDS else known.verb(name)
-        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source, trust="code",
-                      group=known.GROUPS.get(verb, known.KEPT_GROUP), simulated=False)  # fmt: skip
-    for text, origin, trust in ((commands.WORDS, source, "code"), (known.COMMANDS, "Mint v4", "memory")):
-        for line in text.splitlines():
-            name, short, index, meaning = line.split("|")
-            verb = known.verb(name)
-            yield Keyword(name, short, "command", "C", index, "", verb, meaning, source=origin, trust=trust,
-                          group=known.GROUPS[verb], simulated=False)  # fmt: skip
+    def get(self, word: str) -> Keyword | None:
+        """The row of a word, by its name or its short form, in any case."""
+        key = word.lower()
+        row = self._by_name.get(key)
+        if row is None and key in self._groups:
+            self._load(self._groups[key])
+            row = self._by_name.get(key)
+        return row
+
+    def _load(self, group: str) -> None:
+        if not group:  # the library, of which a row depends on which words the groups have
+            _ = self.rows
+            return
+        module = __import__(f"motionlang.mint.keywords.{group}", fromlist=["ROWS"])
+        self._enter(module.ROWS)
+        self._by_name.update((row.name, row) for row in getattr(module, "HIDDEN", ()))
+
+    def _enter(self, rows: Iterable[Keyword]) -> None:
+        for row in rows:
+            self._by_name[row.name.lower()] = row
+            if row.short:
+                self._by_name[row.short.lower()] = row

@@ -1,0 +1,270 @@
+"""In which group each word of Mint stands, "" for the type library. Written by `indexing`; do not edit."""
+
+from __future__ import annotations
+
+GROUPS = {
+    "correcting": """
+movecorrection timescale
+""",
+    "presets": """
+presetmovetype presetmoveposition presetmovespeed presetaccel presetdecel presetjogspeed presetjogdirection
+presetmovehometype presetmoveparameter presetindex presetindexmode presetindexsource presetdwelltime
+presetselectorinput presetinputsmax presetinputstate presettriggerinput presetmoveenable
+""",
+    "holding": """
+hta htachannel htakprop htadamping htakint htadeadband htafilter
+""",
+    "torque": """
+torqueref tqr torquerefenable torquerefsource torquerefrisetime torquereffalltime torquedemand effort
+currentmeas cms currentdemand
+""",
+    "jogging": """
+jogspeed jgs jogcommand jgc jogmode jogduration jogtime jogacceltimemax jogdeceltimemax
+""",
+    "drives": """
+drivespeedmax dsm speedref sdr speedrefenable speedrefsource speedrefacceltime speedrefdeceltime
+speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime speedrefdeceljerkendtime
+speedreferrordeceltime speedtestref speedtestrefacceltime speedtestrefdeceltime velref posref speeddemand sdd
+speedmeasured sms speederror velerror
+""",
+    "axis": """
+axes scalefactor scale speed accel decel acceltime deceltime acceljerk deceljerk profilemode movebuffersize mb
+driveenable de
+""",
+    "feedrate": """
+feedrate feedratemode frm feedrateoverride fro feedrateparameter maxspeed maxaccel maxdecel acceltimemax
+deceltimemax acceljerktime deceljerktime sramp
+""",
+    "motion": """
+mover mr movea ma go jog cancel cn cancelall cna
+""",
+    "buffer": """
+_trauto _trgo _trinput _trposition movebufferid movebufferidlast movebufferlow triggermode triggerinput
+triggersource triggerchannel triggervalue movedwell moveout moveoutx movepulseoutx
+""",
+    "changing": """
+incr inca suspend
+""",
+    "paths": """
+vectora va vectorr vr circlea ca circler cr helixa helixr contourmode contourangle blendmode blenddistance
+blend veldemandpath vectorangle
+""",
+    "following": """
+_mspos _msencoder _msauxencoder _ofstandard _ofspeed_limit _ofaccel_mod _ofspeed_mod _osmaxspeed _osminspeed
+_osmaxaccel _osmaxdecel _osprofileerror _oszeroaccel mastersource masterchannel masterdistance followmode
+follow follownumerator followdenom gearing gr gearingmode grm fly offset offsetmode offsetdistance
+offsetstatus ofs auxencoder auxencodervel auxencoderspeed auxencoderscale auxencoderprescale auxencoderwrap
+""",
+    "profiles": """
+_spspline_1 _spabsolute _spt_absolute _spcontinuous _spspline_2 camtable cam camstart camend camamplitude
+camindex camsegment camphase camphasestatus splinetable spline spl splinestart splineend splinetime
+splinesuspendtime splineindex splinesegment
+""",
+    "state": """
+idle pos ps vel posremaining folerror fe movebufferfree
+""",
+    "control": """
+time wait wt
+""",
+    "tasks": """
+taskpriority taskquantum taskstatus tasksuspend taskresume timerevent eventactive eventpending eventdisable
+errcode errline errstring errdata errorpresent errorreadnext errorreadcode errorclear errorstring
+""",
+    "terminal": """
+terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep
+""",
+    "camboxes": """
+cambox camboxdata
+""",
+    "captures": """
+capturemode cpm captureaxis capturemodeparameter cpmp capturemodename capturenumpoints captureinterval cpi
+captureperiod cpp captureduration cpr capturepretriggerduration capturetriggermode capturetriggersource
+capturetriggerchannel capturetriggervalue capturetriggerabsolute capturetrigger capture capturecommand
+capturestatus captureprogress capturepoint
+""",
+    "fastaux": """
+fastauxselect fastauxenable fastauxlatchedge fastauxlatchmode fastauxlatchdistance fastauxlatch fastauxencoder
+encoderzlatch auxencoderzlatch aez auxencoderzeroenable auxencoderzerolatchmode auxencoderzeroposition
+""",
+    "monitoring": """
+adcmax adcmin adcmonitor adcerror adcerrormode adcoffsettrim folerrorwarning axiswarning axiswarningdisable
+errormask errormaskcode asyncerrorpresent driveenableswitch des enableswitch driveerror dre drivefault
+miscerror miscerrordisable
+""",
+    "pending": """
+eventpend eventunpend
+""",
+    "relays": """
+pulseoutx relay relayout relayoutx auxdac ad motorbrake motorbrakestatus motorbrakemode motorbrakeoutput
+motorbrakedelay
+""",
+    "steppers": """
+stepper steppervel stepperscale stepperwrap
+""",
+    "io": """
+in inx instate instatex isx inputactivelevel inputdebounce inputmode inputpostrigger inputnegtrigger imask out
+ot outx otx outputactivelevel oal driveenableoutput deo globalerroroutput geo adc adcgain ag adcoffset ao
+adcdeadband add adcdeadbandoffset adcmode am dac
+""",
+    "comms": """
+modbusparameter _mpenable _mpdebug _mpdropped_frames _mpregister_mapping _rmcomms_array _rmnet_data
+_busserial1 _busethernet comms commsinteger netfloat netinteger dprfloat dprlong
+""",
+    "modbus": """
+modbustcp16 modbustcp32 modbustcpfloat holdingregister coil
+""",
+    "remote": """
+remotein remoteinx remoteinbank remoteout remoteoutx remoteoutbank remoteadc remotedac nodelive
+""",
+    "network": """
+_cetnone _cetoperational _cetpassive _cetoff _cetreceive_overrun _cetdied _cetlive _cetemergency
+_cettransmit_overrun busevent canevent buseventinfo caneventinfo busstate canbusstate busreset canbusreset
+busnode nodescan remotecomms remotecommsinteger commsremote remoteencoder remoteobject remoteobjectfloat
+remoteobjectstring remoteerror remotestatus remoteemergencymessage remoteestop remotereset
+remoteinputactivelevel remoteoutputactivelevel remotepdoin remotepdoout remotepdovalid connect connectstatus
+group groupcomms groupinfo groupmaster groupmasterstatus groupstatus
+""",
+    "serial": """
+serialchar serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclearerror
+""",
+    "limits": """
+_emignore _emcrash_stop _emcrash_stop_disable _emerror_decel _emerror_decel_disable _emcall_event
+softlimitforward softlimitreverse softlimitmode limitmode limitforwardinput lfi limitreverseinput lri
+limitforward lf limitreverse lr limit folerrormode errorinput ei errorinputmode errorswitch es stopinput
+stopinputmode stopswitch suspendinput suspendswitch resetinput rsi axiserror errordecel abortmode abort stop
+st stopmode reset resetall default defaultall (line)
+""",
+    "homing": """
+home hometype homespeed homebackoff homecreepspeed homeaccel homedecel homeoffset homerefpos homepos hps
+homestatus homephase homeinput hi homeswitch hsw _hmnegative_switch _hmnegative_switch_index
+_hmpositive_switch _hmpositive_switch_index _hmnegative_index _hmpositive_index _hmnegative_limit
+_hmnegative_limit_index _hmpositive_limit _hmpositive_limit_index
+""",
+    "latches": """
+latchtriggermode latchtriggerchannel latchtriggeredge latchsource latchsourcechannel latchmode
+latchinhibittime latchinhibitvalue latchenable latch latchvalue fastselect fastenable fastlatchedge
+fastlatchmode fastlatchdistance fastlatch fastpos fastencoder comparemode compareoutput comparepos
+compareenable comparelatch
+""",
+    "sensing": """
+axismode amd posdemand veldemand acceldemand postarget postargetlast posachieved idlemode idlepos idlevel
+idletime idlesettlingtime systemseconds encoder encodervel encodercount encoderscale encoderprescale
+encoderwrap poswrap posrollover
+""",
+    "servo": """
+kprop kp kint ki kintlimit kil kintmode kim kderiv kd kvel kvelff kaccel looptime lt folerrorfatal torque
+""",
+    "functions": """
+abs sgn int min max sqrt sqr exp log sin cos tan asin acos atan rnd len asc chr str val left right mid iif
+""",
+    "memory": """
+nvlong nvfloat
+""",
+    "turns": """
+posrolloverdemand posrollovertarget posrollovertargetlast datum freq
+""",
+    "kept": """
+_cfoff _cfservo _cfstepper _cfvirtual _bloff _lsoff _lsdual_table
+""",
+    "identity": """
+platformname firmwareversion numberof no _noaxes _egcontroller axisbus axisnode mintexecuting supportsmint
+phasesearchstatus initerror initwarning averagevel oktoloadmove realtimeclock nop tron troff beepon beepoff
+""",
+    "older": """
+err erl erraxis mode holdtoanalog contouron contouroff
+""",
+    "restoring": """
+systemdefaults sdf factorydefaults fdf
+""",
+    "units": """
+posscalefactor velscalefactor accelscalefactor
+""",
+    "constants": """
+_true _false _on _off _pi _maxint _minint _pmtrapezoidal _pmsramp _egall _egsynchronous _egaxis _egmisc
+""",
+    "language": """
+print ? input pause dim const define if then elseif else select case for next step while repeat until loop
+exit goto gosub return sub function byval byref task run event startup auto end type as integer float string
+semaphore controller using and or xor not mod to is rem
+""",
+    "": """
+aaabuild absencoder absencodercosoffset absencoderoffset absencodersingain absencodersinoffset absencoderturns
+accelscaleunits accelsensordelay accelsensorenable accelsensorfilterfreq accelsensorkint accelsensorkprop
+accelsensormode accelsensoroffset accelsensorscale accelsensortype accelsensorvel accelsensorvelerror
+accelsensorvelerrorfatal accelsensorvelerrormode activeeventcodes activers485node adcdeadbandhysteresis
+adcfilter adctimeconstant analoginputsetup analogoutputsetup apiargumentvalues apivalue apivaluewritemode
+appdatawritepermission autohomemode autostartmode autotuneerror autotuneparam autotunestatus auxdacmode
+auxencodermode axisadc axischannel axisdac axiserrorlogmask axispdoutput axisposencoder axisstatus
+axisstatusword axissyncdelay axisvelencoder backlash backlashinterval backlashmode baldordebug betabuild boost
+bootloaderbaudssupported bootloaderdetails bridgecompenable bridgeerrorcurrent bridgeerrorvoltage bufferchars
+bufferdepth burninparameter busbaud busbaudssupported buscommandmask buscyclerate busenable busmessagemode
+buspdomapcontent busprocessdata busprocessdatainterval busprocessdataparameter busprotocol
+bustelegramdiagnostics bustelegramdiagnosticstrings canbaud capturebuffersize captureevent captureeventaxis
+captureeventdelay capturehsmode cardnumber channeltype commandrefsource commandrefsourceparameter commissioned
+commscontrollerdata commsmapdatatype commsmapmode commsmapparameter commsmode commsmultiple
+commsmultipleremote commssync commstestmode commstestparameter config cf connectinfo contourparameter
+contourratio controllerdata controllerid controllerpresent controllertype controlmode controlmodestartup
+controlrate controlrefchannel controlrefsource controlrefsourcestartup countstatics cpuclockspeed currentlimit
+cl customerid daclimitmax dacmode dacmonitorabsolute dacmonitoraxis dacmonitorgain dacmonitormode
+dacmonitormodeparameter dacmonitoroffset dacmonitorscale dacoffset dacramp dbconfig dbdelay dbenable
+dbextavgpower dbextpeakduration dbextpeakpower dbextr dbextthermaltimeconst dbexttripinput dbfreq dbmode
+dboverloadmode dbswitchingvolts dbvolts dbvoltslimit deviceopen diagnosticindexedparameter
+diagnosticindexedstring diagnosticparameter diagnosticstring digitalinputbanksetup digitaloutputbanksetup
+dipswitches drivebusnominalvolts dbn drivebusovervolts drivebustconst drivebusundervolts drivebusvolts dbv
+drivedata driveenableinputmode driveenablemode driveerrorlogmask driveerrorstring drivefaultmask drivefeedback
+dfb drivefeedbacksource driveokoutput doo driveoperatingmode driveoperatingzone driveoverloadarea doa
+driveoverloadfatal driveoverloadgain driveoverloadmode dom driveoverloadwarning driveparameter
+driveparameterfloat driveparameterinteger drivepeakcurrent dpc drivepeakduration drivepwmfreq drivepwmmode
+driveratedcurrent drc driveratedhorsepower driveratingzone driveratingzoneinfo drivespeedfatal
+drivespeedmaxmmps drivespeedmaxrpm drivespeedmin drivetestmode drivetestparameter driveunderloadwarning
+driveused driveuseddate drivevolts eepromdata eepromsavebufferstatus encodercyclesize encoderfilterdepth
+encoderfiltertype encoderlinesin eli encoderlinesout elo encodermode encoderoutchannel encoderoutresolution
+encoderresolution encodersetup encoderstates encoderstatus encodertestmode encodertype encoderzactivelevel
+errorbitmapstrings errorlist errorlogstring errparamfamily errparamindex extendedeventdata feedbackfaultenable
+ffe firmwarecomponentversion firmwarecrc firmwaremintvmbuild frictioncompensation frictioncompensationspeed
+frictioncompensationtconst h2usbdevicelist hall hallforwardangle hallreverseangle halltable holdswitch
+homesources icmchannel interfaceid internaldata jogaway jogawayoffset kasint kasprop keypadfirmwareversion
+kfint kfprop kftime kiint kii kiprop kip kitrack knifemasteraxis knifemode knifestatus kvderiv kvd
+kvderivtconst kvfilterlevel kvint kvi kvmeas kvprop kvp kvtime kvtrack language languagepack latchsetup
+latchsetupmultiple led leddisplay lifetime listof loaddamping loadinertia logcommserrors logfilename
+logrxenabled logtxenabled milerroroffsetglobal mintexpressions mintextendedstatus mintlineexecuting mintstatus
+modulename monitorparameter motorbasefreq motorbasevolts motorcatalognumber motordirection motorencoderlines
+mel motorfeedback motorfeedbackalignment motorfeedbackangle motorfeedbackoffset motorfeedbackstatus motorflux
+motorfluxmax motorfluxmin motorfluxtconst motorinstabilityfreq motorlinearencoderresolution
+motorlinearpolepitch motorls mls motormagcurrent motormagcurrentcoeff motormagcurrentmax motormagcurrentmin
+motormagind motoroverloadarea motoroverloadmode motorpeakcurrent motorpeakduration motorpoles mp
+motorpowermeasured motorratedcurrent mrc motorratedfreq motorratedspeed motorratedspeedmmps motorratedspeedrpm
+motorratedvolts motorresolveroffset motorresolverspeed motorrotorleakageind motorrotorres motorrs mrs
+motorslipfreq motorspecnumber motorspeedmaxmmps motorspeedmaxrpm motorstabilitygain motorstatorleakageind
+motorstatorres motortemperatureinput motortemperaturemode motortemperatureswitch motortestmode motortype
+movebufferstatus movertest movestatus multiplecommandsexecute netfloatmultiple netintegermultiple node nd
+nodenumber nodetype nodetypeextended numberofextended noe optioncardbus optioncardnetworkaddress
+optioncardnetworkstatus optioncardobjectfloat optioncardobjectinteger optioncardobjectstring optioncardstatus
+optioncardtype optioncardversion outputmonitormode outputmonitormodeparameter outputtype parameterliststring
+parameternumbersubset parametertableversion parametervaluessubset paramsavemode pdolossmode phasesearchbackoff
+phasesearchbandwidth phasesearchcurrent phasesearchinput phasesearchmode phasesearchoutput phasesearchspeed
+phasesearchtravel platform ptm plcautoenable plccondition plcenable pe plcenableaction plcgearfactor
+plcoperator plcparameter plcstatus pss plctaskdata plctaskstatus plctime plxdata portnumber portspeed
+positioncontrollooptime posscaleunits postrimgain powerbaseparameter powerreadyinput powerreadyoutput
+precisionaxis precisionincrement precisionmode precisionoffset precisionsource precisionsourcechannel
+presetdwelltimeold presetindexmodeold presetindexold presetindexsourceold presetinputsmaxold
+presetinputstateold presetmoveenableold presetselectorinputold presettriggerinputold productcatalognumber
+productserialnumber profiletime pulsecounter pulsedirmode pwmontime pwmperiod ramtest relayoutputbanksetup
+releasebuild remoteadcdelta remotebaud remotedebounce remoteinhibittime remotemode remotenode remotenumberof
+remoteoutputerror remotepdomode revcountdeadband scaleunits scanoverrunlimit sentinelaction sentinelactionmode
+sentinelactionparameter sentinellatch sentinelperiod sentinelsource sentinelsource2 sentinelsource2parameter
+sentinelsourceparameter sentinelstate sentineltriggerabsolute sentineltriggermode sentineltriggervaluefloat
+sentineltriggervalueinteger serialbaud sb serialbaudssupported serialhandshakemode serverversion sextant
+showprogressdialogs softwarediagnostic speederrorfatal speedfilterband speedfilterfreq speedfilterpoles
+speedfilterripple speedfiltertype speedobserverenable speedobserverk1 speedobserverk2 speedobserverkj
+speedrefaccelsource statichandle stepperdelay stepperio steppermode systemstate temperature
+temperaturelimitfatal temperaturelimitwarning terminaladdress terminaldevice terminalmode terminalport
+terminalxoff torquefilterband torquefilterdepth torquefilterfreq torquefiltertype torquelimitneg
+torquelimitpos torqueprovingmode torquereferrorfalltime triggercompensation usbdevicelist usbdriverversion
+usermotion userpositionunits usertimeunits variabledata velfatal velfatalmode velscaleunits velsetpointmax
+velsetpointmin vfboosttransitionmode vfdeadband vfdeadbandcentrefreq vfprofile vfslipcompensationmode
+vfthreepointfreq vfthreepointmode vfthreepointvolts voltagedemand zerospeeddeadband autotune autotuneabort
+clearerrorlog controllerreset processorreset knife movefiducial parametersave plcdefault plctask
+precisiontable pushredirect popredirect sentinel binary view con prog new edit servoc
+""",
+}
