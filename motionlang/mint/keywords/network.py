@@ -33,8 +33,9 @@ def _word(
     kind = "command" if access == "C" else "setting" if "W" in access else "reading"
     default = None if access == "C" else "" if unit == "text" else 0.0
     source = _MN1274 if trust == "manual" else _LIBRARY
-    return Keyword(name, "", kind, access, index, unit, f"network.{verb}", help, example, default=default, low=low,
-                   high=high, source=source, trust=trust, group="remote")  # fmt: skip
+    where = verb if "." in verb else f"network.{verb}"
+    return Keyword(name, "", kind, access, index, unit, where, help, example, default=default, low=low, high=high,
+                   source=source, trust=trust, group="remote")  # fmt: skip
 
 
 def _bus(name: str, verb: str, help: str, trust: str) -> tuple[Keyword, Keyword]:
@@ -67,7 +68,7 @@ ROWS = (
     *_bus("STATE", "bus_state", "State of a bus: 1 operational, 2 passive, 3 off.", "memory"),
     _reset("BUSRESET"),
     _reset("CANBUSRESET"),
-    _word("BUSNODE", "RW", "bus", "integer", "own_node", "The controller's own node number on a bus.",
+    _word("BUSNODE", "RW", "bus", "integer", "groups.own_node", "The controller's own node number on a bus.",
           "BUSNODE(1) = 5\nPRINT BUSNODE(1)", low=0, high=255),
     _word("NODESCAN", "C", "bus, node", "", "scan",
           "Look for a node: the event _cetLIVE or _cetDIED is the answer.",
@@ -125,23 +126,24 @@ ROWS = (
     _word("REMOTEPDOVALID", "R", "bus, node", "bool", "process_data_valid",
           "1 while the process data of a node is of now, which is while the node lives.",
           "PRINT REMOTEPDOVALID(1, 2)"),
-    _word("CONNECT", "RW", "bus, from, to", "bool", "connection",
+    _word("CONNECT", "RW", "bus, from, to", "bool", "groups.connection",
           "The connection of two nodes: 1 makes it, 0 breaks it; both must answer.",
           "CONNECT(1, 2, 7) = 1\nPRINT CONNECT(1, 2, 7)"),
-    _word("CONNECTSTATUS", "R", "bus, from", "integer", "connections", "How many nodes a node is connected to.",
+    _word("CONNECTSTATUS", "R", "bus, from", "integer", "groups.connections", "How many nodes a node is connected to.",
           "CONNECT(1, 2, 7) = 1\nPRINT CONNECTSTATUS(1, 2)"),
-    _word("GROUP", "RW", "bus, group, node", "bool", "member", "Whether a node belongs to a group, 0 to 31.",
+    _word("GROUP", "RW", "bus, group, node", "bool", "groups.member", "Whether a node belongs to a group, 0 to 31.",
           "GROUP(1, 3, 7) = 1\nPRINT GROUP(1, 3, 7)"),
-    _word("GROUPCOMMS", "W", "bus, group, element", "number", "group_comms",
+    _word("GROUPCOMMS", "W", "bus, group, element", "number", "groups.comms",
           "Write an element of the comms array of every node of a group.",
           "GROUP(1, 3, 7) = 1\nGROUPCOMMS(1, 3, 5) = 2.5\nPRINT REMOTECOMMS(1, 7, 5)"),
-    _word("GROUPINFO", "R", "bus, node", "bits", "groups", "The groups that a node belongs to, as bits.",
+    _word("GROUPINFO", "R", "bus, node", "bits", "groups.info", "The groups that a node belongs to, as bits.",
           "GROUP(1, 3, 7) = 1\nPRINT GROUPINFO(1, 7)"),
-    _word("GROUPMASTER", "RW", "bus, group", "integer", "group_master", "The node that is the master of a group.",
+    _word("GROUPMASTER", "RW", "bus, group", "integer", "groups.master", "The node that is the master of a group.",
           "GROUPMASTER(1, 3) = 7\nPRINT GROUPMASTER(1, 3)"),
-    _word("GROUPMASTERSTATUS", "R", "bus, group", "bool", "is_master",
+    _word("GROUPMASTERSTATUS", "R", "bus, group", "bool", "groups.is_master",
           "1 while the controller itself is the master of a group.",
           "BUSNODE(1) = 7\nGROUPMASTER(1, 3) = 7\nPRINT GROUPMASTERSTATUS(1, 3)"),
-    _word("GROUPSTATUS", "R", "bus, group", "bool", "is_member", "1 while the controller itself belongs to a group.",
+    _word("GROUPSTATUS", "R", "bus, group", "bool", "groups.is_member",
+          "1 while the controller itself belongs to a group.",
           "BUSNODE(1) = 7\nGROUP(1, 3, 7) = 1\nPRINT GROUPSTATUS(1, 3)"),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""What nodes hold beyond inputs and outputs, the state of the buses and their events, groups and connections.
+"""What nodes hold beyond inputs and outputs, the state of the buses and their events.
 
 The machine file's `[[remote]]` and `[[bus]]` say what happens; the numbers of events are those of MN1274 p. 113.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.operations.inputs import checked
-from motionlang.mint.operations.remote import LAST_CHANNEL, LAST_NODE, Nodes, checked_bus
+from motionlang.mint.operations.remote import LAST_CHANNEL, Nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
     Operation = Callable[..., object]
 
-LAST_GROUP = 31
 LAST_OBJECT, LAST_SUB = 0xFFFF, 255
 ERROR_REGISTER, STATUS_REGISTER = 0x1001, 0x1002
 # CANopen's types of data: bits, and whether there is a sign.
@@ -31,16 +30,6 @@ _TYPES = {
     6: (16, False),
     7: (32, True),
 }
-
-
-class Groups:
-    """Who belongs to which group, their masters, who is connected, and the controller's own number, by bus."""
-
-    def __init__(self, environment: Environment) -> None:
-        self.members: set[tuple[int, int, int]] = set()
-        self.masters: dict[tuple[int, int], int] = {}
-        self.connected: set[tuple[int, int, int]] = set()
-        self.own: dict[int, int] = {}
 
 
 # -------------------------------------------------------------------------------------------- buses and events
@@ -85,7 +74,8 @@ def do_reset(environment: Environment, row: Row) -> Operation:
 # -------------------------------------------------------------------------------------------- the comms arrays
 
 
-def _real(environment: Environment) -> tuple[Operation, Operation]:
+def comms_element(environment: Environment) -> tuple[Operation, Operation]:
+    """What reads and what writes an element of a node's memory as a number with a fraction."""
     nodes = environment.part(Nodes)
 
     def read(bus: int, node: int, element: int) -> float:
@@ -100,21 +90,21 @@ def _real(environment: Environment) -> tuple[Operation, Operation]:
 
 
 def read_comms_real(environment: Environment, row: Row) -> Operation:
-    return _real(environment)[0]
+    return comms_element(environment)[0]
 
 
 def write_comms_real(environment: Environment, row: Row) -> Operation:
-    return _real(environment)[1]
+    return comms_element(environment)[1]
 
 
 def read_first_bus_comms(environment: Environment, row: Row) -> Operation:
     """COMMSREMOTE, which names no bus."""
-    read = _real(environment)[0]
+    read = comms_element(environment)[0]
     return lambda node, element: read(1, node, element)
 
 
 def write_first_bus_comms(environment: Environment, row: Row) -> Operation:
-    write = _real(environment)[1]
+    write = comms_element(environment)[1]
     return lambda node, element, value: write(1, node, element, value)
 
 
@@ -133,20 +123,6 @@ def write_comms_whole(environment: Environment, row: Row) -> Operation:
         found.written["element", element] = value
 
     return write
-
-
-def write_group_comms(environment: Environment, row: Row) -> Operation:
-    """GROUPCOMMS: an element of every node of a group."""
-    write, groups = _real(environment)[1], environment.part(Groups)
-
-    def each(bus: int, group: int, element: int, value: float) -> None:
-        checked_bus(bus)
-        checked(group, LAST_GROUP, "group")
-        for where, number, node in sorted(groups.members):
-            if (where, number) == (bus, group):
-                write(bus, node, element, value)
-
-    return each
 
 
 # ------------------------------------------------------------------------------------------- encoders, objects
@@ -345,105 +321,3 @@ def do_send_process_data(environment: Environment, row: Row) -> Operation:
 def read_process_data_valid(environment: Environment, row: Row) -> Operation:
     nodes = environment.part(Nodes)
     return lambda bus, node: int(nodes.answers(bus, node))
-
-
-# -------------------------------------------------------------------------------------- connections and groups
-
-
-def read_connection(environment: Environment, row: Row) -> Operation:
-    connected = environment.part(Groups).connected
-    return lambda bus, start, end: int((checked_bus(bus), start, end) in connected)
-
-
-def write_connection(environment: Environment, row: Row) -> Operation:
-    """CONNECT: two nodes that both answer are connected or not."""
-    nodes, connected = environment.part(Nodes), environment.part(Groups).connected
-
-    def write(bus: int, start: int, end: int, value: int) -> None:
-        nodes.node(bus, start)
-        nodes.node(bus, end)
-        (connected.add if value else connected.discard)((bus, start, end))
-
-    return write
-
-
-def read_connections(environment: Environment, row: Row) -> Operation:
-    connected = environment.part(Groups).connected
-    return lambda bus, start: sum(1 for each in connected if each[:2] == (checked_bus(bus), start))
-
-
-def read_member(environment: Environment, row: Row) -> Operation:
-    members = environment.part(Groups).members
-    return lambda bus, group, node: int(_place(bus, group, node) in members)
-
-
-def write_member(environment: Environment, row: Row) -> Operation:
-    """GROUP: a node joins a group or leaves it."""
-    members = environment.part(Groups).members
-
-    def write(bus: int, group: int, node: int, value: int) -> None:
-        (members.add if value else members.discard)(_place(bus, group, node))
-
-    return write
-
-
-def _place(bus: int, group: int, node: int) -> tuple[int, int, int]:
-    return checked_bus(bus), checked(group, LAST_GROUP, "group"), checked(node, LAST_NODE, "node")
-
-
-def read_groups(environment: Environment, row: Row) -> Operation:
-    """GROUPINFO: the groups of a node, a bit each, as a signed number of 32 bits."""
-    members = environment.part(Groups).members
-
-    def read(bus: int, node: int) -> int:
-        bits = sum(1 << group for where, group, each in members if (where, each) == (checked_bus(bus), node))
-        return bits - (1 << 32) if bits >> 31 else bits
-
-    return read
-
-
-def read_group_master(environment: Environment, row: Row) -> Operation:
-    masters = environment.part(Groups).masters
-    return lambda bus, group: masters.get(_place(bus, group, 0)[:2], 0)
-
-
-def write_group_master(environment: Environment, row: Row) -> Operation:
-    """GROUPMASTER."""
-    masters = environment.part(Groups).masters
-
-    def write(bus: int, group: int, node: int) -> None:
-        masters[_place(bus, group, node)[:2]] = node
-
-    return write
-
-
-def read_own_node(environment: Environment, row: Row) -> Operation:
-    own = environment.part(Groups).own
-    return lambda bus: own.get(checked_bus(bus), 0)
-
-
-def write_own_node(environment: Environment, row: Row) -> Operation:
-    """BUSNODE: the number that this controller has on a bus."""
-    own = environment.part(Groups).own
-
-    def write(bus: int, node: int) -> None:
-        row.check(node)
-        own[checked_bus(bus)] = node
-
-    return write
-
-
-def read_is_master(environment: Environment, row: Row) -> Operation:
-    """GROUPMASTERSTATUS: whether this controller is the group's master."""
-    groups = environment.part(Groups)
-
-    def read(bus: int, group: int) -> int:
-        own = groups.own.get(bus, 0)
-        return int(own != 0 and groups.masters.get(_place(bus, group, 0)[:2]) == own)
-
-    return read
-
-
-def read_is_member(environment: Environment, row: Row) -> Operation:
-    groups = environment.part(Groups)
-    return lambda bus, group: int(_place(bus, group, groups.own.get(bus, 0)) in groups.members)
