@@ -5,14 +5,18 @@ from __future__ import annotations
 from itertools import pairwise
 from math import inf
 
+from motionlang.profile.curve import State
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.profile.curve import Profile, State
+    from motionlang.profile.curve import Profile
     from motionlang.profile.ramps import Curve, Piece
 
 FIT = 1e-9
 """How far a piece may be off in its middle, as a share of the size of the motion."""
 _DEPTH = 10
+_ASIDE = 1e-6
+"""The part of a piece by which one looks at its ends from inside."""
 MOMENT = 1e-100
 """Seconds too few to divide by the square of."""
 
@@ -30,14 +34,17 @@ def cubics(profile: Profile) -> Curve:
             pieces.append((last.position, last.velocity, 0.0, 0.0, 0.0, 0.0, 0.0))
             knots.append(inf)
         elif finish - begin > MOMENT:
-            ends = profile.at(begin), _before(profile, finish)
+            inwards = _ASIDE * (finish - begin)
+            ends = _beside(profile, begin, inwards), _beside(profile, finish, -inwards)
             _fit(profile, (begin, finish), ends, FIT * size, knots, pieces, _DEPTH)
     return tuple(knots), tuple(pieces), ((profile.shape, 0),) if pieces else ()
 
 
-def _before(profile: Profile, time: float) -> State:
-    """The state just before a knot, where the velocity may jump."""
-    return profile.at(time * (1.0 - 1e-15))
+def _beside(profile: Profile, knot: float, inwards: float) -> State:
+    """The state at a knot as seen from one side: where the velocity jumps, rounding decides which side `knot` is on."""
+    inside = profile.at(knot + inwards)
+    velocity = inside.velocity - inwards * (inside.acceleration - 0.5 * inwards * inside.jerk)
+    return State(profile.at(knot).position, velocity, inside.acceleration, inside.jerk)
 
 
 def _fit(

@@ -15,6 +15,7 @@ from motionlang.profile.chain import Chain
 from motionlang.profile.composed import Composed, crossings, travelled
 from motionlang.profile.sample import sample_profile, sample_track
 from motionlang.profile.summed import Sum, added
+from motionlang.profile.table_motion import table_curve
 from tests.profile.cases import Move, moves, quick
 
 CIRCLE = 2.0 * math.pi * 10.0
@@ -210,3 +211,17 @@ def test_quarter_turns_are_exact(degrees: float) -> None:
     x, y = rotated(3.0, 4.0, degrees)
     assert sorted((abs(x), abs(y))) == [3.0, 4.0]
     assert rotated(*rotated(3.0, 4.0, degrees), -degrees) == (3.0, 4.0)
+
+
+@pytest.mark.parametrize("datum", [0.0, 0.0108, 0.3, 1e-7])
+def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else(datum: float) -> None:
+    """A cam of straight lines under a master that speeds up at 360: rounding decides which side of a bend a time is."""
+    rises = [0.0, 10.0, 40.0, 80.0, 100.0, 80.0, 40.0, 10.0]
+    places = [45.0 * n for n in range(9)]
+    cam = table_curve(places, [datum + sum(rises[:n]) for n in range(9)])
+    drawn = Composed(plan_trapezoid(0.0, 360.0, 1000.0, 360.0, 360.0), cam)
+    knots, pieces, _ = drawn.curve
+    for piece, begin, finish in zip(pieces, knots, knots[1:], strict=False):
+        steepest = 360.0 * 100.0 / 45.0
+        assert abs(2.0 * piece[2]) <= steepest * 1.000001
+        assert abs(2.0 * piece[2] + 6.0 * piece[3] * (finish - begin)) <= steepest * 1.000001
