@@ -102,6 +102,16 @@ def test_the_table_goes_round_by_itself() -> None:
     assert result.controller.position(0) == pytest.approx(10.0)
 
 
+def test_a_rest_ends_with_what_it_belonged_to() -> None:
+    """Disabled and enabled again within 300 ms of rest: one start at the enabling, the next 300 ms later."""
+    text = (
+        "PRESETINDEX(0) = 3 : PRESETINDEXMODE(0) = 2 : PRESETDWELLTIME(0) = 300\nPRESETMOVEENABLE(0) = 1\n"
+        "WAIT = 200\nPRESETMOVEENABLE(0) = 0\nPRESETINDEX(0) = 3\nPRESETMOVEENABLE(0) = 1\nWAIT = 200\n"
+    )
+    result = ran(TABLE + text + "PRINT IDLE(0)\nWAIT = 150\nPRINT IDLE(0)\nPRESETMOVEENABLE(0) = 0")
+    assert result.output == ["1", "0"]
+
+
 @pytest.mark.parametrize(
     ("preset", "then", "shown"),
     [

@@ -34,8 +34,10 @@ class Presets:
         self.table: dict[tuple[str, int, int], float] = {}
         self._settings: dict[tuple[str, int], int] = {}
         self._lines: dict[int, int] = {}
-        # The axes whose next preset follows by itself.
-        self._going_on: set[int] = set()
+        # The axes whose next preset follows by itself, with the number of the start it follows: a rest that
+        # began for another one, before the presets were disabled and enabled again, ends nothing.
+        self._going_on: dict[int, int] = {}
+        self._starts = 0
         environment.part(Inputs).listeners.append(self._changed)
         self.controller.listeners.append(self._heard)
 
@@ -50,8 +52,10 @@ class Presets:
         before = self.setting(name, axis)
         self._settings[name, axis] = value
         enabled = self.setting("PRESETMOVEENABLE", axis)
-        if name == "PRESETMOVEENABLE" and value == before:
-            return
+        if name == "PRESETMOVEENABLE":
+            if value == before:
+                return
+            self._going_on.pop(axis, None)
         if name in ("PRESETMOVEENABLE", "PRESETINDEX"):
             self._lines[axis] = line
             if enabled and self.setting("PRESETTRIGGERINPUT", axis) < 0:
@@ -75,12 +79,13 @@ class Presets:
         from motionlang.mint.operations.preset_moves import begin
 
         preset, mode = self.selected(axis), self.setting("PRESETINDEXMODE", axis)
-        self._going_on.discard(axis)
+        self._going_on.pop(axis, None)
         begin(self, axis, preset, self._lines.get(axis, 0))
         if mode != STAYS:
             self._settings["PRESETINDEX", axis] = self._after(preset)
         if mode == GOES_ON:
-            self._going_on.add(axis)
+            self._starts += 1
+            self._going_on[axis] = self._starts
             if self.controller.is_idle(axis):
                 self._rest(axis)
 
@@ -109,11 +114,11 @@ class Presets:
         """Rest for PRESETDWELLTIME, then go on."""
         clock = self.environment.clock
         seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _SHORTEST)
-        clock.at(clock.now + seconds, lambda: self._go_on(axis))
+        follows = self._going_on[axis]
+        clock.at(clock.now + seconds, lambda: self._go_on(axis, follows))
 
-    def _go_on(self, axis: int) -> None:
-        enabled = self.setting("PRESETMOVEENABLE", axis)
-        if enabled and axis in self._going_on and self.controller.is_idle(axis):
+    def _go_on(self, axis: int, follows: int) -> None:
+        if self._going_on.get(axis) == follows and self.controller.is_idle(axis):
             self._start(axis)
 
     def _start(self, axis: int) -> None:
