@@ -184,6 +184,11 @@ def unknown(b: Body, node: nodes.Name) -> None:
     otherwise = (
         "" if node.args is not None else "a variable must be declared or assigned to before it is read"
     )
+    if node.name.startswith("_"):
+        words = [word for word in words if word.startswith("_")]
+        otherwise = (
+            f"where the controller has this constant, say what it is: Const {node.name} As Integer = …"
+        )
     b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise)
 
 

@@ -50,6 +50,8 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         what = "is a command and has no value" if row.access == "C" else "can be written but not read"
         b.problem("write-only", f"{row.name} {what}", node)
         return _NOTHING
+    if row.name == "IDLE" and node.args and len(node.args) > 1:
+        return value(b, _each_of(node, node.args))
     known_use.warn(b, node, row)
     b.observes = True
     if _default_axes(b, node, row):
@@ -62,6 +64,15 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     kind = type_of(row.unit)
     range_ = ranges.BOOL if row.unit == "bool" else ranges.INTEGER if kind == INTEGER else ranges.FLOAT
     return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
+
+
+def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
+    """`IDLE[0, 1]` as people write it after a move of several axes: `IDLE[0] And IDLE[1]`."""
+    parts: list[nodes.Expr] = [nodes.Name(node.at, node.name, [arg], node.axes) for arg in args]
+    whole = parts[0]
+    for part in parts[1:]:
+        whole = nodes.Binary(node.at, "And", whole, part)
+    return whole
 
 
 def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
@@ -150,9 +161,8 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
         return ["0"] * len(names)
     many = names[-1] in ("axis", "axes") and not single
     if len(args) != len(names) and not (many and len(args) >= len(names)):
-        b.problem(
-            "values", f"{row.name} takes {_many(len(names), names[0])} in brackets, {len(args)} given", node
-        )
+        wanted = _many(1, names[0]) if len(names) == 1 else f"{_many(len(names), 'value')} ({kind})"
+        b.problem("values", f"{row.name} takes {wanted} in brackets, {len(args)} given", node)
         return ["0"] * len(names)
     what = [*names, *[names[-1]] * (len(args) - len(names))]
     return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]

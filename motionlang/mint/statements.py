@@ -127,8 +127,11 @@ def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Mem
 
 
 def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | None) -> None:
-    if len(node.values) != 1 or node.repeat:
+    if len(node.values) != 1:
         b.problem("values", f"a variable takes one value, {len(node.values)} given", node)
+        return
+    if node.repeat:
+        b.problem("values", "a ; after the value is for words with axes; a variable has none", node)
         return
     if kind.name == RECORD and symbol is not None and symbol.is_array:
         b.problem("type", "an array cannot be assigned to as a whole", node)
