@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
+PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 
 # From the top down; a package may import its own level's name and anything below it.
 LEVELS: dict[str, int] = {
@@ -108,3 +110,9 @@ def test_files_keep_one_reason(path: Path) -> None:
     generated = path.name == "tables.py"
     limit = 700 if "keywords" in path.as_posix() else 500
     assert generated or lines <= limit, f"{lines} lines"
+
+
+@pytest.mark.parametrize("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", PAGE))))
+def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None:
+    roots = (ROOT, PACKAGE, *(path for path in PACKAGE.iterdir() if path.is_dir()))
+    assert any((root / named).exists() for root in roots), f"docs/architecture.md names {named}"
