@@ -13,7 +13,7 @@ from motionlang.mint.environment import Environment
 from motionlang.mint.overriding import override_if_there
 from motionlang.mint.parser import is_complete, parse
 from motionlang.mint.symbols import Function, Scope
-from motionlang.mint.task import MintTask
+from motionlang.mint.task import PARENT, MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -63,6 +63,8 @@ class MintInteractive(Interactive):
         self.environment.blocks.update((key, names[name]) for key, name in compiled.blocks.items())  # type: ignore[misc]
         if compiled.blocks:
             self.environment.listen()
-        task = MintTask("main", names["main"], self.environment)  # type: ignore[arg-type]
+        task = MintTask(PARENT, names["main"], self.environment)  # type: ignore[arg-type]
+        task.priority = self.environment.priorities.get(PARENT, 0)
+        self.environment.tasks[PARENT] = task
         task.timer = self.environment.timer  # TIME goes on from one line to the next
         return task

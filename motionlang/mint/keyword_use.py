@@ -13,6 +13,7 @@ from motionlang.mint.body import Value
 from motionlang.mint.expressions import as_float, as_integer, condition, literal, number, value
 from motionlang.mint.fold import constant
 from motionlang.mint.symbols import FLOAT, INTEGER, STRING
+from motionlang.mint.task import PARENT
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -195,6 +196,8 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
 def _task(b: Body, node: nodes.Expr) -> str:
     """The name of a task, which is not an expression."""
     symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    if symbol is None and type(node) is nodes.Name and node.name.lower() == PARENT.lower():
+        return repr(PARENT)
     if symbol is None or symbol.kind != "task":
         tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
         word = node.name if type(node) is nodes.Name else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.lang.program import Program
 from motionlang.mint.code import FILE, loaded
 from motionlang.mint.environment import Environment
-from motionlang.mint.task import MintTask
+from motionlang.mint.task import PARENT, MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class MintProgram(Program):
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()
-        task = MintTask("main", environment.blocks["main"], environment)
+        task = environment.tasks[PARENT] = MintTask(PARENT, environment.blocks["main"], environment)
         task.timer = environment.timer
         return task
 

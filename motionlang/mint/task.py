@@ -18,6 +18,10 @@ class TaskEnd(Exception):
         self.time = time
 
 
+# What the parent task is called; no other is, as the names of tasks are kept in small letters.
+PARENT = "ParentTask"
+
+
 class MintTask(GeneratorTask):
     """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
