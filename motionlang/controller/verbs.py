@@ -107,6 +107,14 @@ VERBS: dict[str, str] = {
     "pulse": "Turn a digital output on for some seconds.",
     "analogue_input": "An analogue input.",
     "set_analogue_output": "Set an analogue output.",
+    "encoder": "An encoder channel that the world turns, as the track of its counts.",
+    "rates": "The rates in force for a move at some speed.",
+    "may_enable": "Whether the enable input of an axis, if it has one, is on.",
+    "moving": "The axes that are not idle.",
+    "settling": "The axes whose motors have not come to rest.",
+    "rest_time": "The time at which a motor will be at rest, or can be looked at again.",
+    "tell": "Tell the listeners what has happened to an axis.",
+    "mishap": "Tell what went wrong while the program did something else.",
 }
 
 
@@ -121,7 +129,14 @@ class Recorder:
         self.clock = Clock()
         self.axes = {number: Axis(number) for number in range(first, first + axes)}
         self.calls: list[tuple[Any, ...]] = []
-        self.answers: dict[str, Any] = {"is_idle": True, "is_enabled": True, "room": 2, **(answers or {})}
+        self.answers: dict[str, Any] = {
+            "is_idle": True,
+            "is_enabled": True,
+            "room": 2,
+            "moving": [],
+            "settling": [],
+            **(answers or {}),
+        }
 
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
         """Written down, and in force: it is the door that everything else passes."""

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Refusal
 from motionlang.controller.verbs import VERBS, Recorder
 
+PACKAGE = Path(__file__).parents[2] / "motionlang"
 # 8 counts/s, 16 counts/s²: the first worked example of AN00115.
 EXAMPLE = {"speed": 8.0, "accel": 16.0, "decel": 16.0}
 
@@ -24,6 +28,14 @@ def test_every_verb_is_a_method_of_the_controller_and_of_the_recorder() -> None:
     for verb in VERBS:
         assert callable(getattr(Controller, verb))
         assert callable(getattr(Recorder(), verb))
+
+
+@pytest.mark.parametrize("folder", ["lang", "mint", "mccl", "copley"])
+def test_the_dialects_call_no_other_method(folder: str) -> None:
+    methods = {name for name in dir(Controller) if not name.startswith("_")}
+    for path in sorted((PACKAGE / folder).rglob("*.py")):
+        called = set(re.findall(r"\bcontroller\.(\w+)\(", path.read_text(encoding="utf-8")))
+        assert called & methods <= set(VERBS), path
 
 
 def test_a_recorder_knows_no_other_verb() -> None:

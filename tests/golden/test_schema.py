@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from motionlang.cli_golden import programs
+from motionlang.controller.faults import NAMES
 from motionlang.execution import Run, run
 from motionlang.report import failure, text
 from motionlang.source import Source
@@ -93,3 +94,8 @@ def test_the_page_names_every_value() -> None:
         "`ended`": SCHEMA["$defs"]["move"]["properties"]["ended"]["enum"],
         "`what`": SCHEMA["$defs"]["written"]["properties"]["what"]["enum"],
     }
+
+
+def test_the_page_tells_every_bit_of_an_axis_s_error() -> None:
+    bits = ", ".join(f"{1 << k} {name}" for k, name in enumerate(NAMES))
+    assert f"its faults as bits: {bits} |" in PAGE
