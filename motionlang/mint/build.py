@@ -29,6 +29,7 @@ from motionlang.mint.nodes import (
 DEEPEST = 200
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
 INFINITE = float("inf")
+_BEYOND = 1 << 1023
 MOST_NUMBERS = 50_000
 ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "0": "\0"}
 
@@ -40,11 +41,16 @@ class Misuse(Exception):
 def number(text: str) -> float:
     """The value of a literal, `12`, `1.5e-3`, `0x1F`, `0b101`; infinite where no number is so large."""
     if text[1:2] in ("x", "X", "b", "B"):
-        return int(text, 0)
+        return _finite(int(text, 0))
     try:
-        return int(text) if text.isdigit() else float(text)
+        return _finite(int(text)) if text.isdigit() else float(text)
     except ValueError:  # more digits than Python converts
         return INFINITE
+
+
+def _finite(whole: int) -> float:
+    """A whole number that a Float can hold, or infinite."""
+    return whole if whole < _BEYOND else INFINITE
 
 
 class Numbers(dict[str, float]):

@@ -46,6 +46,12 @@ def test_diagnostics(name: str) -> None:
     assert shown(samples()[name]) == read("parser_errors.golden.txt")[name]
 
 
+@pytest.mark.parametrize("text", ["9" * 400, "9" * 9_000, "0x" + "F" * 300, "0b1" + "0" * 1023])
+def test_a_number_that_no_float_holds_is_too_large(text: str) -> None:
+    said = f"`{text[:23]}…` is too large for a number"
+    assert shown(f"x = {text}") == f"1:5+{len(text)} syntax: {said}"
+
+
 HOSTILE = {
     "brackets": "x = " + "(" * 10_000,
     "closed brackets": "x = " + "(" * 10_000 + "1" + ")" * 10_000,
