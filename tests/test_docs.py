@@ -2,8 +2,8 @@
 
 ` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line stands for
 lines left out. `$ cat FILE` shows a file, and makes one that is not there. ` ```mint ` and ` ```mccl ` blocks are
-programs that run without a complaint, ` ```python ` blocks are executed. Blocks of other
-kinds (`sh` for set-up) are for reading.
+programs that run without a complaint, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed. Blocks
+of other kinds (`sh` for set-up) are for reading.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from _pytest.mark import ParameterSet
 
 from motionlang.cli import main
 from motionlang.execution import run
+from motionlang.lang.machine_file import read_machine
 from motionlang.source import Source
 
 ROOT = Path(__file__).parent.parent
@@ -89,6 +90,11 @@ def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
 def test_programs(kind: str, text: str) -> None:
     result = run(Source("block", text), dialect=kind, cache=False)
     assert result.diagnostics == []
+
+
+@pytest.mark.parametrize(("kind", "text"), blocks("toml"))
+def test_machine_files(kind: str, text: str) -> None:
+    assert read_machine(Source("block", text))
 
 
 @pytest.mark.usefixtures("at_root")
