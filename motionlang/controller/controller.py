@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 
 
 class Controller(AxisVerbs):
-    """`axes` axes numbered from `first`, a clock, and the log of every move that was started."""
+    """`axes` axes numbered from `first`, a clock, and the log of every move that was started.
+
+    Where nothing else is said positions and distances are counts, times seconds, and what cannot be done is a Refusal.
+    """
 
     # --------------------------------------------------------------------------------------------- paths
 
@@ -236,7 +239,7 @@ class Controller(AxisVerbs):
         load_profile(self, self._ready(axis), make, again, command, line)
 
     def offset_remaining(self, axis: int) -> float:
-        """What the offset under way still has to do."""
+        """What the offset under way still has to do, counts."""
         from motionlang.controller.follow import tie_of
 
         tie = tie_of(self.axes[axis])
@@ -314,7 +317,7 @@ class Controller(AxisVerbs):
         a.gains = dict(gains)
 
     def set_error_limit(self, axis: int, counts: float) -> None:
-        """The following error beyond which an axis with a simulated motor trips; infinite for none."""
+        """The following error, counts, beyond which an axis with a simulated motor trips; infinite for none."""
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.set_error_limit(counts)
@@ -322,7 +325,10 @@ class Controller(AxisVerbs):
     def settle_within(
         self, axis: int, error: float, speed: float, hold: float, at_target: bool = False
     ) -> None:
-        """Say what `settled_time` goes by: following error (or distance to the target), speed, and for how long."""
+        """Say what `settled_time` goes by: following error (or distance to the target), speed, and for how long.
+
+        Counts, counts/s and seconds.
+        """
         feedback = self.axes[axis].feedback
         if feedback is not None:
             feedback.settle_within(error, speed, hold, at_target)

@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 
 class Readings:
-    """`axes` axes numbered from `first`, channels, a clock, and the log of every move that was started."""
+    """`axes` axes numbered from `first`, channels, a clock, and the log of every move that was started.
+
+    Positions are counts, velocities counts/s, times seconds of the clock; KeyError for an axis that there is not.
+    """
 
     def __init__(self, axes: int = 8, first: int = 0, clock: Clock | None = None) -> None:
         self.clock = clock or Clock()

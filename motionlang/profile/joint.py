@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def scaled(profile: Profile, start: float, factor: float) -> Profile:
-    """The axis profile that starts at `start` and moves `factor` times as far as the path."""
+    """The axis profile that starts at `start` and moves `factor` times as far as the path, in its own length unit."""
     return profile.scaled(start, factor)
 
 

@@ -24,7 +24,8 @@ def plan(
     """Plan a move in "trapezoid", "sinusoidal", "scurve" or "parabolic" shape; ValueError for another name.
 
     For "scurve" a finite `accel_jerk` means Mint's S-ramp (`decel_jerk` defaults to it), otherwise `ramp` is
-    PMC's ramp ratio. Only the S-ramp has a use for `a0`; elsewhere the acceleration may jump.
+    PMC's ramp ratio. Only the S-ramp has a use for `a0`; elsewhere the acceleration may jump. Units and further
+    ValueErrors as of `plan_trapezoid`.
     """
     if shape == "trapezoid":
         return plan_trapezoid(start, target, speed, accel, decel, v0)

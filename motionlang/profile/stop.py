@@ -28,7 +28,8 @@ def plan_stop(
 ) -> Profile:
     """Come to rest from `v0` at `decel` in the ramps of `shape`; its phases are called stop.
 
-    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`.
+    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`. Raises ValueError for
+    numbers no machine can follow.
     """
     made = plan_velocity(shape, start, v0, 0.0, decel, decel, ramp=ramp, accel_jerk=decel_jerk, a0=a0)
     return relabelled(made.cut(made.knots[-2]), shape, "stop")
@@ -49,7 +50,8 @@ def plan_velocity(
     """Go from velocity `v0` to `v1` and run on for ever; with opposite signs brake to zero first.
 
     The shape of the result is "jog", its duration infinite, its `end` infinite too (or where it rests).
-    For "scurve" a finite `accel_jerk` means Mint's S-ramp, otherwise `ramp` is PMC's ramp ratio.
+    For "scurve" a finite `accel_jerk` means Mint's S-ramp, otherwise `ramp` is PMC's ramp ratio. Raises ValueError
+    for numbers no machine can follow.
     """
     check_positive(acceleration=accel, deceleration=decel)
     check_finite(position=start, start_velocity=v0, velocity=v1, start_acceleration=a0)
