@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mint.binding import scale_of
 from motionlang.mint.defaults import FATAL_ERROR, GAINS, LOOP_TIME
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.torque import TorqueReferences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -108,21 +109,24 @@ def write_fatal_error(environment: Environment, row: Row) -> Operation:
 
 
 def read_torque(environment: Environment, row: Row) -> Operation:
-    """TORQUE, percent of full scale; 0 while the loop is closed."""
+    """TORQUE, percent of full scale; 0 while the loop is closed, or TORQUEREF has the output."""
     controller, torque = environment.controller, environment.part(Loops).torque
+    references = environment.part(TorqueReferences)
 
     def read(axis: int) -> float:
-        return torque.get(axis, 0.0) if controller.is_open(axis_of(environment, axis)) else 0.0
+        in_force = controller.is_open(axis_of(environment, axis)) and not references.has(axis)
+        return torque.get(axis, 0.0) if in_force else 0.0
 
     return read
 
 
 def write_torque(environment: Environment, row: Row) -> Operation:
     """TORQUE: open the loop and put out percent of full scale."""
-    torque = environment.part(Loops).torque
+    torque, references = environment.part(Loops).torque, environment.part(TorqueReferences)
 
     def write(axis: int, value: float) -> None:
         row.check(value)
+        references.end(axis)
         environment.controller.open_loop(axis_of(environment, axis), value * _PERCENT)
         torque[axis] = value
 

@@ -71,6 +71,10 @@ class TorqueReferences:
         if axis not in self._ramping:
             self._step(axis)
 
+    def end(self, axis: int) -> None:
+        """Another word has the output now."""
+        self._present.pop(axis, None)
+
     def present(self, axis: int) -> float:
         """The percent in force; 0 where the axis is under control."""
         return self._present[axis] if self.has(axis) else 0.0
