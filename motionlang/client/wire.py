@@ -19,7 +19,11 @@ MOST = 65536
 
 
 class Wire(Protocol):
-    """What a client needs."""
+    """What a client needs: bytes both ways, and the time, s, by which it waits.
+
+    `fresh` says that nothing from before can be on the line. `receive` gives b"" where nothing comes in `timeout`
+    seconds; both ways raise `ConnectionLost`.
+    """
 
     fresh: bool
 

@@ -30,7 +30,11 @@ STEP = 1e-3
 
 
 class Pace(Protocol):
-    """What the server needs to know of time. `by_line` says whether a host's lines are heard one at a time."""
+    """What the server needs to know of time. `by_line` says whether a host's lines are heard one at a time.
+
+    In every turn of the server: `before` hosts are heard, `entered` for each line of theirs, then `work`; `timeout` is
+    the wall seconds for which only a host could make something happen, None where that is for ever.
+    """
 
     by_line: bool
 
