@@ -110,5 +110,9 @@ def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) 
     message = "the run was ended from the keyboard"
     if scheduler is None:
         return Diagnostic("interrupted", message)
+    # Until the next event a program runs ahead of the clock, which nothing but an end like this one can show.
+    clock, reached = result.machine.clock, scheduler.current.time_at_error(error)
+    if reached < clock.next_time():
+        clock.advance(reached)
     line, column, length = result.dialect.locate(result.source, scheduler.current.at_error(error))
     return Diagnostic("interrupted", message, line, column, length=length)

@@ -106,6 +106,10 @@ class Task:
         """Where `error`, which came out of `resume`, was raised."""
         return self.at
 
+    def time_at_error(self, error: BaseException) -> float:
+        """The time, s, to which the task had come by itself when `error` was raised; 0 where it does not say."""
+        return 0.0
+
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         raise NotImplementedError
 
@@ -156,6 +160,15 @@ class GeneratorTask(Task):
                 line = traceback.tb_lineno
             traceback = traceback.tb_next
         return self._places[line] if line else self.at
+
+    def time_at_error(self, error: BaseException) -> float:
+        """The time, s, to which the program had counted when `error` was raised; 0 where it does not say."""
+        reached, traceback = 0.0, error.__traceback__
+        while traceback is not None:
+            frame, traceback = traceback.tb_frame, traceback.tb_next
+            if frame.f_code.co_filename == self._file:
+                reached = max(reached, frame.f_locals.get("t", 0.0))
+        return reached
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """Run to the horizon, to a wait or to the end: the time reached, s, and the wait if there is one."""

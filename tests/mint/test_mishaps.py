@@ -60,3 +60,28 @@ def test_what_waits_behind_the_bad_entry_is_done() -> None:
         Source("a.mnt", "MOVEBUFFERSIZE(1) = 5\n" + text + "PRINT POS(1)" + HANDLER), cache=False, until=30.0
     )
     assert result.output[-1] == "41.0000"  # where it ends was known when it was loaded
+
+
+def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Three statements of 10 µs a turn; the axis is where the time is, though nothing has looked at it since."""
+    calls = iter(range(1000))
+
+    def root(value: float) -> float:
+        if next(calls, None) is None:
+            raise KeyboardInterrupt
+        return value
+
+    monkeypatch.setattr("motionlang.mint.functions.root", root)
+    text = (
+        "Dim n As Integer, x As Float\nACCEL(0) = 1e9\nJOG(0) = 100\nLoop\nn = n + 1\nx = Sqrt(n)\nEnd Loop"
+    )
+    result = run(Source("loop.mnt", text), cache=False)
+    assert (result.status, result.diagnostics[0].code, result.diagnostics[0].line) == (
+        "interrupted",
+        "interrupted",
+        6,
+    )
+    assert result.time == pytest.approx(1000 * 30e-6, rel=0.01)
+    assert result.controller.position(0) == pytest.approx(100 * result.time, rel=0.01)
