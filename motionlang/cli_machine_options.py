@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.execution import dialects
-from motionlang.lang.machine_file import KEYS, check_setting
+from motionlang.lang.machine_file import check_setting
+from motionlang.lang.machine_keys import KEYS
 
 if TYPE_CHECKING:
     import argparse

@@ -11,7 +11,8 @@ from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import Run
 from motionlang.lang.keyword import Keyword
 from motionlang.lang.machine import Machine
-from motionlang.lang.machine_file import KEYS, read_machine
+from motionlang.lang.machine_file import read_machine
+from motionlang.lang.machine_keys import KEYS
 from motionlang.mint import DIALECT
 from motionlang.mint.keywords import identity, known, older, table
 from motionlang.mint.keywords.known import COMMAND, FACTOR, MOTION, VALUE
