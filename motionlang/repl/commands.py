@@ -41,6 +41,15 @@ def is_command(line: str) -> bool:
     return text[:1] == "." and text[1:2].isalpha()
 
 
+def without_dot(line: str) -> str:
+    """The command that a line means which the language did not understand; "" where it means none."""
+    word, _, argument = line.strip().partition(" ")
+    command = COMMANDS.get({"exit": "quit", "bye": "quit", "?": "help"}.get(word.lower(), word.lower()))
+    if command is None or (argument and not command.argument):
+        return ""
+    return f".{command.name} {argument}".rstrip()
+
+
 def obey(session: Session, line: str) -> None:
     """Do what a dotted line says."""
     word, _, argument = line[1:].partition(" ")

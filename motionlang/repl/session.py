@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine import Machine
-from motionlang.repl.commands import is_command, obey
+from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.runner import Interrupted, Runner
 from motionlang.repl.status import moving
 from motionlang.source import Source
@@ -159,6 +159,8 @@ class Session:
         for diagnostic in diagnostics:
             self.failed = self.failed or diagnostic.severity == "error"
             origin = self._origin(diagnostic, source)
+            if origin is not None and (meant := without_dot(origin.text.strip())):
+                diagnostic.hint = f"the prompt's own words begin with a dot: {meant}"
             self.remark(render(diagnostic, origin, colour=self.colour, width=self.width))
 
     def _origin(self, diagnostic: Diagnostic, source: Source | None) -> Source | None:
