@@ -217,8 +217,8 @@ class Graph:
     def _jump(self, node: nodes.Jump, ways: Open) -> Open:
         step = self._new(DO, node, ways)
         self._jumps.append((step, node))
-        if node.kind == "goto":
-            return []
+        if node.kind != "gosub":
+            return [] if node.unless is None else [(step, "next")]
         after = self._new(DO, None, [])
         self._after_gosub.append(after)
         return [(after, "next")]

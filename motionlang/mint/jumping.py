@@ -14,6 +14,7 @@ the outermost level; a jump out of loops is an exception, as Python has no other
 from __future__ import annotations
 
 from motionlang.mint import nodes, polling
+from motionlang.mint.expressions import condition
 from motionlang.mint.symbols import Function
 
 TYPE_CHECKING = False
@@ -74,18 +75,12 @@ def _end(b: Body) -> None:
 
 
 def _check(b: Body) -> None:
-    """Labels twice, and labels inside a block."""
-    from motionlang.mint.survey import walk
-
+    """Labels twice."""
     seen: set[str] = set()
-    outer = {id(node) for node in b.function.body}
-    for node in sorted(walk(b.function.body), key=lambda each: each.at):
+    for node in b.function.body:
         if type(node) is not nodes.Label:
             continue
-        if id(node) not in outer:
-            b.problem("syntax", f"the label {node.name} stands inside a block", node,
-                      "a label stands between statements that are in no block")  # fmt: skip
-        elif node.name.lower() in seen:
+        if node.name.lower() in seen:
             b.problem("duplicate", f"there is already a label {node.name}", node)
         seen.add(node.name.lower())
 
@@ -99,23 +94,35 @@ def jump(b: Body, node: nodes.Jump) -> None:
         b.whole.problems.unknown(f"there is no label {node.name}", node.name, [n for n in labels if n], at)
         return
     number = labels[key]
-    b.pending += 1
+    b.pending += node.kind in ("goto", "gosub")
     b.flush()
+    b.noted = True
     leaves_loops = any(kind for kind, _ in b.loops)
     poll = None
-    if node.kind == "goto" and number <= b.stretch and not leaves_loops:
+    if node.kind != "gosub" and number <= b.stretch and not leaves_loops:
         poll = _watched(b, number)
     if poll is None:
-        b.horizon()
+        if node.kind != "exit":
+            b.horizon()
     else:
         b.polls.append(poll)
         polling.turn(b, poll)
+    unless = _unless(b, node)
     if node.kind == "gosub":
         b.emit(f"yield from {dispatcher(b.function)}({number})")
     elif leaves_loops:
-        b.emit(f"raise {b.whole.use('env', 'Jump')}({number})")
+        b.emit(f"{unless}raise {b.whole.use('env', 'Jump')}({number})")
     else:
-        b.emit(f"pc = {number}; continue")
+        b.emit(f"{unless}pc = {number}; continue")
+
+
+def _unless(b: Body, node: nodes.Jump) -> str:
+    """What stands before a jump that has a condition."""
+    if node.unless is None:
+        return ""
+    test = condition(b, node.unless)
+    b.settle()
+    return f"if not {test}: "
 
 
 def _watched(b: Body, target: int) -> Poll | None:
@@ -138,14 +145,19 @@ def _ways(b: Body) -> dict[int, list[int]]:
 
     labels, ways = b.labels(), {}
     for number, (_, body) in enumerate(b.stretches()):
-        gotos = [node for node in walk(body) if type(node) is nodes.Jump and node.kind == "goto"]
+        gotos = [node for node in walk(body) if type(node) is nodes.Jump and not _is_gosub(node)]
         ways[number] = [labels[node.name.lower()] for node in gotos if node.name.lower() in labels]
-        if not body or type(body[-1]) not in (nodes.Jump, nodes.Return, nodes.End) or _is_gosub(body[-1]):
+        if not body or type(body[-1]) not in (nodes.Jump, nodes.Return, nodes.End) or _goes_on(body[-1]):
             ways[number].append(number + 1)
     return ways
 
 
-def _is_gosub(node: nodes.Stmt) -> bool:
+def _goes_on(node: nodes.Stmt) -> bool:
+    """Whether a jump may lead to what stands behind it."""
+    return type(node) is nodes.Jump and (node.kind == "gosub" or node.unless is not None)
+
+
+def _is_gosub(node: nodes.Node) -> bool:
     return type(node) is nodes.Jump and node.kind == "gosub"
 
 

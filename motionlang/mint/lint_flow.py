@@ -58,7 +58,7 @@ class Ways:
                 continue
             if step in reached:
                 told = False
-            elif not told and not isinstance(step.node, _SILENT):
+            elif not told and not isinstance(step.node, _SILENT) and not _is_made(step.node):
                 told = True
                 self.add("unreachable", "nothing leads to this statement", step.node.at,
                          "what stands before it never comes to an end here")  # fmt: skip
@@ -67,7 +67,7 @@ class Ways:
         targets = {node.name.lower() for node in walk(function.body) if type(node) is nodes.Jump}
         for name, step in labels.items():
             handler = function.kind == "main" and kind_and_number(name) is not None
-            if name not in targets and not handler:
+            if name not in targets and not handler and " " not in name:
                 assert type(step.node) is nodes.Label
                 self.add("unused-label", f"nothing goes to the label {step.node.name}", step.node.at)
 
@@ -226,6 +226,11 @@ class Ways:
     def _calls(self, function: Function, name: nodes.Name) -> bool:
         symbol = function.scope.find(name.name)
         return symbol is not None and symbol.kind == "sub"
+
+
+def _is_made(node: nodes.Node) -> bool:
+    """Whether a jump stands where a block with labels was taken apart."""
+    return isinstance(node, nodes.Jump) and node.kind not in ("goto", "gosub")
 
 
 def driven(settings: Mapping[str, object]) -> set[int]:

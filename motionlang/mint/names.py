@@ -190,8 +190,20 @@ class Names:
         )
         return Type(TYPES[key], size)
 
+    def _survey(self, function: Function) -> Survey:
+        """What a function's body holds, its labels in the outermost level."""
+        survey = Survey(function.body)
+        labels = [node for node in survey.statements if node.__class__ is nodes.Label]
+        if labels:
+            from motionlang.mint.flattening import flattened, holds_labels
+
+            if holds_labels(function.body, labels):
+                function.body = flattened(function.body)
+                return Survey(function.body)
+        return survey
+
     def _declare_data(self, function: Function) -> None:
-        survey = self._surveys[function] = Survey(function.body)
+        survey = self._surveys[function] = self._survey(function)
         for node in survey.of(nodes.Const, nodes.Define, nodes.Dim):
             if type(node) is nodes.Dim:
                 for variable in node.variables:

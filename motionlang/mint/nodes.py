@@ -336,12 +336,12 @@ class Label(Node):
 
 
 class Jump(Node):
-    """`kind` is "goto" or "gosub"."""
+    """`kind` is "goto" or "gosub"; where blocks were taken apart "exit" (`unless` a condition holds) and "again"."""
 
-    __slots__ = ("kind", "name")
+    __slots__ = ("kind", "name", "unless")
 
-    def __init__(self, at: int, kind: str, name: str) -> None:
-        self.at, self.kind, self.name = at, kind, name
+    def __init__(self, at: int, kind: str, name: str, unless: Expr | None = None) -> None:
+        self.at, self.kind, self.name, self.unless = at, kind, name, unless
 
 
 class Return(Node):

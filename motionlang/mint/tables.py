@@ -127,6 +127,7 @@ def _gosub_18(V, T):
     n.at = v0
     n.kind = 'gosub'
     n.name = T[v1]
+    n.unless = None
 
 
 def _goto_19(V, T):
@@ -136,6 +137,7 @@ def _goto_19(V, T):
     n.at = v0
     n.kind = 'goto'
     n.name = T[v1]
+    n.unless = None
 
 
 def _label_20(V, T):
@@ -246,6 +248,7 @@ def _gosub_32(V, T):
     n.at = v0
     n.kind = 'gosub'
     n.name = T[v2]
+    n.unless = None
 
 
 def _goto_33(V, T):
@@ -256,6 +259,7 @@ def _goto_33(V, T):
     n.at = v0
     n.kind = 'goto'
     n.name = T[v2]
+    n.unless = None
 
 
 def _complement_34(V, T):

@@ -1,0 +1,71 @@
+"""Labels inside blocks: such a block is written as jumps, and does and takes what it did and took as a block."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from motionlang import run
+from motionlang.mint import DIALECT
+from motionlang.source import Source
+from tests.mint.polling_programs import program
+
+_ENDS = re.compile(r"^(End Loop|End While|Until .*|End If)$", re.MULTILINE)
+
+
+def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[object, ...]:
+    result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
+    assert not result.diagnostics
+    return result.output, result.status, round(result.time, 7), len(result.controller.moves)
+
+
+def with_labels(text: str) -> str:
+    """A program with a label at the end of every block but its Fors."""
+    count = iter(range(1000))
+    return _ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
+
+
+@pytest.mark.parametrize("seed", [seed for seed in range(16) if _ENDS.search(program(seed)[0])])
+def test_a_label_that_nothing_goes_to_changes_nothing(seed: int) -> None:
+    text, machine = program(seed)
+    assert outcome(with_labels(text), machine) == outcome(text, machine)
+
+
+# Each with what it prints; | ends a line.
+PROGRAMS = {
+    "the next turn": ("FOR i = 1 TO 4|IF i = 2 THEN GOTO next|PRINT i|#next|NEXT|PRINT i", "1 3 4 5"),
+    "counting down": ("by = -2|For i = 7 To 1 Step by|If i = 3 Then Goto n|PRINT i|n:|Next", "7 5 1"),
+    "the limit stays": ("k = 3|FOR i = 1 TO k|k = 9|#n|NEXT|PRINT i", "4"),
+    "out of two": ("LOOP|WHILE 1|n = n + 1|IF n = 3 THEN EXIT Loop|#n|ENDW|ENDL|PRINT n", "3"),
+    "out of one that has none": ("LOOP|WHILE 1|n = n + 1|IF n = 3 THEN EXIT Loop|ENDW|#n|ENDL|PRINT n", "3"),
+    "a select": (
+        "For i = 1 To 3|Select Case i|Case 1|Goto last|Case 2|PRINT 20|Exit Select|Case Else|last:|PRINT i|"
+        "End Select|Next",
+        "1 20 3",
+    ),
+    "into a block": ("GOTO inside|IF 0 DO|PRINT 4|#inside|PRINT 5|ELSE|PRINT 6|ENDIF", "5"),
+    "a repeat": ("REPEAT|n = n + 1|IF n = 2 THEN GOTO test|PRINT n|#test|UNTIL n = 3", "1 3"),
+    "a gosub": (
+        "LOOP|n = n + 1|GOSUB show|IF n = 2 THEN GOTO out|#m|ENDL|#out|END|#show|PRINT n|RETURN",
+        "1 2",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "printed"), PROGRAMS.values(), ids=PROGRAMS.keys())
+def test_a_goto_leads_to_a_label_in_a_block(text: str, printed: str) -> None:
+    lines = ["Dim n As Integer, k As Integer, i As Integer, by As Integer", *text.split("|")]
+    result = run(Source("a.mnt", "\n".join(lines)), cache=False)
+    assert [each.message for each in result.diagnostics] == []
+    assert " ".join(result.output) == printed
+
+
+def test_what_was_made_is_not_warned_of() -> None:
+    text = "LOOP\n n = n + 1\n IF n = 3 THEN EXIT\n IF n = 2 THEN GOTO next\n PRINT n\n#next\nENDL\nPRINT n"
+    assert DIALECT.check(Source("a.mnt", f"Dim n As Integer\n{text}")) == []
+
+
+def test_a_loop_that_polls_is_skipped_all_the_same() -> None:
+    text = "LOOP\n IF INX(1) THEN GOTO next\n IF INX(2) THEN OUTX(3) = 1\n#next\nENDL"
+    assert outcome(text, {}, until=28_800.0)[1] == "until"
