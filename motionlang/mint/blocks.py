@@ -107,7 +107,7 @@ def opened_blocks(top: Cell) -> list[Block]:
 
 
 def plain_lines(kinds: list[str]) -> tuple[tuple[str, ...], ...]:
-    """The plainest statement lines that leave the same blocks open as one with these kinds would, the likeliest first."""
+    """The plainest lines that leave the same blocks open as one with these kinds would, the likeliest first."""
     if not kinds:
         return ()
     first = kinds[0]
