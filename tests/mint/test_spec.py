@@ -1,34 +1,78 @@
-"""The language by example: each file under tests/spec/mint says in comments `'> …` what its terminal shows.
+"""The manual of Mint by example: every page of tests/spec/mint runs and shows what it says.
 
-A `.toml` beside a program is the machine that it runs on.
+A line that begins with `'| ` is a line of the machine file, `'> ` one that the terminal shows (`'>` alone an empty
+one), `'? ` a diagnostic: the line it is about and its message, `'! ` something that the run could not know.
 """
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
 from motionlang import run
 from motionlang.lang.machine_file import read_machine
+from motionlang.mint.keywords import table
 from motionlang.source import Source
+from tests.mint_manual import CHAPTERS, FOLDER, INDEX, contents, heading, pages
 
-SPEC = sorted((Path(__file__).parents[1] / "spec" / "mint").glob("*.mnt"))
-
-
-def promised(text: str) -> list[str]:
-    """The lines after `'> `; `'>` alone is an empty line."""
-    return [line.strip()[3:] for line in text.split("\n") if line.strip().startswith("'>")]
+PAGES = pages()
 
 
-@pytest.mark.parametrize("path", SPEC, ids=lambda path: path.stem)
-def test_the_terminal_shows_what_the_page_says(path: Path) -> None:
-    machine = path.with_suffix(".toml")
-    settings = read_machine(Source.read(machine)) if machine.exists() else {}
-    result = run(path, machine=settings, cache=False)
-    assert [each.message for each in result.diagnostics] == []
-    assert result.output == promised(path.read_text())
+def said(text: str, mark: str) -> list[str]:
+    """What stands behind a mark, line by line."""
+    return [line[3:] for line in map(str.lstrip, text.split("\n")) if line.startswith(mark)]
 
 
-def test_there_are_pages() -> None:
-    assert len(SPEC) >= 20
+# Characters that a page shows as their signs.
+SIGNS = str.maketrans({"␛": "\x1b", "␍": "\r", "␇": "\a"})
+
+
+def page(name: str) -> Path:
+    return FOLDER / f"{name}.mnt"
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_page_shows_what_it_says(name: str) -> None:
+    text = page(name).read_text(encoding="utf-8")
+    settings = read_machine(Source("machine.toml", "\n".join(said(text, "'| "))))
+    result = run(page(name), machine=settings, cache=False)
+    assert [f"{each.line}: {each.message}" for each in result.diagnostics] == said(text, "'? ")
+    assert result.output == [line.translate(SIGNS) for line in said(text, "'>")]
+    assert "'! " not in text or result.not_counted == said(text, "'! ")
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_page_begins_with_what_it_is_about(name: str) -> None:
+    assert re.match(r"[A-Z].{20,}\.", heading(page(name).read_text(encoding="utf-8")))
+
+
+def test_every_page_is_in_a_chapter() -> None:
+    """A new page: its name goes into CHAPTERS of tests/mint_manual.py."""
+    listed = " ".join(CHAPTERS.values()).split()
+    assert sorted(listed) == PAGES
+
+
+def test_the_contents_are_those_of_the_pages() -> None:
+    assert INDEX.read_text(encoding="utf-8") == contents(), "python -m tests.mint_manual writes them anew"
+
+
+# A line of code without its texts, character literals and comments.
+NOT_CODE = re.compile(r"\"[^\"\n]*\"|`[^`\n]*`|'.*|(?<=\bREM)\b.*", re.IGNORECASE)
+
+
+def used() -> set[str]:
+    """Every word that some page's code has, in small letters."""
+    code = (NOT_CODE.sub(" ", page(name).read_text(encoding="utf-8")) for name in PAGES)
+    return {word.lower() for text in code for word in re.findall(r"\w+", text)}
+
+
+# A variable of this type can be declared, but not used: its row says what is known.
+NO_PAGE = {"Controller"}
+
+
+def test_every_simulated_word_is_in_the_manual() -> None:
+    words = used()
+    missing = {row.name for row in table() if row.simulated and row.name.lower() not in words}
+    assert missing == NO_PAGE

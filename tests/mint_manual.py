@@ -1,0 +1,105 @@
+"""Writes tests/spec/mint/README.md, the contents of the manual of Mint: `python -m tests.mint_manual`.
+
+The chapters stand here; what a page is about is the first sentence of the comment that it begins with.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+FOLDER = Path(__file__).parent / "spec" / "mint"
+INDEX = FOLDER / "README.md"
+
+INTRODUCTION = """\
+# Mint by example
+
+Each page is a program that runs, with what it shows beside it; a test runs all of them. A line that begins with `'>` is
+what the terminal shows, `'?` a diagnostic and its line, `'|` a line of the machine file that the program runs on, `'!`
+what the report says that the run could not know. The words themselves are in
+[docs/keywords/mint.md](../../../docs/keywords/mint.md), the readings chosen where sources are silent in
+[docs/fidelity.md](../../../docs/fidelity.md).
+"""
+
+# Titles of chapters, each with its pages in the order in which they are read.
+CHAPTERS = {
+    "The language": "first_program style_separators style_lines variables style_names shadows startup",
+    "Types": "numbers style_numbers casting overflow strings arrays records style_types time_variables constants",
+    "Operators": "arithmetic precedence style_not functions",
+    "Control flow": "if select style_select loops exits labels style_jumps style_deep style_ends several_at_once",
+    "Subs and functions": "subs by_reference array_parameters recursion style_functions",
+    "Time and tasks": "time tasks priorities semaphore",
+    "Events": "events masked_events style_events machine/input_events machine/pending",
+    "Printing and the operator": (
+        "print using style_print screen operator machine/keys machine/terminals machine/serial"
+    ),
+    "Errors": (
+        "onerror reading_errors machine/error_numbers machine/error_lines machine/monitoring machine/warnings"
+        " machine/never"
+    ),
+    "Axes and moves": (
+        "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"
+        " machine/references machine/presets machine/holding correction"
+    ),
+    "Units and wraps": "units machine/wraps",
+    "The move buffer": "buffer machine/buffer_entries machine/triggers",
+    "Profiles": "rates machine/sramp machine/feedrate speed_in_motion",
+    "Paths": "machine/paths machine/splines",
+    "Gearing and cams": "machine/following machine/offsets machine/cams machine/master_encoders",
+    "Homing": "machine/homing machine/homing_types machine/homing_by_input machine/homing_without_switch",
+    "Limits": "machine/soft_limits machine/limit_switches machine/axis_inputs machine/stop_inputs",
+    "Inputs and outputs": (
+        "machine/digital_inputs machine/edges machine/debounce machine/outputs machine/signals machine/relays"
+        " machine/analogue machine/camboxes"
+    ),
+    "Latches and position compare": "machine/latches machine/latch_settings machine/fastaux machine/compare",
+    "Motors": "machine/servo machine/torque machine/captures machine/captured_motor",
+    "Communication": (
+        "machine/comms machine/packed_texts machine/comms_esb machine/modbus_own machine/modbus_client"
+        " machine/modbus_unknown machine/remote machine/other_nodes machine/bus_events machine/dual_port"
+    ),
+    "Memory that outlives the run": "nv_data",
+    "The controller itself": "machine/identity machine/readings",
+    "Older Mint": "style_v4 style_v4_names older_words machine/can_events_v4",
+    "Known, not simulated": "machine/not_simulated machine/kept_settings",
+}
+
+
+def pages() -> list[str]:
+    """The pages that there are, as the chapters name them."""
+    return sorted(str(path.relative_to(FOLDER).with_suffix("")) for path in FOLDER.rglob("*.mnt"))
+
+
+def heading(text: str) -> str:
+    """The comment that a page begins with, up to an empty one; "" where it begins otherwise."""
+    lines = []
+    for line in text.split("\n"):
+        if not line.startswith("' "):
+            break
+        lines.append(line[2:].strip())
+    return " ".join(lines)
+
+
+def first_sentence(text: str) -> str:
+    """The first sentence of a page's heading, with its full stop."""
+    return re.split(r"(?<! p)\. ", heading(text))[0].rstrip(".") + "."
+
+
+def row(page: str) -> str:
+    """A page's line in the contents."""
+    sentence = first_sentence((FOLDER / f"{page}.mnt").read_text(encoding="utf-8"))
+    name = page.rpartition("/")[2]
+    title = name.removeprefix("style_").replace("_", " ") + ", all styles" * name.startswith("style_")
+    return f"* [{title}]({page}.mnt): {sentence}"
+
+
+def contents() -> str:
+    """The whole page of contents."""
+    chapters = (
+        f"\n## {title}\n\n" + "\n".join(map(row, names.split())) + "\n" for title, names in CHAPTERS.items()
+    )
+    return INTRODUCTION + "".join(chapters)
+
+
+if __name__ == "__main__":
+    INDEX.write_text(contents(), encoding="utf-8")
