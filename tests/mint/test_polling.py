@@ -206,7 +206,7 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
     result = run(
         Source("a.mnt", "SPEED = 100 : MOVER = 5 : GO\nPAUSE IDLE\nWhile INX(3) = 0\nEnd While"), cache=False
     )
-    assert result.not_counted == [f"line 3: main {IN_VAIN} 0.051 s"]
+    assert result.not_counted == [f"line 3: ParentTask {IN_VAIN} 0.051 s"]
     result = run(Source("a.mnt", "seen = 0\n" + TASKS), cache=False)
     assert [each.partition(":")[0] for each in result.not_counted] == ["line 4", "line 8", "line 16"]
 
