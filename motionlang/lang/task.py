@@ -111,6 +111,7 @@ class Task:
         return 0.0
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """Run until `horizon`, s, a wait or the end: the time reached, and the wait if there is one."""
         raise NotImplementedError
 
 

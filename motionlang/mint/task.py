@@ -37,6 +37,7 @@ class MintTask(GeneratorTask):
         self.held: Wait | None = None
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """As every task; to the end of its time slice at most, and what others did meanwhile is noticed."""
         environment = self.environment
         environment.task = self
         clock = environment.clock
