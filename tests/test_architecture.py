@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,8 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pymodbus": ("serve",),
     "canopen": ("copley",),
 }
+# A function with fewer lines needs no sentence about it.
+SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
 
 
@@ -116,3 +119,24 @@ def test_files_keep_one_reason(path: Path) -> None:
 def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None:
     roots = (ROOT, PACKAGE, *(path for path in PACKAGE.iterdir() if path.is_dir()))
     assert any((root / named).exists() for root in roots), f"docs/architecture.md names {named}"
+
+
+def public(body: list[ast.stmt]) -> Iterator[ast.FunctionDef | ast.ClassDef]:
+    """Public functions and classes, and the public methods of these."""
+    for node in body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            yield node
+            if isinstance(node, ast.ClassDef):
+                yield from public(node.body)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_what_is_public_says_what_it_does(path: Path) -> None:
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    silent = [
+        node.name
+        for node in public(tree.body)
+        if ast.get_docstring(node) is None and (node.end_lineno or 0) - node.lineno >= SPEAKS_FOR_ITSELF
+    ]
+    assert silent == []
+    assert ast.get_docstring(tree)
