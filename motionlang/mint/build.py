@@ -15,6 +15,8 @@ from motionlang.mint.nodes import (
     Name,
     Node,
     Number,
+    Print,
+    PrintItem,
     Select,
     Startup,
     Stmt,
@@ -121,6 +123,25 @@ def extended(members: list[Variable], more: list[Variable]) -> list[Variable]:
     """The members of a user type, line after line."""
     members += more
     return members
+
+
+def printed(
+    items: list[PrintItem], last: PrintItem | None, using: list[Expr], separator: str
+) -> tuple[list[Expr], str, list[PrintItem]]:
+    """What comes after the first value of a LINE: its formats, the sign behind it, the other values."""
+    return using, separator, items if last is None else [*items, last]
+
+
+def line_print(
+    at: int, word: str, values: list[Expr], rest: tuple[list[Expr], str, list[PrintItem]]
+) -> Print:
+    """`LINE row, values` with what only stands between printed values."""
+    using, separator, items = rest
+    row = None if using and len(values) == 1 else values[0]
+    shown = [PrintItem(each.at, each, [], ",") for each in values[1 if row is not None else 0 :]]
+    if shown:
+        shown[-1].using, shown[-1].separator = using, separator
+    return Print(at, [*shown, *items], None, word, row)
 
 
 def declare(name: Name, type: TypeName | None = None, value: Expr | None = None) -> Variable:

@@ -142,12 +142,22 @@ class PrintItem(Node):
 
 
 class Print(Node):
-    """`PRINT [#terminal,] items`; the last item's separator decides whether the line ends."""
+    """`PRINT [#terminal,] items`; the last item's separator decides whether the line ends.
 
-    __slots__ = ("items", "terminal")
+    `word` is another word than PRINT that stands before items, which only LINE may; its `row` comes before them.
+    """
 
-    def __init__(self, at: int, items: list[PrintItem], terminal: Expr | None = None) -> None:
-        self.at, self.items, self.terminal = at, items, terminal
+    __slots__ = ("items", "row", "terminal", "word")
+
+    def __init__(
+        self,
+        at: int,
+        items: list[PrintItem],
+        terminal: Expr | None = None,
+        word: str = "",
+        row: Expr | None = None,
+    ) -> None:
+        self.at, self.items, self.terminal, self.word, self.row = at, items, terminal, word, row
 
 
 class Input(Node):

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 # The slots of each class that may hold nodes; the others hold names, operators and the like.
 _NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
-                        "places", "repeat", "separator"))  # fmt: skip
+                        "places", "repeat", "separator", "word"))  # fmt: skip
 _CHILDREN: dict[type, tuple[str, ...]] = {
     cls: tuple(slot for slot in cls.__slots__ if slot not in _NOT_NODES)
     for cls in vars(nodes).values()

@@ -203,6 +203,8 @@ def _print_27(V, T):
     n.at = v0
     n.items = v1 if None is None else [*v1, None]
     n.terminal = None
+    n.word = ''
+    n.row = None
 
 
 def _run_28(V, T):
@@ -298,7 +300,14 @@ def _plus_37(V, T):
     n.operand = v1
 
 
-def _last_item_38(V, T):
+def _line_print_38(V, T):
+    v2 = V.pop()
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = line_print(v0, T[v0], v1, v2)
+
+
+def _last_item_39(V, T):
     v0 = V[-1]
     V[-1] = n = new(PrintItem)
     n.at = v0.at
@@ -307,7 +316,7 @@ def _last_item_38(V, T):
     n.separator = ''
 
 
-def _print_39(V, T):
+def _print_40(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -315,27 +324,29 @@ def _print_39(V, T):
     n.at = v0
     n.items = v1 if v2 is None else [*v1, v2]
     n.terminal = None
+    n.word = ''
+    n.row = None
 
 
-def _none_40(V, T):
+def _none_41(V, T):
     V[-1] = []
 
 
-def _for_41(V, T):
+def _for_42(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = counted(v0, v1, None, T)
 
 
-def _for_shared_42(V, T):
+def _for_shared_43(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = counted(v0, v1, v2, T)
 
 
-def _member_43(V, T):
+def _member_44(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -346,19 +357,19 @@ def _member_43(V, T):
     n.args = None
 
 
-def _next_case_44(V, T):
+def _next_case_45(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = next_case(v0, v1, v2)
 
 
-def _one_omitted_45(V, T):
+def _one_omitted_46(V, T):
     v0 = V[-1]
     V[-1] = [Omitted(v0)]
 
 
-def _assign_one_46(V, T):
+def _assign_one_47(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -369,7 +380,7 @@ def _assign_one_46(V, T):
     n.repeat = False
 
 
-def _assign_47(V, T):
+def _assign_48(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -380,7 +391,7 @@ def _assign_47(V, T):
     n.repeat = None is not None
 
 
-def _name_arg_48(V, T):
+def _name_arg_49(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -391,7 +402,7 @@ def _name_arg_48(V, T):
     n.axes = False
 
 
-def _name_args_49(V, T):
+def _name_args_50(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -402,7 +413,7 @@ def _name_args_49(V, T):
     n.axes = False
 
 
-def _name_axes_50(V, T):
+def _name_axes_51(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -413,7 +424,7 @@ def _name_axes_50(V, T):
     n.axes = True
 
 
-def _type_51(V, T):
+def _type_52(V, T):
     v0 = V[-1]
     V[-1] = n = new(TypeName)
     n.at = v0
@@ -421,20 +432,20 @@ def _type_51(V, T):
     n.size = None
 
 
-def _constant_52(V, T):
+def _constant_53(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = Const(v0, T[v0], None, v2)
 
 
-def _more_53(V, T):
+def _more_54(V, T):
     v2 = V.pop()
     V.pop()
     V[-1].append(v2)
 
 
-def _define_54(V, T):
+def _define_55(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -445,34 +456,34 @@ def _define_54(V, T):
     n.value = v3
 
 
-def _plain_more_55(V, T):
+def _plain_more_56(V, T):
     v2 = V.pop()
     V.pop()
     V[-1].append(declare(v2))
 
 
-def _variable_56(V, T):
+def _variable_57(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = declare(v0, v2)
 
 
-def _valued_variable_57(V, T):
+def _valued_variable_58(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = declare(v0, None, v2)
 
 
-def _more_values_58(V, T):
+def _more_values_59(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = more_values(v0, v2)
 
 
-def _parameter_59(V, T):
+def _parameter_60(V, T):
     v0 = V[-1]
     V[-1] = n = new(Parameter)
     n.at = v0
@@ -482,18 +493,18 @@ def _parameter_59(V, T):
     n.is_array = None is not None
 
 
-def _none_60(V, T):
+def _none_61(V, T):
     V.pop()
     V[-1] = []
 
 
-def _inner_61(V, T):
+def _inner_62(V, T):
     V.pop()
     v1 = V.pop()
     V[-1] = v1
 
 
-def _and_62(V, T):
+def _and_63(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -504,7 +515,7 @@ def _and_62(V, T):
     n.right = v2
 
 
-def _binary_63(V, T):
+def _binary_64(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -515,7 +526,7 @@ def _binary_63(V, T):
     n.right = v2
 
 
-def _line_if_64(V, T):
+def _line_if_65(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -527,7 +538,7 @@ def _line_if_64(V, T):
     n.orelse = []
 
 
-def _or_65(V, T):
+def _or_66(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -538,7 +549,7 @@ def _or_65(V, T):
     n.right = v2
 
 
-def _xor_66(V, T):
+def _xor_67(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -549,7 +560,7 @@ def _xor_66(V, T):
     n.right = v2
 
 
-def _mod_67(V, T):
+def _mod_68(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -560,7 +571,7 @@ def _mod_67(V, T):
     n.right = v2
 
 
-def _input_68(V, T):
+def _input_69(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -573,7 +584,7 @@ def _input_68(V, T):
     n.terminal = None
 
 
-def _input_69(V, T):
+def _input_70(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -586,7 +597,7 @@ def _input_69(V, T):
     n.terminal = None
 
 
-def _loop_70(V, T):
+def _loop_71(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -595,7 +606,18 @@ def _loop_70(V, T):
     n.body = v2
 
 
-def _print_item_71(V, T):
+def _rest_72(V, T):
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = printed(v1, None, [], T[v0])
+
+
+def _rest_last_73(V, T):
+    v1 = V.pop()
+    V[-1] = printed([], None, v1, "")
+
+
+def _print_item_74(V, T):
     v2 = V.pop()
     v1 = V.pop()
     n = new(PrintItem)
@@ -606,7 +628,7 @@ def _print_item_71(V, T):
     V[-1].append(n)
 
 
-def _for_72(V, T):
+def _for_75(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -614,7 +636,7 @@ def _for_72(V, T):
     V[-1] = counted(v0, v1, v3, T)
 
 
-def _test_73(V, T):
+def _test_76(V, T):
     v0 = V[-1]
     V[-1] = n = new(CaseTest)
     n.at = v0.at
@@ -623,20 +645,20 @@ def _test_73(V, T):
     n.high = None
 
 
-def _last_case_74(V, T):
+def _last_case_77(V, T):
     v0 = V[-4]
     v1 = V[-3]
     del V[-3:]
     V[-1] = last_case(v0, v1)
 
 
-def _one_75(V, T):
+def _one_78(V, T):
     V.pop()
     v0 = V[-1]
     V[-1] = [v0]
 
 
-def _assign_same_76(V, T):
+def _assign_same_79(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -647,19 +669,19 @@ def _assign_same_76(V, T):
     n.repeat = True
 
 
-def _next_omitted_77(V, T):
+def _next_omitted_80(V, T):
     v1 = V.pop()
     n = new(Omitted)
     n.at = v1
     V[-1].append(n)
 
 
-def _last_78(V, T):
+def _last_81(V, T):
     v1 = V.pop()
     V[-1].append(v1)
 
 
-def _assign_79(V, T):
+def _assign_82(V, T):
     v0 = V[-4]
     v2 = V[-2]
     v3 = V[-1]
@@ -671,14 +693,14 @@ def _assign_79(V, T):
     n.repeat = v3 is not None
 
 
-def _pair_80(V, T):
+def _pair_83(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
     V[-1] = [v0, v2]
 
 
-def _parameter_by_reference_81(V, T):
+def _parameter_by_reference_84(V, T):
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = n = new(Parameter)
@@ -689,7 +711,7 @@ def _parameter_by_reference_81(V, T):
     n.is_array = None is not None
 
 
-def _parameter_by_value_82(V, T):
+def _parameter_by_value_85(V, T):
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = n = new(Parameter)
@@ -700,7 +722,7 @@ def _parameter_by_value_82(V, T):
     n.is_array = None is not None
 
 
-def _if_do_83(V, T):
+def _if_do_86(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v3 = V[-2]
@@ -713,7 +735,7 @@ def _if_do_83(V, T):
     n.orelse = v4
 
 
-def _input_84(V, T):
+def _input_87(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -726,7 +748,14 @@ def _input_84(V, T):
     n.terminal = v2
 
 
-def _print_85(V, T):
+def _rest_88(V, T):
+    v2 = V.pop()
+    v1 = V.pop()
+    v0 = V[-1]
+    V[-1] = printed(v1, v2, [], T[v0])
+
+
+def _print_89(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -735,9 +764,11 @@ def _print_85(V, T):
     n.at = v0
     n.items = v4 if None is None else [*v4, None]
     n.terminal = v2
+    n.word = ''
+    n.row = None
 
 
-def _last_using_86(V, T):
+def _last_using_90(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -748,7 +779,7 @@ def _last_using_86(V, T):
     n.separator = ''
 
 
-def _repeat_87(V, T):
+def _repeat_91(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -759,7 +790,7 @@ def _repeat_87(V, T):
     n.condition = v4
 
 
-def _select_88(V, T):
+def _select_92(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -770,7 +801,7 @@ def _select_88(V, T):
     n.cases = [v4]
 
 
-def _startup_89(V, T):
+def _startup_93(V, T):
     v0 = V[-5]
     v2 = V[-3]
     del V[-4:]
@@ -779,7 +810,7 @@ def _startup_89(V, T):
     n.body = v2
 
 
-def _while_90(V, T):
+def _while_94(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v3 = V[-2]
@@ -790,7 +821,7 @@ def _while_90(V, T):
     n.body = v3
 
 
-def _case_else_91(V, T):
+def _case_else_95(V, T):
     V.pop()
     V.pop()
     v0 = V[-1]
@@ -800,7 +831,7 @@ def _case_else_91(V, T):
     n.body = []
 
 
-def _case_92(V, T):
+def _case_96(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -810,7 +841,7 @@ def _case_92(V, T):
     n.body = []
 
 
-def _sized_type_93(V, T):
+def _sized_type_97(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -820,7 +851,7 @@ def _sized_type_93(V, T):
     n.size = v2
 
 
-def _constant_94(V, T):
+def _constant_98(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -828,7 +859,7 @@ def _constant_94(V, T):
     V[-1] = Const(v0, T[v0], v2, v4)
 
 
-def _typed_variable_95(V, T):
+def _typed_variable_99(V, T):
     v0 = V[-5]
     v2 = V[-3]
     v4 = V[-1]
@@ -836,7 +867,7 @@ def _typed_variable_95(V, T):
     V[-1] = declare(v0, v2, v4)
 
 
-def _event_96(V, T):
+def _event_100(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -847,7 +878,7 @@ def _event_96(V, T):
     n.body = v3
 
 
-def _parameter_97(V, T):
+def _parameter_101(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -859,7 +890,7 @@ def _parameter_97(V, T):
     n.is_array = None is not None
 
 
-def _parameter_98(V, T):
+def _parameter_102(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -871,7 +902,7 @@ def _parameter_98(V, T):
     n.is_array = v1 is not None
 
 
-def _if_99(V, T):
+def _if_103(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v4 = V[-2]
@@ -884,7 +915,7 @@ def _if_99(V, T):
     n.orelse = v5
 
 
-def _line_if_else_100(V, T):
+def _line_if_else_104(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -897,7 +928,7 @@ def _line_if_else_100(V, T):
     n.orelse = v5
 
 
-def _input_101(V, T):
+def _input_105(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -911,7 +942,15 @@ def _input_101(V, T):
     n.terminal = None
 
 
-def _print_102(V, T):
+def _rest_using_106(V, T):
+    v1 = V[-3]
+    v2 = V[-2]
+    v3 = V[-1]
+    del V[-3:]
+    V[-1] = printed(v3, None, [v1], T[v2])
+
+
+def _print_107(V, T):
     v0 = V[-6]
     v2 = V[-4]
     v4 = V[-2]
@@ -921,9 +960,11 @@ def _print_102(V, T):
     n.at = v0
     n.items = v4 if v5 is None else [*v4, v5]
     n.terminal = v2
+    n.word = ''
+    n.row = None
 
 
-def _last_open_103(V, T):
+def _last_open_108(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
@@ -934,7 +975,7 @@ def _last_open_103(V, T):
     n.separator = ','
 
 
-def _print_using_104(V, T):
+def _print_using_109(V, T):
     v1 = V[-4]
     v3 = V[-2]
     v4 = V[-1]
@@ -947,7 +988,7 @@ def _print_using_104(V, T):
     V[-1].append(n)
 
 
-def _select_nothing_105(V, T):
+def _select_nothing_110(V, T):
     v0 = V[-6]
     v2 = V[-4]
     del V[-5:]
@@ -957,7 +998,7 @@ def _select_nothing_105(V, T):
     n.cases = []
 
 
-def _task_106(V, T):
+def _task_111(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -965,7 +1006,7 @@ def _task_106(V, T):
     V[-1] = task(v0, T[v1], v3)
 
 
-def _user_type_107(V, T):
+def _user_type_112(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v3 = V[-3]
@@ -976,14 +1017,14 @@ def _user_type_107(V, T):
     n.members = v3
 
 
-def _extend_108(V, T):
+def _extend_113(V, T):
     V.pop()
     v1 = V.pop()
     v0 = V[-1]
     V[-1] = extended(v0, v1)
 
 
-def _shared_further_109(V, T):
+def _shared_further_114(V, T):
     v1 = V[-4]
     v2 = V[-3]
     v3 = V[-2]
@@ -991,7 +1032,7 @@ def _shared_further_109(V, T):
     V[-1].append(counted(v1, v2, v3, T))
 
 
-def _member_args_110(V, T):
+def _member_args_115(V, T):
     v0 = V[-6]
     v2 = V[-4]
     v4 = V[-2]
@@ -1003,7 +1044,7 @@ def _member_args_110(V, T):
     n.args = v4
 
 
-def _test_is_111(V, T):
+def _test_is_116(V, T):
     v2 = V.pop()
     v1 = V.pop()
     v0 = V[-1]
@@ -1014,7 +1055,7 @@ def _test_is_111(V, T):
     n.high = None
 
 
-def _test_range_112(V, T):
+def _test_range_117(V, T):
     v2 = V.pop()
     V.pop()
     v0 = V[-1]
@@ -1025,7 +1066,7 @@ def _test_range_112(V, T):
     n.high = v2
 
 
-def _for_head_113(V, T):
+def _for_head_118(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v3 = V[-4]
@@ -1040,7 +1081,7 @@ def _for_head_113(V, T):
     n.body = []
 
 
-def _parameter_by_reference_114(V, T):
+def _parameter_by_reference_119(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -1053,7 +1094,7 @@ def _parameter_by_reference_114(V, T):
     n.is_array = None is not None
 
 
-def _parameter_by_reference_115(V, T):
+def _parameter_by_reference_120(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v2 = V[-2]
@@ -1066,7 +1107,7 @@ def _parameter_by_reference_115(V, T):
     n.is_array = v2 is not None
 
 
-def _parameter_by_value_116(V, T):
+def _parameter_by_value_121(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v3 = V[-1]
@@ -1079,7 +1120,7 @@ def _parameter_by_value_116(V, T):
     n.is_array = None is not None
 
 
-def _parameter_by_value_117(V, T):
+def _parameter_by_value_122(V, T):
     v0 = V[-4]
     v1 = V[-3]
     v2 = V[-2]
@@ -1092,7 +1133,7 @@ def _parameter_by_value_117(V, T):
     n.is_array = v2 is not None
 
 
-def _function_118(V, T):
+def _function_123(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v2 = V[-5]
@@ -1107,7 +1148,7 @@ def _function_118(V, T):
     n.result = None
 
 
-def _input_119(V, T):
+def _input_124(V, T):
     v0 = V[-7]
     v2 = V[-5]
     v4 = V[-3]
@@ -1121,7 +1162,7 @@ def _input_119(V, T):
     n.terminal = v2
 
 
-def _input_120(V, T):
+def _input_125(V, T):
     v0 = V[-7]
     v2 = V[-5]
     v4 = V[-3]
@@ -1135,7 +1176,16 @@ def _input_120(V, T):
     n.terminal = v2
 
 
-def _sub_121(V, T):
+def _rest_using_126(V, T):
+    v1 = V[-4]
+    v2 = V[-3]
+    v3 = V[-2]
+    v4 = V[-1]
+    del V[-4:]
+    V[-1] = printed(v3, v4, [v1], T[v2])
+
+
+def _sub_127(V, T):
     v0 = V[-7]
     v1 = V[-6]
     v2 = V[-5]
@@ -1150,14 +1200,14 @@ def _sub_121(V, T):
     n.result = None
 
 
-def _extend_122(V, T):
+def _extend_128(V, T):
     v0 = V[-4]
     v2 = V[-2]
     del V[-3:]
     V[-1] = extended(v0, v2)
 
 
-def _shared_123(V, T):
+def _shared_129(V, T):
     v1 = V[-5]
     v2 = V[-4]
     v4 = V[-2]
@@ -1165,7 +1215,7 @@ def _shared_123(V, T):
     V[-1].append(counted(v1, v2, v4, T))
 
 
-def _parameter_124(V, T):
+def _parameter_130(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v4 = V[-1]
@@ -1178,13 +1228,22 @@ def _parameter_124(V, T):
     n.is_array = v1 is not None
 
 
-def _third_125(V, T):
+def _third_131(V, T):
     v2 = V[-2]
     del V[-3:]
     V[-1] = v2
 
 
-def _print_using_two_126(V, T):
+def _rest_using_two_132(V, T):
+    v1 = V[-5]
+    v3 = V[-3]
+    v4 = V[-2]
+    v5 = V[-1]
+    del V[-5:]
+    V[-1] = printed(v5, None, [v1, v3], T[v4])
+
+
+def _print_using_two_133(V, T):
     v1 = V[-6]
     v3 = V[-4]
     v5 = V[-2]
@@ -1198,7 +1257,7 @@ def _print_using_two_126(V, T):
     V[-1].append(n)
 
 
-def _for_head_127(V, T):
+def _for_head_134(V, T):
     v0 = V[-9]
     v1 = V[-8]
     v3 = V[-6]
@@ -1214,7 +1273,7 @@ def _for_head_127(V, T):
     n.body = []
 
 
-def _parameter_by_reference_128(V, T):
+def _parameter_by_reference_135(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v2 = V[-4]
@@ -1228,7 +1287,7 @@ def _parameter_by_reference_128(V, T):
     n.is_array = v2 is not None
 
 
-def _parameter_by_value_129(V, T):
+def _parameter_by_value_136(V, T):
     v0 = V[-6]
     v1 = V[-5]
     v2 = V[-4]
@@ -1242,7 +1301,7 @@ def _parameter_by_value_129(V, T):
     n.is_array = v2 is not None
 
 
-def _function_130(V, T):
+def _function_137(V, T):
     v0 = V[-9]
     v1 = V[-8]
     v2 = V[-7]
@@ -1258,7 +1317,7 @@ def _function_130(V, T):
     n.result = v4
 
 
-def _else_if_131(V, T):
+def _else_if_138(V, T):
     v0 = V[-5]
     v1 = V[-4]
     v3 = V[-2]
@@ -1267,7 +1326,7 @@ def _else_if_131(V, T):
     V[-1] = [If(v0, v1, v3, v4)]
 
 
-def _input_132(V, T):
+def _input_139(V, T):
     v0 = V[-9]
     v2 = V[-7]
     v4 = V[-5]
@@ -1280,6 +1339,16 @@ def _input_132(V, T):
     n.prompt = None if v4 is None else String(v4, string(T[v4]))
     n.using = v8 or []
     n.terminal = v2
+
+
+def _rest_using_two_140(V, T):
+    v1 = V[-6]
+    v3 = V[-4]
+    v4 = V[-3]
+    v5 = V[-2]
+    v6 = V[-1]
+    del V[-6:]
+    V[-1] = printed(v5, v6, [v1, v3], T[v4])
 
 
 TOKEN = '[ \t]*+([A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?+|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?+|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?+(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
@@ -1541,218 +1610,228 @@ RULES = (
     (3, 'name{NAME}', _name_empty_30),
     (2, 'unary{operand}', _minus_35),
     (2, 'unary{operand}', _plus_37),
-    (1, 'print_last', _last_item_38),
-    (3, 'inline_statement', _print_39),
+    (3, 'inline_statement', _line_print_38),
+    (1, 'print_last', _last_item_39),
+    (3, 'inline_statement', _print_40),
     (0, 'task_body', _body_11),
-    (1, 'seps', _none_40),
+    (1, 'seps', _none_41),
     (0, 'members', _none_0),
     (2, 'body', _skip_4),
-    (3, 'inline_statement', _for_41),
+    (3, 'inline_statement', _for_42),
     (2, 'body', _label_before_9),
-    (3, 'inline_statement', _for_shared_42),
-    (3, 'ref{name{leading}}', _member_43),
-    (3, 'ref{name{NAME}}', _member_43),
-    (3, 'select_head', _next_case_44),
-    (1, 'slots', _one_omitted_45),
-    (3, 'inline_statement', _assign_one_46),
-    (3, 'inline_statement', _assign_47),
-    (4, 'name{leading}', _name_arg_48),
-    (4, 'name{leading}', _name_args_49),
-    (4, 'name{leading}', _name_axes_50),
-    (1, 'type', _type_51),
-    (3, 'constant', _constant_52),
-    (3, 'constants', _more_53),
-    (4, 'inline_statement', _define_54),
-    (3, 'closed_dims', _plain_more_55),
-    (3, 'closed_dims', _more_53),
-    (3, 'open_dims', _more_53),
-    (3, 'typed', _variable_56),
-    (3, 'valued', _valued_variable_57),
-    (3, 'open_dims', _more_values_58),
-    (3, 'closed_dims', _more_53),
-    (3, 'open_dims', _more_53),
-    (1, 'parameter', _parameter_59),
+    (3, 'inline_statement', _for_shared_43),
+    (3, 'ref{name{leading}}', _member_44),
+    (3, 'ref{name{NAME}}', _member_44),
+    (3, 'select_head', _next_case_45),
+    (1, 'slots', _one_omitted_46),
+    (3, 'inline_statement', _assign_one_47),
+    (3, 'inline_statement', _assign_48),
+    (4, 'name{leading}', _name_arg_49),
+    (4, 'name{leading}', _name_args_50),
+    (4, 'name{leading}', _name_axes_51),
+    (1, 'type', _type_52),
+    (3, 'constant', _constant_53),
+    (3, 'constants', _more_54),
+    (4, 'inline_statement', _define_55),
+    (3, 'closed_dims', _plain_more_56),
+    (3, 'closed_dims', _more_54),
+    (3, 'open_dims', _more_54),
+    (3, 'typed', _variable_57),
+    (3, 'valued', _valued_variable_58),
+    (3, 'open_dims', _more_values_59),
+    (3, 'closed_dims', _more_54),
+    (3, 'open_dims', _more_54),
+    (1, 'parameter', _parameter_60),
     (1, 'leading', None),
     (1, 'leading', None),
-    (2, 'parameters', _none_60),
+    (2, 'parameters', _none_61),
     (1, 'parameter_list', _one_12),
     (3, 'name{word}', _name_empty_30),
-    (3, 'atom', _inner_61),
-    (3, 'and{atom}', _and_62),
-    (3, 'power{atom}', _binary_63),
-    (3, 'bit_and_not{atom}', _binary_63),
-    (3, 'bit_and{atom}', _binary_63),
-    (3, 'bit_and_not{atom}', _binary_63),
-    (3, 'bit_or_not{atom}', _binary_63),
-    (3, 'bit_or{atom}', _binary_63),
-    (3, 'bit_or_not{atom}', _binary_63),
-    (3, 'compare_not{atom}', _binary_63),
-    (3, 'compare{atom}', _binary_63),
-    (3, 'compare_not{atom}', _binary_63),
-    (3, 'compare{atom}', _binary_63),
+    (3, 'atom', _inner_62),
+    (3, 'and{atom}', _and_63),
+    (3, 'power{atom}', _binary_64),
+    (3, 'bit_and_not{atom}', _binary_64),
+    (3, 'bit_and{atom}', _binary_64),
+    (3, 'bit_and_not{atom}', _binary_64),
+    (3, 'bit_or_not{atom}', _binary_64),
+    (3, 'bit_or{atom}', _binary_64),
+    (3, 'bit_or_not{atom}', _binary_64),
+    (3, 'compare_not{atom}', _binary_64),
+    (3, 'compare{atom}', _binary_64),
+    (3, 'compare_not{atom}', _binary_64),
+    (3, 'compare{atom}', _binary_64),
     (2, 'line_then', _skip_4),
     (1, 'closed', _one_12),
     (1, 'line_tail', None),
     (1, 'closed', None),
     (1, 'inline', _one_12),
     (1, 'line_tail', _one_12),
-    (4, 'line_if', _line_if_64),
-    (3, 'ref{name{word}}', _member_43),
-    (3, 'or{atom}', _or_65),
-    (3, 'or{atom}', _xor_66),
-    (3, 'shift{atom}', _binary_63),
-    (3, 'sum{atom}', _binary_63),
-    (3, 'sum{atom}', _binary_63),
-    (3, 'term{atom}', _binary_63),
-    (3, 'term{atom}', _mod_67),
-    (3, 'term{atom}', _mod_67),
-    (3, 'term{atom}', _binary_63),
-    (4, 'inline_statement', _input_68),
-    (4, 'inline_statement', _input_68),
-    (1, 'formats', _one_12),
+    (4, 'line_if', _line_if_65),
+    (3, 'ref{name{word}}', _member_44),
+    (3, 'or{atom}', _or_66),
+    (3, 'or{atom}', _xor_67),
+    (3, 'shift{atom}', _binary_64),
+    (3, 'sum{atom}', _binary_64),
+    (3, 'sum{atom}', _binary_64),
+    (3, 'term{atom}', _binary_64),
+    (3, 'term{atom}', _mod_68),
+    (3, 'term{atom}', _mod_68),
+    (3, 'term{atom}', _binary_64),
     (4, 'inline_statement', _input_69),
+    (4, 'inline_statement', _input_69),
+    (1, 'formats', _one_12),
+    (4, 'inline_statement', _input_70),
     (1, 'end_loop', None),
     (1, 'end_loop', None),
-    (4, 'inline_statement', _loop_70),
-    (4, 'name{NAME}', _name_arg_48),
-    (4, 'name{NAME}', _name_args_49),
-    (4, 'name{NAME}', _name_axes_50),
-    (3, 'and{operand}', _and_62),
-    (3, 'power{operand}', _binary_63),
-    (3, 'bare', _more_53),
-    (3, 'bit_and_not{operand}', _binary_63),
-    (3, 'bit_and{operand}', _binary_63),
-    (3, 'bit_and_not{operand}', _binary_63),
-    (3, 'bit_or_not{operand}', _binary_63),
-    (3, 'bit_or{operand}', _binary_63),
-    (3, 'bit_or_not{operand}', _binary_63),
-    (3, 'compare_not{operand}', _binary_63),
-    (3, 'compare{operand}', _binary_63),
-    (3, 'compare_not{operand}', _binary_63),
-    (3, 'compare{operand}', _binary_63),
-    (3, 'or{operand}', _or_65),
-    (3, 'or{operand}', _xor_66),
-    (3, 'shift{operand}', _binary_63),
-    (3, 'sum{operand}', _binary_63),
-    (3, 'sum{operand}', _binary_63),
-    (3, 'term{operand}', _binary_63),
-    (3, 'term{operand}', _mod_67),
-    (3, 'term{operand}', _mod_67),
-    (3, 'term{operand}', _binary_63),
-    (3, 'print_list', _print_item_71),
-    (3, 'print_list', _print_item_71),
+    (4, 'inline_statement', _loop_71),
+    (4, 'name{NAME}', _name_arg_49),
+    (4, 'name{NAME}', _name_args_50),
+    (4, 'name{NAME}', _name_axes_51),
+    (3, 'and{operand}', _and_63),
+    (3, 'power{operand}', _binary_64),
+    (3, 'bare', _more_54),
+    (2, 'rest', _rest_72),
+    (2, 'rest', _rest_last_73),
+    (3, 'bit_and_not{operand}', _binary_64),
+    (3, 'bit_and{operand}', _binary_64),
+    (3, 'bit_and_not{operand}', _binary_64),
+    (3, 'bit_or_not{operand}', _binary_64),
+    (3, 'bit_or{operand}', _binary_64),
+    (3, 'bit_or_not{operand}', _binary_64),
+    (3, 'compare_not{operand}', _binary_64),
+    (3, 'compare{operand}', _binary_64),
+    (3, 'compare_not{operand}', _binary_64),
+    (3, 'compare{operand}', _binary_64),
+    (3, 'or{operand}', _or_66),
+    (3, 'or{operand}', _xor_67),
+    (3, 'shift{operand}', _binary_64),
+    (3, 'sum{operand}', _binary_64),
+    (3, 'sum{operand}', _binary_64),
+    (3, 'term{operand}', _binary_64),
+    (3, 'term{operand}', _mod_68),
+    (3, 'term{operand}', _mod_68),
+    (3, 'term{operand}', _binary_64),
+    (3, 'print_list', _print_item_74),
+    (3, 'print_list', _print_item_74),
     (2, 'seps', _skip_4),
-    (4, 'inline_statement', _for_72),
+    (4, 'inline_statement', _for_75),
     (3, 'body', _more_29),
     (3, 'body', _more_29),
     (3, 'body', _more_29),
-    (1, 'test', _test_73),
+    (1, 'test', _test_76),
     (1, 'tests', _one_12),
-    (4, 'select', _last_case_74),
-    (2, 'slots', _one_75),
-    (4, 'inline_statement', _assign_same_76),
-    (2, 'slots', _next_omitted_77),
-    (2, 'values', _last_78),
-    (4, 'inline_statement', _assign_79),
-    (3, 'several', _pair_80),
-    (3, 'several', _more_53),
-    (3, 'exprs', _more_53),
-    (4, 'declared', _name_arg_48),
-    (4, 'declared', _name_args_49),
-    (2, 'parameter', _parameter_by_reference_81),
-    (2, 'parameter', _parameter_by_value_82),
-    (3, 'parameters', _inner_61),
-    (4, 'name{word}', _name_arg_48),
-    (4, 'name{word}', _name_args_49),
-    (4, 'name{word}', _name_axes_50),
+    (4, 'select', _last_case_77),
+    (2, 'slots', _one_78),
+    (4, 'inline_statement', _assign_same_79),
+    (2, 'slots', _next_omitted_80),
+    (2, 'values', _last_81),
+    (4, 'inline_statement', _assign_82),
+    (3, 'several', _pair_83),
+    (3, 'several', _more_54),
+    (3, 'exprs', _more_54),
+    (4, 'declared', _name_arg_49),
+    (4, 'declared', _name_args_50),
+    (2, 'parameter', _parameter_by_reference_84),
+    (2, 'parameter', _parameter_by_value_85),
+    (3, 'parameters', _inner_62),
+    (4, 'name{word}', _name_arg_49),
+    (4, 'name{word}', _name_args_50),
+    (4, 'name{word}', _name_axes_51),
     (1, 'end_if', None),
-    (1, 'if_tail', _none_40),
-    (5, 'statement', _if_do_83),
+    (1, 'if_tail', _none_41),
+    (5, 'statement', _if_do_86),
     (2, 'inline', _skip_4),
-    (5, 'inline_statement', _input_84),
+    (5, 'inline_statement', _input_87),
     (2, 'end_loop', _skip_4),
-    (5, 'inline_statement', _print_85),
-    (3, 'print_last', _last_using_86),
-    (5, 'inline_statement', _repeat_87),
-    (5, 'select_head', _select_88),
-    (5, 'declaration', _startup_89),
+    (3, 'rest', _rest_88),
+    (5, 'inline_statement', _print_89),
+    (3, 'print_last', _last_using_90),
+    (5, 'inline_statement', _repeat_91),
+    (5, 'select_head', _select_92),
+    (5, 'declaration', _startup_93),
     (2, 'task_body', _skip_4),
     (2, 'task_body', _label_before_9),
     (1, 'member_list', _one_12),
     (1, 'end_while', None),
     (1, 'end_while', None),
     (1, 'end_while', None),
-    (5, 'inline_statement', _while_90),
-    (3, 'case', _case_else_91),
-    (3, 'case', _case_92),
+    (5, 'inline_statement', _while_94),
+    (3, 'case', _case_else_95),
+    (3, 'case', _case_96),
     (3, 'slots', _more_29),
-    (3, 'type', _sized_type_93),
-    (5, 'constant', _constant_94),
-    (5, 'valued', _typed_variable_95),
-    (6, 'declaration', _event_96),
-    (3, 'parameter', _parameter_97),
-    (3, 'parameter', _parameter_98),
-    (3, 'parameter_list', _more_53),
+    (3, 'type', _sized_type_97),
+    (5, 'constant', _constant_98),
+    (5, 'valued', _typed_variable_99),
+    (6, 'declaration', _event_100),
+    (3, 'parameter', _parameter_101),
+    (3, 'parameter', _parameter_102),
+    (3, 'parameter_list', _more_54),
     (2, 'else_if', _skip_4),
     (2, 'end_if', _skip_4),
-    (6, 'statement', _if_99),
+    (6, 'statement', _if_103),
     (2, 'line_else', _skip_4),
-    (6, 'line_if', _line_if_else_100),
-    (3, 'closed', _more_53),
-    (3, 'inline', _more_53),
-    (3, 'line_tail', _more_53),
-    (6, 'inline_statement', _input_101),
-    (6, 'inline_statement', _input_101),
-    (3, 'formats', _pair_80),
-    (6, 'inline_statement', _print_102),
-    (4, 'print_last', _last_open_103),
-    (5, 'print_list', _print_using_104),
-    (6, 'select', _select_nothing_105),
-    (6, 'declaration', _task_106),
+    (6, 'line_if', _line_if_else_104),
+    (3, 'closed', _more_54),
+    (3, 'inline', _more_54),
+    (3, 'line_tail', _more_54),
+    (6, 'inline_statement', _input_105),
+    (6, 'inline_statement', _input_105),
+    (3, 'formats', _pair_83),
+    (4, 'rest', _rest_using_106),
+    (6, 'inline_statement', _print_107),
+    (4, 'print_last', _last_open_108),
+    (5, 'print_list', _print_using_109),
+    (6, 'select', _select_nothing_110),
+    (6, 'declaration', _task_111),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
     (3, 'task_body', _more_29),
-    (6, 'declaration', _user_type_107),
-    (3, 'members', _extend_108),
-    (3, 'members', _extend_108),
+    (6, 'declaration', _user_type_112),
+    (3, 'members', _extend_113),
+    (3, 'members', _extend_113),
     (2, 'end_while', _skip_4),
-    (5, 'shared', _shared_further_109),
-    (6, 'ref{name{leading}}', _member_args_110),
-    (6, 'ref{name{NAME}}', _member_args_110),
-    (3, 'test', _test_is_111),
-    (3, 'test', _test_is_111),
-    (3, 'test', _test_range_112),
-    (3, 'tests', _more_53),
-    (7, 'for_head', _for_head_113),
-    (4, 'parameter', _parameter_by_reference_114),
-    (4, 'parameter', _parameter_by_reference_115),
-    (4, 'parameter', _parameter_by_value_116),
-    (4, 'parameter', _parameter_by_value_117),
-    (7, 'routine', _function_118),
-    (6, 'ref{name{word}}', _member_args_110),
-    (7, 'inline_statement', _input_119),
-    (7, 'inline_statement', _input_119),
-    (7, 'inline_statement', _input_120),
-    (7, 'routine', _sub_121),
-    (4, 'members', _extend_122),
-    (4, 'members', _extend_122),
-    (3, 'member_list', _more_53),
-    (6, 'shared', _shared_123),
-    (5, 'parameter', _parameter_124),
-    (4, 'if_tail', _third_125),
-    (7, 'print_list', _print_using_two_126),
-    (7, 'print_list', _print_using_two_126),
-    (9, 'for_head', _for_head_127),
-    (6, 'parameter', _parameter_by_reference_128),
-    (6, 'parameter', _parameter_by_value_129),
-    (9, 'routine', _function_130),
-    (5, 'if_tail', _else_if_131),
-    (5, 'if_tail', _else_if_131),
-    (6, 'closed_if', _line_if_else_100),
-    (9, 'inline_statement', _input_132),
-    (9, 'inline_statement', _input_132),
+    (5, 'shared', _shared_further_114),
+    (6, 'ref{name{leading}}', _member_args_115),
+    (6, 'ref{name{NAME}}', _member_args_115),
+    (3, 'test', _test_is_116),
+    (3, 'test', _test_is_116),
+    (3, 'test', _test_range_117),
+    (3, 'tests', _more_54),
+    (7, 'for_head', _for_head_118),
+    (4, 'parameter', _parameter_by_reference_119),
+    (4, 'parameter', _parameter_by_reference_120),
+    (4, 'parameter', _parameter_by_value_121),
+    (4, 'parameter', _parameter_by_value_122),
+    (7, 'routine', _function_123),
+    (6, 'ref{name{word}}', _member_args_115),
+    (7, 'inline_statement', _input_124),
+    (7, 'inline_statement', _input_124),
+    (7, 'inline_statement', _input_125),
+    (5, 'rest', _rest_using_126),
+    (7, 'routine', _sub_127),
+    (4, 'members', _extend_128),
+    (4, 'members', _extend_128),
+    (3, 'member_list', _more_54),
+    (6, 'shared', _shared_129),
+    (5, 'parameter', _parameter_130),
+    (4, 'if_tail', _third_131),
+    (6, 'rest', _rest_using_two_132),
+    (6, 'rest', _rest_using_two_132),
+    (7, 'print_list', _print_using_two_133),
+    (7, 'print_list', _print_using_two_133),
+    (9, 'for_head', _for_head_134),
+    (6, 'parameter', _parameter_by_reference_135),
+    (6, 'parameter', _parameter_by_value_136),
+    (9, 'routine', _function_137),
+    (5, 'if_tail', _else_if_138),
+    (5, 'if_tail', _else_if_138),
+    (6, 'closed_if', _line_if_else_104),
+    (9, 'inline_statement', _input_139),
+    (9, 'inline_statement', _input_139),
+    (7, 'rest', _rest_using_two_140),
+    (7, 'rest', _rest_using_two_140),
 )
 
 ROWS = (
@@ -1856,215 +1935,217 @@ ROWS = (
     '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 188=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
     '189=AND d58',
     '190=CIRCUMFLEX d59',
-    '191=COMMA d60',
-    '192=AMPERSAND d61',
-    '193=VBAR d62',
-    '194=COMPARE 195=EQUAL d63',
-    '196=OR 197=XOR d64',
-    '198=SHIFT d65',
-    '199=MINUS 200=PLUS d66',
-    '201=DIVIDE 202=MOD 203=PERCENT 204=STAR d67',
+    '191=COMMA 192=SEMICOLON 193=USING 194=rest d60',
+    '195=AMPERSAND d61',
+    '196=VBAR d62',
+    '197=COMPARE 198=EQUAL d63',
+    '199=OR 200=XOR d64',
+    '201=SHIFT d65',
+    '202=MINUS 203=PLUS d66',
+    '204=DIVIDE 205=MOD 206=PERCENT 207=STAR d67',
     'd68',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 205=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 206=expr 84=name{word},ref{name{word}} 85=or{atom} 207=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d69',
-    '208=body d22',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 208=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 210=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d69',
+    '211=body d22',
     'd70',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '210=body d22',
-    '147=LPAR 211=parameters d39',
-    '212=COLON,_NL,sep',
-    '213=COLON,_NL,sep 214=seps',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 212=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '213=body d22',
+    '147=LPAR 214=parameters d39',
     '215=COLON,_NL,sep',
+    '216=COLON,_NL,sep 217=seps',
+    '218=COLON,_NL,sep',
     'd71',
     'd72',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 217=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 219=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '222=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 220=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 222=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '225=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
     'd73',
     'd74',
     'd75',
-    '223=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '224=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 225=CASE 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 226=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 227=case 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 228=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 229=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 230=slots 87=sum{atom} 88=term{atom} 231=values',
+    '226=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '227=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 228=CASE 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 229=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 230=case 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 231=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 232=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 233=slots 87=sum{atom} 88=term{atom} 234=values',
     'd76',
-    '232=COMMA 233=RPAR',
-    '234=COMMA 235=RPAR',
+    '235=COMMA 236=RPAR',
+    '237=COMMA 238=RPAR',
     'd77',
-    '236=COMMA 237=RSQB',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 239=type',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 240=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 241=constant',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 242=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 243=expr 84=name{word},ref{name{word}} 85=or{atom} 244=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '239=COMMA 240=RSQB',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 242=type',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 243=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 244=constant',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 245=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 246=expr 84=name{word},ref{name{word}} 85=or{atom} 247=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd78',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 245=declared 246=typed 247=valued',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 248=type',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 249=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '250=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 251=declared 84=name{word},ref{name{word}} 252=shift{atom} 87=sum{atom} 88=term{atom} 253=typed 254=valued',
-    '255=body d22',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 256=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '257=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=BYREF 259=BYVAL 260=RPAR 261=parameter 262=parameter_list',
-    '263=AS 264=COLON,_NL,sep',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 248=declared 249=typed 250=valued',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 251=type',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 252=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '253=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 254=declared 84=name{word},ref{name{word}} 255=shift{atom} 87=sum{atom} 88=term{atom} 256=typed 257=valued',
+    '258=body d22',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 259=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '260=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 261=BYREF 262=BYVAL 263=RPAR 264=parameter 265=parameter_list',
+    '266=AS 267=COLON,_NL,sep',
     'd79',
     'd80',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 265=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 266=expr 84=name{word},ref{name{word}} 85=or{atom} 267=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 268=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 268=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 269=expr 84=name{word},ref{name{word}} 85=or{atom} 270=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 271=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd81',
-    '269=RPAR',
+    '272=RPAR',
     'd82',
     'd83',
     'd84',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 270=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 271=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 272=compare_not{atom} 273=compare{atom} 84=name{word},ref{name{word}} 274=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 275=bit_and_not{atom},compare_not{atom} 276=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 277=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 278=negated 279=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 280=negated 281=shift{atom} 87=sum{atom} 88=term{atom}',
-    '282=body d22',
-    '283=_NL d85',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 286=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '292=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 293=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 294=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 295=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 296=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 297=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 298=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 299=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 300=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 273=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 274=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 275=compare_not{atom} 276=compare{atom} 84=name{word},ref{name{word}} 277=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 278=bit_and_not{atom},compare_not{atom} 279=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 280=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 281=negated 282=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 283=negated 284=shift{atom} 87=sum{atom} 88=term{atom}',
+    '285=body d22',
+    '286=_NL d85',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 287=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 288=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 289=closed 290=closed_if 37=for_head 291=inline 292=inline_statement,select 293=line_if 294=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '295=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 296=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 297=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 298=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 299=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 300=term{atom}',
     '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 301=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '302=COMMA',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 303=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 304=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 306=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 307=END 308=ENDL 309=ENDLOOP 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 310=end_loop 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 302=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 303=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 304=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '305=COMMA',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 306=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 307=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 308=expr 309=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 310=END 311=ENDL 312=ENDLOOP 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 313=end_loop 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd86',
     'd87',
-    '232=COMMA 311=RPAR',
-    '234=COMMA 312=RPAR',
-    '236=COMMA 313=RSQB',
+    '235=COMMA 314=RPAR',
+    '237=COMMA 315=RPAR',
+    '239=COMMA 316=RSQB',
     'd88',
     'd89',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 314=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 315=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 316=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 317=compare_not{atom} 318=compare{atom} 84=name{word},ref{name{word}} 319=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 320=bit_and_not{atom},compare_not{atom} 321=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 322=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 323=negated 324=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 325=negated 326=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 327=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 328=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 329=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 330=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 331=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 332=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 333=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 334=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 335=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '336=COMMA',
-    '337=COMMA 338=SEMICOLON 339=USING d90',
-    'd91',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 340=UNTIL 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '213=COLON,_NL,sep 341=seps',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 342=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '343=COLON,_NL,sep',
-    '344=task_body d92',
-    'd93',
-    '345=COLON,_NL,sep 346=members d94',
-    '347=body d22',
-    'd95',
-    '348=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d96',
-    'd97',
-    '349=body 350=shared d22',
-    '351=COLON 352=_NL',
-    '353=_NL',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 317=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 318=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 319=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '320=print_list d12',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 321=expr 322=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd90',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 323=compare_not{atom} 324=compare{atom} 84=name{word},ref{name{word}} 325=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 326=bit_and_not{atom},compare_not{atom} 327=bit_and{atom} 82=compare{atom} 84=name{word},ref{name{word}} 328=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 329=negated 330=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 331=negated 332=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 333=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 334=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 335=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 336=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 337=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 338=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 339=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 340=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 341=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
+    '342=COMMA',
+    '343=COMMA 344=SEMICOLON 345=USING d91',
+    'd92',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 346=UNTIL 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '216=COLON,_NL,sep 347=seps',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 348=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '349=COLON,_NL,sep',
+    '350=task_body d93',
+    'd94',
+    '351=COLON,_NL,sep 352=members d95',
+    '353=body d22',
+    'd96',
+    '354=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d97',
     'd98',
-    '354=LPAR d99',
-    '355=LPAR d100',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 356=ELSE 357=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 358=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 359=test 360=tests',
-    '59=NAME 361=SELECT d7',
-    'd101',
+    '355=body 356=shared d22',
+    '357=COLON 358=_NL',
+    '359=_NL',
+    'd99',
+    '360=LPAR d100',
+    '361=LPAR d101',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 362=ELSE 363=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 364=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 365=test 366=tests',
+    '59=NAME 367=SELECT d7',
     'd102',
-    '362=COMMA 363=SEMICOLON d103',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 364=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 365=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '366=SEMICOLON d104',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 367=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    'd105',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 368=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd103',
+    '368=COMMA 369=SEMICOLON d104',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 370=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 371=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '372=SEMICOLON d105',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 373=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd106',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 369=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 374=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd107',
-    '370=STAR d108',
-    '371=EQUAL',
-    'd109',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 375=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd108',
+    '376=STAR d109',
+    '377=EQUAL',
     'd110',
     'd111',
-    '232=COMMA 372=RPAR',
-    '234=COMMA 373=RPAR',
-    '142=AS 143=EQUAL d112',
-    'd113',
+    'd112',
+    '235=COMMA 378=RPAR',
+    '237=COMMA 379=RPAR',
+    '142=AS 143=EQUAL d113',
     'd114',
-    '374=EQUAL d115',
-    'd116',
-    'r29=AS,EQUAL 375=LPAR 152=LSQB d43',
+    'd115',
+    '380=EQUAL d116',
+    'd117',
+    'r29=AS,EQUAL 381=LPAR 152=LSQB d43',
     '142=AS 143=EQUAL',
-    '170=SHIFT d117',
-    'd118',
+    '170=SHIFT d118',
     'd119',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 376=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '377=TO',
-    '378=AS 379=LPAR d120',
-    '380=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d121',
-    '381=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d122',
-    'd123',
+    'd120',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 382=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '383=TO',
+    '384=AS 385=LPAR d121',
+    '386=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d122',
+    '387=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d123',
     'd124',
-    '382=COMMA 383=RPAR',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 384=type',
-    '385=body d22',
     'd125',
-    '232=COMMA 386=RPAR',
-    '234=COMMA 387=RPAR',
-    '236=COMMA 388=RSQB',
+    '388=COMMA 389=RPAR',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 390=type',
+    '391=body d22',
     'd126',
+    '235=COMMA 392=RPAR',
+    '237=COMMA 393=RPAR',
+    '239=COMMA 394=RSQB',
     'd127',
     'd128',
     'd129',
-    '162=COMPARE 163=EQUAL d130',
-    'd131',
+    'd130',
+    '162=COMPARE 163=EQUAL d131',
     'd132',
-    '160=AMPERSAND d133',
-    'd134',
+    'd133',
+    '160=AMPERSAND d134',
     'd135',
-    '170=SHIFT d136',
-    'd137',
-    '170=SHIFT d138',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 394=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '395=body d22',
-    'd139',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 396=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '397=ELSE,line_else',
+    'd136',
+    '170=SHIFT d137',
+    'd138',
+    '170=SHIFT d139',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 395=ELSE 396=ELSEIF,else_if 397=END 398=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 399=end_if 37=for_head 400=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '401=body d22',
     'd140',
-    '398=COLON r141=_NL d142',
-    'd143',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 402=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '403=ELSE,line_else',
+    'd141',
+    '404=COLON r142=_NL d143',
     'd144',
     'd145',
-    '399=LPAR d146',
-    '158=AND d147',
+    'd146',
+    '405=LPAR d147',
     '158=AND d148',
-    '171=MINUS 172=PLUS d149',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d150',
+    '158=AND d149',
+    '171=MINUS 172=PLUS d150',
     '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d151',
-    '159=CIRCUMFLEX d152',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d152',
     '159=CIRCUMFLEX d153',
     '159=CIRCUMFLEX d154',
     '159=CIRCUMFLEX d155',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 400=STRING 401=axes,variable 84=name{word},ref{name{word}}',
-    '402=USING d156',
-    '403=USING d157',
-    '404=COMMA d158',
-    'd159',
-    '405=LOOP 59=NAME d7',
+    '159=CIRCUMFLEX d156',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 406=STRING 407=axes,variable 84=name{word},ref{name{word}}',
+    '408=USING d157',
+    '409=USING d158',
+    '410=COMMA d159',
     'd160',
+    '411=LOOP 59=NAME d7',
     'd161',
     'd162',
     'd163',
@@ -2074,241 +2155,257 @@ ROWS = (
     'd167',
     'd168',
     'd169',
-    '162=COMPARE 163=EQUAL d170',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 412=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d170',
+    '413=COMMA 414=SEMICOLON d159',
     'd171',
     'd172',
-    '160=AMPERSAND d173',
+    '162=COMPARE 163=EQUAL d173',
     'd174',
     'd175',
-    '170=SHIFT d176',
+    '160=AMPERSAND d176',
     'd177',
-    '170=SHIFT d178',
-    '158=AND d179',
-    '158=AND d180',
-    '171=MINUS 172=PLUS d181',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d182',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d183',
-    '159=CIRCUMFLEX d184',
-    '159=CIRCUMFLEX d185',
-    '159=CIRCUMFLEX d186',
+    'd178',
+    '170=SHIFT d179',
+    'd180',
+    '170=SHIFT d181',
+    '158=AND d182',
+    '158=AND d183',
+    '171=MINUS 172=PLUS d184',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d185',
+    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d186',
     '159=CIRCUMFLEX d187',
-    '406=print_list d12',
-    'd188',
-    'd189',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 407=expr 408=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 409=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '225=CASE 345=COLON,_NL,sep 410=END 411=case',
-    '59=NAME 412=STARTUP d7',
-    '413=body d22',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 414=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 415=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 416=_NL 34=axes 35=call 37=for_head 417=inline_statement,select,statement 418=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 419=routine 43=select_head 44=target',
-    'd190',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 420=DIM 421=END 422=declared 423=member_list 424=typed',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 425=END 426=ENDW 427=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 428=WEND 32=WHILE 218=_NL 34=axes 35=call 429=end_while 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '159=CIRCUMFLEX d188',
+    '159=CIRCUMFLEX d189',
+    '159=CIRCUMFLEX d190',
+    '415=print_list d12',
     'd191',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 430=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 219=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '431=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
     'd192',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 416=expr 417=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 418=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '228=CASE 351=COLON,_NL,sep 419=END 420=case',
+    '59=NAME 421=STARTUP d7',
+    '422=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 423=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 424=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 425=_NL 34=axes 35=call 37=for_head 426=inline_statement,select,statement 427=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 428=routine 43=select_head 44=target',
     'd193',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 429=DIM 430=END 431=declared 432=member_list 433=typed',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 434=END 435=ENDW 436=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 437=WEND 32=WHILE 221=_NL 34=axes 35=call 438=end_while 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd194',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 432=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 433=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '434=COLON,_NL,sep',
-    '435=COMPARE 436=EQUAL',
-    '437=TO d195',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 439=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 222=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '440=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    'd195',
     'd196',
-    '438=COLON,_NL,sep 439=COMMA',
     'd197',
-    'd198',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 441=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 442=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '443=COLON,_NL,sep',
+    '444=COMPARE 445=EQUAL',
+    '446=TO d198',
     'd199',
+    '447=COLON,_NL,sep 448=COMMA',
     'd200',
-    '440=COMMA d201',
+    'd201',
     'd202',
     'd203',
-    'd204',
+    '449=COMMA d204',
     'd205',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 441=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 442=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd206',
     'd207',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 443=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 265=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 444=expr 84=name{word},ref{name{word}} 85=or{atom} 445=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '446=EVENT 59=NAME d7',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 447=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 448=type',
-    '449=RPAR',
-    '450=AS 451=LPAR d208',
-    '452=AS 453=LPAR d209',
-    '257=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=BYREF 259=BYVAL 454=parameter',
+    'd208',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 450=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 451=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd209',
     'd210',
-    '455=COLON,_NL,sep',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 456=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    'd211',
-    'd212',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 452=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 268=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 453=expr 84=name{word},ref{name{word}} 85=or{atom} 454=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '455=EVENT 59=NAME d7',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 456=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 457=type',
+    '458=RPAR',
+    '459=AS 460=LPAR d211',
+    '461=AS 462=LPAR d212',
+    '260=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 261=BYREF 262=BYVAL 463=parameter',
     'd213',
-    '457=COLON,_NL,sep 458=IF',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 459=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '460=IF 59=NAME d7',
+    '464=COLON,_NL,sep',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 465=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd214',
     'd215',
     'd216',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 461=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '462=THEN,line_then',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 463=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 464=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 465=inline 289=inline_statement,select 290=line_if 466=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 467=closed_if 37=for_head 468=inline_statement,select 469=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d217',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 470=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '471=COMMA 472=SEMICOLON',
-    '473=USING d218',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 474=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 475=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 476=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '466=COLON,_NL,sep 467=IF',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 468=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '469=IF 59=NAME d7',
+    'd217',
+    'd218',
     'd219',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 206=expr 84=name{word},ref{name{word}} 85=or{atom} 477=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d220',
-    '478=COMMA 479=SEMICOLON d158',
-    'd221',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 395=ELSE 396=ELSEIF,else_if 397=END 398=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 399=end_if 37=for_head 470=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '471=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 472=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 473=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 474=inline 292=inline_statement,select 293=line_if 475=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 288=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 476=closed_if 37=for_head 477=inline_statement,select 478=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d220',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 479=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '480=COMMA 481=SEMICOLON',
+    '482=USING d221',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 308=expr 483=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 308=expr 484=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 485=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd222',
-    '480=SELECT',
     'd223',
-    'd224',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 481=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 486=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '487=print_list d12',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 488=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d224',
+    '489=COMMA 490=SEMICOLON d159',
     'd225',
-    '59=NAME 482=TASK d7',
     'd226',
-    '483=COLON 484=_NL',
-    '485=_NL',
-    '486=COLON 487=_NL',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 422=declared 488=member_list 424=typed',
-    '489=TYPE',
-    '490=AS',
-    '491=COLON 492=COMMA 493=_NL',
+    '491=SELECT',
     'd227',
-    '59=NAME 494=WHILE d7',
     'd228',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 492=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd229',
+    '59=NAME 493=TASK d7',
     'd230',
+    '494=COLON 495=_NL',
+    '496=_NL',
+    '497=COLON 498=_NL',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 431=declared 499=member_list 433=typed',
+    '500=TYPE',
+    '501=AS',
+    '502=COLON 503=COMMA 504=_NL',
     'd231',
-    '495=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d96',
-    '496=COMMA d98',
-    '236=COMMA 497=RPAR',
-    '236=COMMA 498=RPAR',
+    '59=NAME 505=WHILE d7',
     'd232',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 499=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 500=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 501=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd233',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 357=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 358=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 502=test',
     'd234',
     'd235',
+    '506=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d97',
+    '507=COMMA d99',
+    '239=COMMA 508=RPAR',
+    '239=COMMA 509=RPAR',
     'd236',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 510=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 511=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 512=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd237',
-    '232=COMMA 503=RPAR',
-    '234=COMMA 504=RPAR',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 363=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 364=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 513=test',
     'd238',
-    '505=COLON,_NL,sep 506=STEP',
     'd239',
-    '507=AS d240',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 508=type',
-    '509=RPAR',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 510=type',
-    '511=RPAR',
+    'd240',
     'd241',
-    '512=body d22',
-    '513=FUNCTION 59=NAME d7',
-    '514=body d22',
+    '235=COMMA 514=RPAR',
+    '237=COMMA 515=RPAR',
     'd242',
-    '515=DO 516=THEN',
+    '516=COLON,_NL,sep 517=STEP',
     'd243',
-    'd244',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 284=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 517=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 291=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '518=AS d244',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 519=type',
+    '520=RPAR',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 521=type',
+    '522=RPAR',
     'd245',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 518=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '519=COLON d141',
+    '523=body d22',
+    '524=FUNCTION 59=NAME d7',
+    '525=body d22',
     'd246',
+    '526=DO 527=THEN',
     'd247',
     'd248',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 287=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 288=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 528=closed 290=closed_if 37=for_head 291=inline 292=inline_statement,select 293=line_if 294=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd249',
-    '236=COMMA 520=RPAR',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 521=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 522=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 523=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 529=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '530=COLON d142',
     'd250',
     'd251',
     'd252',
     'd253',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 524=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} d254',
+    '239=COMMA 531=RPAR',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 532=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 533=axes,variable 84=name{word},ref{name{word}}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 308=expr 534=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    'd254',
     'd255',
     'd256',
-    '59=NAME 525=SUB d7',
-    'd257',
+    '535=COMMA 536=SEMICOLON d256',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 537=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d257',
     'd258',
-    'd259',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 538=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} d259',
     'd260',
     'd261',
+    '59=NAME 539=SUB d7',
     'd262',
-    '526=COLON 492=COMMA 527=_NL',
     'd263',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 528=type',
     'd264',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 422=declared 529=typed',
     'd265',
     'd266',
-    '530=COMMA d191',
     'd267',
+    '540=COLON 503=COMMA 541=_NL',
     'd268',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 542=type',
     'd269',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 431=declared 543=typed',
     'd270',
     'd271',
+    '544=COMMA d194',
     'd272',
     'd273',
-    'r206=AS,EQUAL d211',
-    'r207=AS,EQUAL d212',
     'd274',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 531=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 532=type',
     'd275',
-    '533=AS d276',
+    'd276',
     'd277',
-    '534=AS d278',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 535=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    'd278',
+    'r209=AS,EQUAL d214',
+    'r210=AS,EQUAL d215',
     'd279',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 536=end_if 37=for_head 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '537=body d22',
-    '538=body d22',
-    '539=ELSE,line_else',
-    '166=THEN,line_then',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 464=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 468=inline_statement,select 469=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d217',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 545=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 546=type',
     'd280',
-    '540=USING d281',
-    '541=USING d282',
-    'd283',
-    '542=COMMA 543=SEMICOLON d252',
+    '547=AS d281',
+    'd282',
+    '548=AS d283',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 549=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd284',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 397=END 398=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 550=end_if 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '551=body d22',
+    '552=body d22',
+    '553=ELSE,line_else',
+    '166=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 473=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 477=inline_statement,select 478=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d220',
     'd285',
-    'd286',
-    'd115',
-    'd287',
+    '554=USING d286',
+    '555=USING d287',
     'd288',
-    '544=COLON,_NL,sep',
+    '556=print_list d12',
+    '557=print_list d12',
     'd289',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 545=type',
-    '238=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 546=type',
-    '547=FUNCTION 59=NAME d7',
+    '558=COMMA 559=SEMICOLON d256',
     'd290',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 548=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 216=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 389=ELSE 390=ELSEIF,else_if 391=END 392=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 218=_NL 34=axes 35=call 393=end_if 37=for_head 549=if_tail 220=inline_statement,select,statement 221=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 463=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 285=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 550=closed 287=closed_if 37=for_head 288=inline 289=inline_statement,select 290=line_if 466=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 551=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 305=expr 552=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd291',
     'd292',
+    'd116',
     'd293',
     'd294',
+    '560=COLON,_NL,sep',
     'd295',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 561=type',
+    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 562=type',
+    '563=FUNCTION 59=NAME d7',
     'd296',
-    'd297',
-    'd298',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 395=ELSE 396=ELSEIF,else_if 397=END 398=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 399=end_if 37=for_head 564=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 395=ELSE 396=ELSEIF,else_if 397=END 398=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 399=end_if 37=for_head 565=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 472=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 288=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 566=closed 290=closed_if 37=for_head 291=inline 292=inline_statement,select 293=line_if 475=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 308=expr 567=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 308=expr 568=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 569=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d297',
+    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 570=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d298',
     'd299',
     'd300',
     'd301',
+    'd302',
+    'd303',
+    'd304',
+    'd305',
+    'd306',
+    'd307',
+    'd308',
+    'd309',
+    'd310',
+    'd311',
 )
 
 TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, 2)

@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
 
 def print_(b: Body, node: nodes.Print) -> None:
-    """`PRINT items`."""
+    """`PRINT items`, and LINE where it has formats or a `;`."""
+    if node.word:
+        _line_of_items(b, node)
+        return
     where = _terminal(b, node.terminal)
     texts = [_shown(b, item) for item in node.items]
     if not node.items or not node.items[-1].separator:
@@ -82,11 +85,25 @@ def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:
 def line(b: Body, node: nodes.Call) -> None:
     """`LINE row, values`: print from the begin of a row of the screen on."""
     args = node.target.args or []
-    if not args:
+    _print_on_row(
+        b, node, args[0] if args else None, [nodes.PrintItem(each.at, each, [], "") for each in args[1:]]
+    )
+
+
+def _line_of_items(b: Body, node: nodes.Print) -> None:
+    row = b.whole.table.get(node.word)
+    if row is None or row.verb != "line" or b.scope.find(node.word) is not None:
+        b.problem("syntax", f"USING and ; stand among the values of PRINT and LINE, not of {node.word}", node)
+        return
+    _print_on_row(b, node, node.row, node.items)
+
+
+def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: list[nodes.PrintItem]) -> None:
+    if where is None:
         b.problem("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
         return
-    row = converted(b, number(b, args[0], "the number of a row"), Type(INTEGER), args[0])
-    texts = [_shown(b, nodes.PrintItem(each.at, each, [], "")) for each in args[1:]]
+    row = converted(b, number(b, where, "the number of a row"), Type(INTEGER), where)
+    texts = [_shown(b, item) for item in items]
     b.observes = True
     start = f"{b.whole.use('env', 'row')}({row})"
     b.act(_printed(b, " + ".join([start, *_joined(texts)])))

@@ -129,3 +129,19 @@ def test_very_many_values_are_counted() -> None:
     table = render(run(Source("a.mnt", text), cache=False))
     assert "… and 59 more: --report json has them all" in table
     assert "element 41" not in table
+
+
+def test_a_row_of_an_operator_panel_takes_what_print_takes() -> None:
+    text = (
+        'Dim n As Integer = 7\nLINE 1, "X "; 12.5 USING 6, 2, " n "; n USING 3\nLINE 2; n\nLINE 3, n USING 4'
+    )
+    assert ran(text)[0] == "\x1b[1;1HX  12.50 n   7\x1b[2;1H7\x1b[3;1H   7\n"
+
+
+def test_the_signs_between_printed_values_belong_to_no_other_word() -> None:
+    found = run(Source("a.mnt", "Sub Show\nEnd Sub\nShow 1; 2\nMOVER 1 USING 4\nLINE 3 USING 5"), cache=False)
+    assert [(each.line, each.message) for each in found.diagnostics] == [
+        (3, "USING and ; stand among the values of PRINT and LINE, not of Show"),
+        (4, "USING and ; stand among the values of PRINT and LINE, not of MOVER"),
+        (5, "LINE needs the number of a row"),
+    ]
