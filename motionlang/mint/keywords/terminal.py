@@ -32,7 +32,7 @@ ROWS = (
             "Place the cursor (as the ANSI code that does so); the upper left corner is 1, 1.",
             'LOCATE(1, 2)\nPRINT "second row"', source=_LIBRARY, trust="memory", group="terminal"),
     Keyword("LINE", "", "command", "C", "row", "", "line",
-            "Print values from the begin of a row of the screen on; what stands between them, USING too, is as in PRINT.",
+            "Print values from the begin of a row of the screen on, with signs and USING as in PRINT.",
             'LINE 2, "speed ", 250', source="MN1955 contents", trust="memory", group="terminal"),
     Keyword("BOL", "", "command", "C", "terminal", "", "terminal.line_start",
             "Go to the begin of the line, as Chr(13) does.",
