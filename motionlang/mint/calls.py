@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
-from motionlang.mint.expressions import converted, counted, member, place, unknown, value
+from motionlang.mint.conversions import converted
+from motionlang.mint.expressions import counted, member, place, unknown, value
 from motionlang.mint.symbols import FLOAT, INTEGER, RECORD, Symbol, Type
 
 TYPE_CHECKING = False

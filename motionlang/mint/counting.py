@@ -18,16 +18,10 @@ from __future__ import annotations
 
 from motionlang.mint import nodes, ranges
 from motionlang.mint.body import Value
-from motionlang.mint.expressions import (
-    arithmetic,
-    as_float,
-    as_integer,
-    converted,
-    literal,
-    number,
-    place,
-)
+from motionlang.mint.conversions import as_float, as_integer, converted, literal
+from motionlang.mint.expressions import number, place
 from motionlang.mint.loops import body_of, flag_for, go_on_leaving, turn
+from motionlang.mint.operators import arithmetic
 from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, Symbol
 
 TYPE_CHECKING = False

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from math import isnan
-
-from motionlang.mint import nodes, ranges
+from motionlang.mint import nodes, operators, ranges
 from motionlang.mint.body import Value
+from motionlang.mint.conversions import NOTHING, article, as_integer, literal
 from motionlang.mint.fold import binary as fold_binary
 from motionlang.mint.fold import unary as fold_unary
-from motionlang.mint.functions import LONGEST
 from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False
@@ -17,11 +15,7 @@ if TYPE_CHECKING:
 
     from motionlang.mint.body import Body
 
-_COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 _SAME = frozenset((INTEGER, FLOAT, STRING))
-_ARITHMETIC = frozenset("+-*")
-_BITS = {"&": "&", "|": "|", "Xor": "^"}
-_NOTHING = Value("0", FLOAT, ranges.ANY)
 # Whole numbers that have been written; so many are kept.
 _SEEN: dict[float, Value] = {}
 MOST_SEEN = 20_000
@@ -37,7 +31,7 @@ def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
     found = _VALUES[node.__class__](b, node)
     if found.type not in NUMERIC:
         b.problem("type", f"{what} is needed here, not {article(found.type)}", node)
-        return _NOTHING
+        return NOTHING
     return found
 
 
@@ -48,63 +42,6 @@ def condition(b: Body, node: nodes.Expr) -> str:
     if type(node) is nodes.Unary and node.op == "Not":
         return f"(not {condition(b, node.operand)})"
     return number(b, node, "a condition").text
-
-
-def literal(known: float | str) -> Value:
-    """A value that is known beforehand."""
-    if isinstance(known, str):
-        return Value(repr(known), STRING, ranges.ANY, known)
-    kind = INTEGER if type(known) is int and ranges.INT_LOW <= known <= ranges.INT_HIGH else FLOAT
-    if isnan(known) or known in (ranges.INFINITY, -ranges.INFINITY):
-        return Value(f"float('{known}')", FLOAT)
-    if type(known) is int and abs(known) > ranges.EXACT:
-        known = float(known)
-    text = repr(known) if known >= 0 else f"({known!r})"
-    return Value(text, kind, ranges.constant(known), known)
-
-
-def as_float(found: Value) -> str:
-    """The text of a number that must be a Python float."""
-    known = found.const
-    if known.__class__ is int:
-        return f"{found.text}.0" if 0 <= known <= ranges.INT_HIGH else literal(float(known)).text
-    return found.text if found.range[2] == "f" else f"({found.text} + 0.0)"
-
-
-def as_integer(b: Body, found: Value) -> str:
-    """The text of a number that must be a Python int of 32 bits; a fraction is cut off."""
-    if found.const is not None and found.type != STRING and ranges.INT_LOW <= found.const <= ranges.INT_HIGH:  # type: ignore[operator]
-        return literal(int(found.const)).text
-    if found.type in (INTEGER, TIME) or ranges.fits_integer(found.range):
-        return found.text
-    return f"{b.whole.use('fn', 'integer')}({found.text})"
-
-
-def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:
-    """The text of a value for a variable of a type; `exact`: a Float must be a Python float."""
-    if type.name == INTEGER and found.is_number:
-        return as_integer(b, found)
-    if type.name == FLOAT and found.is_number:
-        return as_float(found) if exact else found.text
-    if type.name == STRING and found.type == STRING:
-        size = LONGEST if type.size is None else type.size
-        if isinstance(found.const, str) and len(found.const) <= size:
-            return found.text
-        return f"{b.whole.use('fn', 'fit')}({found.text}, {size})"
-    if type.name == TIME and found.is_number:
-        return f"{b.whole.use('env', 'since')}({found.text})"
-    hint = ""
-    if type.name == STRING and found.is_number:
-        hint = "Str makes a text of a number"
-    elif found.type == STRING:
-        hint = "Val makes a number of a text"
-    b.problem("type", f"{article(found.type)} cannot be given to {article(str(type))}", node, hint)
-    return "0"
-
-
-def article(type: str) -> str:
-    """The name of a type with its article."""
-    return f"an {type}" if type[:1] in "AEIOaeio" else f"a {type}"
 
 
 # ------------------------------------------------------------------------------------------------- literals
@@ -124,7 +61,7 @@ def _number(b: Body, node: nodes.Number) -> Value:
         return Value(repr(known), FLOAT, ranges.FLOAT, known)
     if known in (ranges.INFINITY, -ranges.INFINITY):
         b.problem("overflow", "the number is too large", node)
-        return _NOTHING
+        return NOTHING
     if ranges.INT_HIGH < known < 1 << 32 and type(known) is int and b.whole.problems.is_pattern(node.at):
         known -= 1 << 32  # a pattern of 32 bits is an Integer, whatever its highest bit
     return literal(known)
@@ -159,11 +96,11 @@ def _name(b: Body, node: nodes.Name) -> Value:
         if symbol.kind in ("variable", "parameter"):
             return _remembered(b, node, symbol)
         b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
-        return _NOTHING
+        return NOTHING
     row = b.whole.table.get(node.name)
     if row is None:
         unknown(b, node)
-        return _NOTHING
+        return NOTHING
     from motionlang.mint.keyword_use import read
 
     return read(b, node, row)
@@ -258,7 +195,7 @@ def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
     """The value of a variable or an element."""
     if symbol.is_array and node.args is None:
         b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
-        return _NOTHING
+        return NOTHING
     text, type, scalar = (
         place(b, node) if symbol is not b.function.result else (symbol.python, symbol.type, symbol)
     )
@@ -335,7 +272,7 @@ def _unary(b: Body, node: nodes.Unary) -> Value:
     if found.type == FLOAT:
         low, high, kind = found.range
         return Value(f"(-{found.text})", FLOAT, (-high, -low, kind))
-    return arithmetic(b, "-", literal(0), found)
+    return operators.arithmetic(b, "-", literal(0), found)
 
 
 def _binary(b: Body, node: nodes.Binary) -> Value:
@@ -354,102 +291,22 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
             b.problem(
                 "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
             )
-            return _NOTHING
-    if op in _ARITHMETIC:
-        return arithmetic(b, op, left, right)
-    return _operate(b, op, left, right)
+            return NOTHING
+    return operators.operate(b, op, left, right)
 
 
 def _other_than_numbers(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
     if STRING in (left.type, right.type):
-        return _text(b, node, left, right)
+        return operators.text(b, node, left, right)
     side, found = (node.right, right) if left.is_number else (node.left, left)
     b.problem("type", f"{node.op} needs numbers, not {article(found.type)}", side)
-    return _NOTHING
-
-
-def _operate(b: Body, op: str, left: Value, right: Value) -> Value:
-    if op in _COMPARISONS:
-        return Value(f"({left.text} {_COMPARISONS[op]} {right.text})", INTEGER, ranges.BOOL)
-    if op == "/":
-        return Value(f"({left.text} / {right.text})", FLOAT, ranges.FLOAT)
-    if op == "^":
-        return Value(f"{b.whole.use('fn', 'power')}({left.text}, {right.text})", FLOAT, ranges.FLOAT)
-    if op == "\\":
-        return _quotient(b, left, right)
-    if op == "Mod":
-        return _remainder(b, left, right)
-    if op in _BITS:
-        known = ranges.INTEGER
-        if op == "&" and min(left.range[0], right.range[0]) >= 0:
-            known = (0, min(left.range[1], right.range[1], ranges.INT_HIGH), "i")
-        return Value(f"({as_integer(b, left)} {_BITS[op]} {as_integer(b, right)})", INTEGER, known)
-    shift = b.whole.use("fn", "shift_left" if op == "<<" else "shift_right")
-    return Value(f"{shift}({left.text}, {right.text})", INTEGER, ranges.INTEGER)
-
-
-def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
-    """`left op right` for + - *, with a check where the result may not fit."""
-    integer = left.type != FLOAT != right.type
-    if left.range[2] == "f" or right.range[2] == "f":
-        return Value(f"({left.text} {op} {right.text})", INTEGER if integer else FLOAT)
-    known, how = ranges.arithmetic(op, integer, left.range, right.range)
-    kind = INTEGER if integer else FLOAT
-    if how == ranges.COERCED:
-        if right.const is not None:
-            return Value(f"({left.text} {op} {as_float(right)})", kind, known)
-        return Value(f"({as_float(left)} {op} {right.text})", kind, known)
-    text = f"{left.text} {op} {right.text}"
-    if how == ranges.CHECKED:
-        over = b.whole.use("fn", "overflow")
-        return Value(
-            f"(z if {ranges.INT_LOW} <= (z := {text}) <= {ranges.INT_HIGH} else {over}(z))", kind, known
-        )
-    return Value(f"({text})", kind, known)
-
-
-def _quotient(b: Body, left: Value, right: Value) -> Value:
-    a, c = left.range, right.range
-    if ranges.fits_integer(a) and ranges.fits_integer(c):
-        if a[0] >= 0 and c[0] > 0:
-            return Value(f"({left.text} // {right.text})", INTEGER, ranges.quotient(a, c))
-        known = ranges.quotient(a, c)
-    else:
-        known = ranges.INTEGER
-    return Value(f"{b.whole.use('fn', 'divide')}({left.text}, {right.text})", INTEGER, known)
-
-
-def _remainder(b: Body, left: Value, right: Value) -> Value:
-    a, c = left.range, right.range
-    kind = INTEGER if FLOAT not in (left.type, right.type) else FLOAT
-    if a[2] == "i" and c[2] == "i":
-        known = ranges.remainder(a, c)
-        if a[0] >= 0 and c[0] > 0:
-            return Value(f"({left.text} % {right.text})", kind, known)
-    else:
-        known = ranges.FLOAT if "f" in (a[2], c[2]) else ranges.ANY
-    return Value(f"{b.whole.use('fn', 'modulo')}({left.text}, {right.text})", kind, known)
-
-
-def _text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
-    if left.type != STRING or right.type != STRING:
-        hint = "Str makes a text of a number" if node.op in ("+", "&") else ""
-        b.problem("type", f"{node.op} cannot take {article(left.type)} and {article(right.type)}", node, hint)
-        return _NOTHING
-    if node.op in ("+", "&"):
-        if isinstance(left.const, str) and isinstance(right.const, str):
-            return literal(left.const + right.const)
-        return Value(f"({left.text} + {right.text})", STRING, ranges.ANY)
-    if node.op in _COMPARISONS:
-        return Value(f"({left.text} {_COMPARISONS[node.op]} {right.text})", INTEGER, ranges.BOOL)
-    b.problem("type", f"{node.op} needs numbers, not texts", node)
-    return _NOTHING
+    return NOTHING
 
 
 def _omitted(b: Body, node: nodes.Omitted) -> Value:
     hint = "only a list of values for single axes may leave one out: SPEED(0, 1) = , 20"
     b.problem("values", "a value is missing here", node, hint)
-    return _NOTHING
+    return NOTHING
 
 
 _VALUES: dict[type, Callable[..., Value]] = {

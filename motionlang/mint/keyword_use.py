@@ -10,7 +10,8 @@ from math import isnan
 
 from motionlang.mint import known_use, nodes, ranges
 from motionlang.mint.body import Value
-from motionlang.mint.expressions import as_float, as_integer, condition, literal, number, value
+from motionlang.mint.conversions import as_float, as_integer, literal
+from motionlang.mint.expressions import condition, number, value
 from motionlang.mint.fold import constant
 from motionlang.mint.symbols import FLOAT, INTEGER, STRING
 from motionlang.mint.task import PARENT

@@ -14,7 +14,8 @@ from motionlang.mint import (
 )
 from motionlang.mint.body import Value
 from motionlang.mint.calls import call
-from motionlang.mint.expressions import article, condition, converted, place, unknown, value
+from motionlang.mint.conversions import article, converted
+from motionlang.mint.expressions import condition, place, unknown, value
 from motionlang.mint.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 
 TYPE_CHECKING = False

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from motionlang.mint import nodes
 from motionlang.mint.body import Value
-from motionlang.mint.expressions import article, converted, number, place, unknown, value
+from motionlang.mint.conversions import article, converted
+from motionlang.mint.expressions import number, place, unknown, value
 from motionlang.mint.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
 
 TYPE_CHECKING = False
