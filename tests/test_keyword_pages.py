@@ -1,14 +1,26 @@
-"""The keyword pages say what the tables say."""
+"""The keyword pages say what the tables say, and what the examples show."""
 
 from __future__ import annotations
 
-from pathlib import Path
+import re
 
 import pytest
 
-from tests.keyword_pages import pages
+from motionlang.execution import dialects
+from tests.keyword_pages import page, path
 
 
-@pytest.mark.parametrize(("path", "text"), pages().items(), ids=lambda value: getattr(value, "stem", ""))
-def test_the_page_is_what_the_table_says(path: Path, text: str) -> None:
-    assert path.read_text(encoding="utf-8") == text, "python -m tests.keyword_pages writes the pages anew"
+@pytest.mark.parametrize("language", dialects())
+def test_the_page_is_what_the_table_says(language: str) -> None:
+    text = path(language).read_text(encoding="utf-8")
+    assert text == page(language), "python -m tests.keyword_pages writes the pages anew"
+
+
+@pytest.mark.parametrize("language", dialects())
+def test_no_field_is_empty_and_every_heading_is_there_once(language: str) -> None:
+    text = path(language).read_text(encoding="utf-8")
+    assert not re.search(r": (·|$)|· ·|\|[ \t]*\||```\n```", re.sub(r"```.*?```", "", text, flags=re.DOTALL))
+    headings = re.findall(r"^### (.+)$", text, re.MULTILINE)
+    assert len(headings) == len(set(headings))
+    links = re.findall(r"^\* \[(.+)\]\(#.+\)$", text, re.MULTILINE)
+    assert links == re.findall(r"^## (.+)$", text, re.MULTILINE)

@@ -1,4 +1,7 @@
-"""The keyword pages of the documents, written from the table of a dialect: one page a dialect, a section a group."""
+"""The keyword pages of the documents, written from the table of a dialect: one page a dialect, a section a group.
+
+Groups and words stand in the order of the alphabet, as a page of hundreds of words is for looking up.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +11,29 @@ from motionlang.views.keywords import facts
 from motionlang.views.words import dialect_name
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from motionlang.lang.keyword import Keyword
 
 
-def markdown(rows: Sequence[Keyword], dialect: str) -> str:
-    """The whole page: simulated words with all that the table knows, then those that are only known."""
+# The most lines of an example's output that are shown.
+MOST = 12
+# Groups whose names are no titles.
+TITLES = {
+    "io": "Inputs and outputs",
+    "v4": "Older words",
+    "state": "State of an axis",
+    "tables": "Cams and splines",
+}
+# Control characters, as the signs that stand for them.
+SIGNS = {code: 0x2400 + code for code in range(32) if code not in (9, 10)}
+
+
+def markdown(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], Sequence[str]]) -> str:
+    """The whole page: simulated words with all that the table knows, then those that are only known.
+
+    `shown` tells what a word's example prints.
+    """
     simulated = [row for row in rows if row.simulated]
     known = [row for row in rows if not row.simulated]
     lines = [
@@ -23,15 +42,18 @@ def markdown(rows: Sequence[Keyword], dialect: str) -> str:
         f"{len(simulated)} words are simulated, {len(known)} more are known and answered as not simulated. Written",
         "from the keyword table by `python -m tests.keyword_pages`; `motionlang keywords WORD` shows the same.",
     ]
-    for group, members in _groups(simulated).items():
-        lines += ["", f"## {group}"]
+    groups = _groups(simulated)
+    lines += ["", *(f"* [{_title(group)}](#{_title(group).lower().replace(' ', '-')})" for group in groups)]
+    lines += ["* [Known, not simulated](#known-not-simulated)"]
+    for group, members in groups.items():
+        lines += ["", f"## {_title(group)}"]
         for row in members:
-            lines += ["", *_entry(row, dialect)]
+            lines += ["", *_entry(row, dialect, shown)]
     lines += ["", "## Known, not simulated"]
     apart = not {row.group for row in known} & {row.group for row in simulated}
     groups = _groups(known) if apart else {"": known}
     for group, members in groups.items():
-        title = ["", f"### {group[:1].upper()}{group[1:]}"] if group else []
+        title = ["", f"### {_title(group)}"] if group else []
         lines += [*title, "", "| word | meaning |", "|---|---|"]
         lines += [f"| `{row.name}` | {_cell(row.help)} |" for row in members]
     return "\n".join(lines) + "\n"
@@ -39,16 +61,24 @@ def markdown(rows: Sequence[Keyword], dialect: str) -> str:
 
 def _groups(rows: Sequence[Keyword]) -> dict[str, list[Keyword]]:
     groups: dict[str, list[Keyword]] = {}
-    for row in rows:
+    for row in sorted(rows, key=lambda row: ((row.group or row.kind).lower(), row.name.lower())):
         groups.setdefault(row.group or row.kind, []).append(row)
     return groups
 
 
-def _entry(row: Keyword, dialect: str) -> list[str]:
+def _title(group: str) -> str:
+    return TITLES.get(group, f"{group[:1].upper()}{group[1:]}")
+
+
+def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]) -> list[str]:
     known = [f"{name}: {text}" for name, text in facts(row) if text and name != "group"]
     lines = [f"### {row.name}", "", row.help, "", " · ".join(known)]
     if row.example:
         lines += ["", f"```{dialect}", *row.example.splitlines(), "```"]
+        output = [line.translate(SIGNS) for line in shown(row)]
+        if len(output) > MOST:
+            output = [*output[:MOST], "…"]
+        lines += ["", "shows", "", "```text", *output, "```"] if output else []
     return lines
 
 

@@ -115,11 +115,11 @@ def facts(row: Keyword) -> list[tuple[str, str]]:
 
 
 def _range(row: Keyword) -> str:
-    if row.low is None and row.high is None:
-        return ""
-    if row.high is None:
-        return f"{row.low:g} or more"
-    return f"{row.high:g} or less" if row.low is None else f"{row.low:g} to {row.high:g}"
+    if row.low is not None and row.high is not None:
+        return f"{_figure(row.low)} to {_figure(row.high)}"
+    if row.low is not None:
+        return f"{_figure(row.low)} or more"
+    return "" if row.high is None else f"{_figure(row.high)} or less"
 
 
 def _figure(value: float | str) -> str:

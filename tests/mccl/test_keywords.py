@@ -7,25 +7,18 @@ import pytest
 from motionlang.lang.keyword import Keyword
 from motionlang.mccl.actions import ACTIONS, PURE
 from motionlang.mccl.keywords import TABLE
+from tests.keyword_pages import machine_of
 from tests.mccl.conftest import Runner
 
 SIMULATED = [row for row in TABLE if row.simulated]
 KNOWN = [row for row in TABLE if not row.simulated]
 
-# What a machine must have for axis 1 to be homed, by the keys of the machine file.
-HOMING: dict[str, object] = {
-    "axis.1.index_every": 1000.0,
-    "axis.1.home_switch": [500.0, 600.0],
-    "encoder": [{"aux": 1, "velocity": 1000.0, "index_every": 200.0}],
-}
-
 
 @pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)
 def test_an_example_stands_alone_and_runs_without_a_complaint(row: Keyword, mccl: Runner) -> None:
     """As it stands on the page: from power-up, on a bare machine unless the row says what the machine must have."""
-    machine = {key: value for key, value in HOMING.items() if key.rpartition(".")[2] in row.help}
     assert row.name in row.example
-    result = mccl(f"{row.example}\n", until=2.0, machine=machine)
+    result = mccl(f"{row.example}\n", until=2.0, machine=machine_of(row))
     assert not [each.message for each in result.diagnostics]
     assert result.status == "ended" or row.name in ("GO", "RP")
     assert not any(line.startswith("?") for line in result.output)
