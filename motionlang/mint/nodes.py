@@ -10,30 +10,11 @@ The grammar knows no keyword of the motion library: `SPEED(0) = 10` is an `Assig
 
 from __future__ import annotations
 
+from motionlang.mint.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.places import Places
-
-
-class Node:
-    """A piece of a program that starts at token number `at`."""
-
-    __slots__ = ("at",)
-
-    at: int
-
-    def __repr__(self) -> str:
-        fields = ", ".join(repr(getattr(self, name)) for name in self.__slots__)
-        return f"{type(self).__name__}({fields})"
-
-    def __eq__(self, other: object) -> bool:
-        """Nodes are equal when what they say is equal; where they stand takes no part."""
-        return type(self) is type(other) and all(
-            getattr(self, name) == getattr(other, name) for name in self.__slots__
-        )
-
-    __hash__ = None  # type: ignore[assignment]
-
 
 # --------------------------------------------------------------------------------------------- expressions
 
