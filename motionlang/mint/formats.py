@@ -12,7 +12,7 @@ from motionlang.controller.faults import Refusal
 WIDEST = 255
 
 
-def using_float(value: float, width: int, decimals: int = 4) -> str:
+def using_float(value: float, width: int, decimals: int = 0) -> str:
     """A Float: `%w.df`, with a sign for a negative width, `%w.de` for negative decimals."""
     sign, width = _width(width)
     kind = "f" if decimals >= 0 else "e"
