@@ -29,7 +29,7 @@ CHAPTERS = {
     "Control flow": "if select style_select loops exits labels style_jumps style_deep style_ends several_at_once",
     "Subs and functions": "subs by_reference array_parameters recursion style_functions",
     "Time and tasks": "time tasks priorities semaphore",
-    "Events": "events masked_events style_events machine/input_events machine/pending",
+    "Events": "events masked_events machine/urgency style_events machine/input_events machine/pending",
     "Printing and the operator": (
         "print using style_print screen operator machine/keys machine/terminals machine/serial"
     ),
