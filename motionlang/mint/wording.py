@@ -57,6 +57,10 @@ def hint(kinds: set[str], before: str, text: str) -> str:
         return f"add {wanted[0].strip('`')}"
     if "THEN" in kinds:
         return "add Then"
+    if before.lower() == "return":
+        return "a Function gives its value to its own name: name = value"
+    if before in (")", "]") and text[:1].isdigit():
+        return f"write = before the value: = {text}"
     if wanted == ["the end of the line"] and text.strip():
         return "statements are separated by : or by a new line"
     return ""
