@@ -12,7 +12,8 @@ _FAIL = '\nEnd\nEvent ONERROR\n  PRINT ERRCODE, " ", ERRSTRING\n  ERRORCLEAR(0, 
 
 ROWS = (
     Keyword("TASKPRIORITY", "", "setting", "RW", "task", "integer", "task_priority",
-            "Priority of a task, ParentTask for the main program: of several that can run, the one with the highest number does.",
+            "Priority of a task, of which ParentTask is the main program: of several that can run, the one with the "
+            "highest number does.",
             f"TASKPRIORITY(Blink) = 2\nRun Blink\nPRINT TASKPRIORITY(Blink){_BLINK}",
             default=0.0, low=0, high=255, source=_TUTORIAL, trust="memory", group="tasks"),
     Keyword("TASKQUANTUM", "", "setting", "RW", "task", "integer", "task_quantum",
