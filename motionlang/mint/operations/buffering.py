@@ -6,6 +6,7 @@ from motionlang.controller.watch import Watch, arm
 from motionlang.mint.binding import refuse_stopping, scale_of
 from motionlang.mint.operations.inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.settings import reading, writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -110,24 +111,12 @@ def write_trigger_mode(environment: Environment, row: Row) -> Operation:
 
 def read_trigger(environment: Environment, row: Row) -> Operation:
     """TRIGGERINPUT, -SOURCE, -CHANNEL and -VALUE, the value in units of what is watched."""
-    triggers, name, whole = environment.part(Triggers), row.name, row.unit == "integer"
-
-    def read(axis: int) -> float:
-        value = triggers.setting(name, axis_of(environment, axis))
-        return int(value) if whole else value
-
-    return read
+    return reading(environment, row, environment.part(Triggers).setting)
 
 
 def write_trigger(environment: Environment, row: Row) -> Operation:
     """TRIGGERINPUT, -SOURCE, -CHANNEL and -VALUE; moves that wait go by it at once."""
-    triggers, name = environment.part(Triggers), row.name
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        triggers.set(name, axis_of(environment, axis), value)
-
-    return write
+    return writing(environment, row, environment.part(Triggers).set)
 
 
 def read_last_id(environment: Environment, row: Row) -> Operation:

@@ -10,7 +10,7 @@ from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.operations.settings import forget
+from motionlang.mint.operations.settings import forget, reading
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -136,13 +136,7 @@ def write_hold(environment: Environment, row: Row) -> Operation:
 
 def read_setting(environment: Environment, row: Row) -> Operation:
     """HTACHANNEL and the gains of the law."""
-    holds, name, whole = environment.part(Holds), row.name, row.unit == "integer"
-
-    def read(axis: int) -> float:
-        value = holds.setting(name, axis_of(environment, axis))
-        return int(value) if whole else value
-
-    return read
+    return reading(environment, row, environment.part(Holds).setting)
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:

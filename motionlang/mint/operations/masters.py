@@ -6,6 +6,7 @@ from motionlang.controller.encoder import AUXILIARY
 from motionlang.controller.faults import Refusal
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.settings import reading
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -110,13 +111,7 @@ class Masters:
 
 def read_setting(environment: Environment, row: Row) -> Operation:
     """Whom an axis follows, and how: the settings of masters, gears, offsets and cams."""
-    masters, name, whole = environment.part(Masters), row.name, row.unit in ("integer", "bool")
-
-    def read(axis: int) -> float:
-        value = masters.setting(name, axis_of(environment, axis))
-        return int(value) if whole else value
-
-    return read
+    return reading(environment, row, environment.part(Masters).setting)
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:

@@ -15,6 +15,7 @@ from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.buffering import loader
 from motionlang.mint.operations.cams import ABSOLUTE, CONTINUOUS, TRULY_ABSOLUTE, elements, span
 from motionlang.mint.operations.limits import axis_of
+from motionlang.mint.operations.settings import writing
 from motionlang.profile.pvt import plan_pvt
 from motionlang.profile.pvt_velocities import average_velocities, smooth_velocities
 from motionlang.profile.table_motion import spline_slopes
@@ -170,13 +171,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
 
 def write_setting(environment: Environment, row: Row) -> Operation:
     """SPLINESTART, SPLINEEND, and SPLINETIME in ms."""
-    splines, name = environment.part(Splines), row.name
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        splines.set(name, axis_of(environment, axis), value)
-
-    return write
+    return writing(environment, row, environment.part(Splines).set)
 
 
 def read_index(environment: Environment, row: Row) -> Operation:

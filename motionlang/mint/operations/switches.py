@@ -10,6 +10,7 @@ from motionlang.mint.defaults import STOP_INPUT_MODE
 from motionlang.mint.operations.inputs import Inputs
 from motionlang.mint.operations.limits import ACTIONS, AxisErrors, axis_of
 from motionlang.mint.operations.resetting import AT_ERROR_DECEL, CRASH, reset, stop
+from motionlang.mint.operations.settings import writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -120,13 +121,7 @@ def read_input(environment: Environment, row: Row) -> Operation:
 
 def write_input(environment: Environment, row: Row) -> Operation:
     """LIMITFORWARDINPUT, HOMEINPUT and the like: the input that is the switch, -1 for none."""
-    switches, name = environment.part(Switches), row.name
-
-    def write(axis: int, channel: int) -> None:
-        row.check(channel)
-        switches.assign(name, axis_of(environment, axis), channel)
-
-    return write
+    return writing(environment, row, environment.part(Switches).assign)
 
 
 def read_switch(environment: Environment, row: Row) -> Operation:

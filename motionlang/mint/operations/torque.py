@@ -11,7 +11,7 @@ from motionlang.mint.defaults import LOOP_TIME
 from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.operations.settings import forget
+from motionlang.mint.operations.settings import forget, reading
 from motionlang.mint.operations.ticking import Ticks
 
 TYPE_CHECKING = False
@@ -138,14 +138,7 @@ def write_reference(environment: Environment, row: Row) -> Operation:
 
 def read_setting(environment: Environment, row: Row) -> Operation:
     """The source of TORQUEREF and its enabling, and its ramps in ms."""
-    references, name = environment.part(TorqueReferences), row.name
-    whole = row.unit in ("integer", "bool")
-
-    def read(axis: int) -> float:
-        value = references.setting(name, axis_of(environment, axis))
-        return int(value) if whole else value
-
-    return read
+    return reading(environment, row, environment.part(TorqueReferences).setting)
 
 
 def write_setting(environment: Environment, row: Row) -> Operation:
