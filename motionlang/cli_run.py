@@ -6,7 +6,7 @@ import os
 import sys
 
 from motionlang.execution import dialect, dialect_of, machine_of, run
-from motionlang.source import STDIN, STDIN_NAME, Source, name_of
+from motionlang.source import STDIN, STDIN_NAME, Source, contents, name_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ def _show(text: str) -> None:
 def read_source(file: str) -> Source:
     """The program of a file, or of standard input for `-`; OSError where it cannot be read."""
     if file == STDIN:
-        return Source.from_bytes(STDIN_NAME, sys.stdin.buffer.read())
+        return Source.from_bytes(STDIN_NAME, contents(sys.stdin.buffer))
     return Source.read(file)
 
 

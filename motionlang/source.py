@@ -4,13 +4,31 @@ from __future__ import annotations
 
 import os
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import BinaryIO
+
 # How a command line names standard input, and how everybody else does.
 STDIN, STDIN_NAME = "-", "<stdin>"
+# Bytes of the largest program; a device may have no end. What is no longer than a piece is read in one.
+LARGEST, _PIECE = 1 << 26, 1 << 16
 
 
 def name_of(file: str) -> str:
     """The name of a program in messages and reports: its file's, without the folder."""
     return STDIN_NAME if file == STDIN else os.path.basename(file)
+
+
+def contents(file: BinaryIO) -> bytes:
+    """All bytes of a file; OSError where there are more than `LARGEST`."""
+    data = file.read(_PIECE)
+    if len(data) == _PIECE:
+        data += file.read(LARGEST)
+    if len(data) > LARGEST:
+        import errno
+
+        raise OSError(errno.EFBIG, os.strerror(errno.EFBIG))
+    return data
 
 
 def _utf16(data: bytes) -> str:
@@ -49,7 +67,7 @@ class Source:
     def read(cls, path: str | os.PathLike[str]) -> Source:
         """Read a file; OSError as `open` raises it."""
         with open(path, "rb") as file:
-            return cls.from_bytes(os.path.basename(os.fspath(path)), file.read())
+            return cls.from_bytes(os.path.basename(os.fspath(path)), contents(file))
 
     def line(self, number: int) -> str:
         """The text of line `number` (from 1), empty where there is none."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from motionlang.source import Source
@@ -25,3 +27,14 @@ def test_a_mark_decides() -> None:
 def test_bytes_that_are_no_wide_text_stay_bytes(data: bytes) -> None:
     wide = data == b"a\0"
     assert Source.from_bytes("x.mnt", data).text == ("a" if wide else data.decode())
+
+
+def test_a_file_without_an_end_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As /dev/zero, or a pipe that somebody forgot."""
+    monkeypatch.setattr("motionlang.source.LARGEST", 100_000)
+    path = tmp_path / "long.mnt"
+    path.write_bytes(b"'" * 100_000)
+    assert len(Source.read(path).text) == 100_000
+    path.write_bytes(b"'" * 100_001)
+    with pytest.raises(OSError, match="File too large"):
+        Source.read(path)

@@ -35,9 +35,11 @@ class NonVolatile:
     def _read(self, path: str) -> None:
         from json import loads
 
+        from motionlang.source import contents
+
         try:
-            with open(path, encoding="utf-8") as file:
-                tree: Any = loads(file.read())
+            with open(path, "rb") as file:
+                tree: Any = loads(contents(file))
         except FileNotFoundError:
             return
         if not isinstance(tree, dict) or tree.get("schema") != SCHEMA:
