@@ -98,7 +98,8 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.status = "until"
         result.controller.clock.advance(until)
         return
-    hint = "start a move first, or let a machine file say what happens, and with run.until how long"
+    otherwise = "start a move first, or let a machine file say what happens, and with run.until how long"
+    hint = result.dialect.what_ends(stuck.wait.why) or otherwise
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
 

@@ -76,6 +76,10 @@ class Dialect:
         """What is wrong with a key of the dialect's own section of the machine file, and a hint; None for nothing."""
         return None
 
+    def what_ends(self, why: str) -> str:
+        """A hint at what would end a wait that is told as `why`; "" where the dialect knows nothing better."""
+        return ""
+
     def load(self, payload: bytes) -> Program:
         """The program that `Program.payload` was made of."""
         raise NotImplementedError

@@ -48,6 +48,11 @@ class Mint(Dialect):
 
         return problem(key, value)
 
+    def what_ends(self, why: str) -> str:
+        from motionlang.mint.ending import what_ends
+
+        return what_ends(why)
+
     def load(self, payload: bytes) -> Program:
         from motionlang.mint.runtime import load
 
