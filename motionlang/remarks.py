@@ -81,7 +81,7 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
             result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
-        elif task.wait is None and task.in_vain is not None:
+        elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
             what = "still polled, and nothing could change what it looks at any more"
             result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")

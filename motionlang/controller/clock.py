@@ -34,15 +34,16 @@ class Event:
 class Clock:
     """`now` in seconds since power-up, and `horizon`, the time of the next event (infinite when there is none).
 
-    `made` and `fired` count the events that were entered and those whose time has come.
+    `made` and `fired` count the events that were entered and those whose time has come, `leaps` the times at which it
+    went on over what was known to repeat itself.
     """
 
-    __slots__ = ("_heap", "fired", "horizon", "made", "now")
+    __slots__ = ("_heap", "fired", "horizon", "leaps", "made", "now")
 
     def __init__(self) -> None:
         self.now = 0.0
         self.horizon = INFINITY
-        self.made = self.fired = 0
+        self.made = self.fired = self.leaps = 0
         self._heap: list[tuple[float, int, Event]] = []
 
     def at(self, time: float, call: Callable[[], None]) -> Event:

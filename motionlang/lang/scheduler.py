@@ -7,6 +7,8 @@ so and ends.
 
 from __future__ import annotations
 
+from motionlang.lang.task import ROUNDING
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine import Machine
-    from motionlang.lang.rounds import Rounds
+    from motionlang.lang.recurrence import Recurrence
     from motionlang.lang.task import Task, Wait
 
     class Outside(Protocol):
@@ -33,8 +35,6 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Virtual seconds that one task may run while another is runnable.
 QUANTUM = 1e-3
-# By so much less, as a whole number of statements may fill it exactly, and rounding is not to decide which is the last.
-ROUNDING = 1e-9
 # How often a wait may be asked at one moment before time goes on without it.
 STALLS = 4
 
@@ -74,7 +74,7 @@ class Scheduler:
         self.began = 0.0
         self._alone = False
         self.until = INFINITY
-        self._rounds: Rounds | None = None
+        self._recurrence: Recurrence | None = None
         self._turn = 0
         self._stalls = 0
         # The length of the turns of a round, and how many of them are still to come.
@@ -111,16 +111,16 @@ class Scheduler:
             horizon = min(clock.next_time(), until)
             several = len(self.tasks) > 1 or self.outside is not None
             if several:
+                # Less than whole, as a number of statements may fill it exactly.
                 turn = self._turn_length(horizon) - ROUNDING
                 horizon = min(horizon, clock.now + turn, self._next_due())
             began = self.began = clock.now
-            task.look = None
             time, task.wait = task.resume(began, horizon)
             self._advance(time)
             while clock.now < time:
                 self._advance(time)
             if several:
-                self._compare(task, horizon - began)
+                self._compare(task, began)
             if task.done and task is not self.parent:
                 self._forget(task)
         return True
@@ -135,29 +135,19 @@ class Scheduler:
         due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
         return min(self.clock.next_time(), due)
 
-    def _compare(self, task: Task, granted: float) -> None:
-        """Where all that can run do no more than poll, go on to the moment at which that may change."""
-        if task.look is None or task.wait is not None or task.done or self._alone or self.outside is not None:
-            if self._rounds is not None:
-                self._rounds.forget()
+    def _compare(self, task: Task, began: float) -> None:
+        """Where nobody does more than poll and wait, and all stand as they did before: go on to what may change it."""
+        clock = self.clock
+        task.into = clock.now - task.looked if task.looked >= began else task.into + clock.now - began
+        if task.look is None or task.done or self.interrupts or self.outside is not None:
+            if self._recurrence is not None:
+                self._recurrence.forget()
             return
-        if self._rounds is None:
-            from motionlang.lang.rounds import Rounds
+        if self._recurrence is None:
+            from motionlang.lang.recurrence import Recurrence
 
-            self._rounds = Rounds(self.machine)
-        running = sum(each.wait is None for each in self.interrupts[-1:] or self.tasks)
-        period = self._rounds.period(task, self.began, granted, running)
-        if period is None:
-            return
-        length, level = period
-        now, end = self.clock.now, min(self.next_change(), level)
-        if end == INFINITY:
-            for each in self.tasks:
-                if each.wait is None and each.in_vain is None and each.look is not None and each.look[-1]:
-                    each.in_vain = now
-        end = min(end, self.until)
-        if end - now >= length:
-            self._advance(now + int((end - now) / length) * length)
+            self._recurrence = Recurrence(self.machine)
+        self._recurrence.leap(self.tasks, self._turn, self.until, self.pace)
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""
@@ -214,7 +204,7 @@ class Scheduler:
         for task in self.interrupts[-1:] or self.tasks:
             if task.wait is not None:
                 due = task.wait.due()
-                if now < due < first:
+                if now + ROUNDING < due < first:
                     first = due
         return first
 
@@ -255,8 +245,6 @@ class Scheduler:
             if task.priority == highest:
                 break
         if found is not None:
-            if found.wait is not None and self._rounds is not None:
-                self._rounds.forget()
             found.wait = None
             self._turn = turn
             self.current = found

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from motionlang.lang.machine import Machine
 
 INFINITY = float("inf")
+# Times that are nearer to each other than this are one: it is not rounding that decides who comes first.
+ROUNDING = 1e-9
 
 
 class Wait:
@@ -40,8 +42,13 @@ class Delay(Wait):
     def __init__(self, clock: Clock, since: float, time: float) -> None:
         self.since, self._clock, self._time = since, clock, time
 
+    def shift(self, seconds: float) -> None:
+        """All of it happens so much later."""
+        self.since += seconds
+        self._time += seconds
+
     def ready(self) -> bool:
-        return self._clock.now >= self._time
+        return self._clock.now >= self._time - ROUNDING
 
     def due(self) -> float:
         return self._time
@@ -74,19 +81,21 @@ class Task:
     `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
     Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
 
-    A task that only polls says so in `look`, what it leaves behind turn by turn; `looked` is when it last did, and
-    `level` the moment up to which it will do the same again if nothing happens. `in_vain` is the time since which it
-    has looked for something that nothing could bring about until the end of the run.
+    A task that only polls says so in `look`: how much anybody has done by then, what it leaves behind turn by turn, and
+    whether it looks at anything. `looked` is when its last turn ended, `into` how long it has run since, and `level`
+    the moment up to which it will do the same again if nothing happens. `in_vain` is the time since which it has looked
+    for something that nothing could bring about until the end of the run.
     """
 
-    __slots__ = ("busy", "done", "in_vain", "level", "look", "looked", "name", "priority", "wait")
+    __slots__ = ("busy", "done", "in_vain", "into", "level", "look", "looked", "name", "priority", "wait")
 
     def __init__(self, name: str) -> None:
         self.name = name
         # For how long, of its own running time, nobody can tell what the task does: it computes with what is its own.
         self.busy = 0.0
-        self.look: tuple[object, ...] | None = None
-        self.looked, self.level = 0.0, INFINITY
+        self.look: tuple[int, object, bool] | None = None
+        self.looked = self.into = 0.0
+        self.level = INFINITY
         self.in_vain: float | None = None
         self.priority = 0  # of two tasks that can run, the one with the higher priority does
         self.done = False

@@ -71,11 +71,10 @@ class Environment:
         # How often the program has done something; a loop that polls does nothing. And how long it has waited, in ms.
         self.acts = 0
         self.waited = 0.0
-        # Of those acts, how many were no more than that others may have run; the task that ran last, and how many
-        # events had fired by then.
+        # How often a task has run after another one; which one ran last, and what the clock had counted by then.
         self.resumed = 0
         self.ran: MintTask | None = None
-        self.fired = 0
+        self.fired = self.leaps = 0
         # The move for which there was no room.
         self._refused: tuple[Callable[..., object], tuple[Any, ...]]
         self._parts: dict[type, object] = {}

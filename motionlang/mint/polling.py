@@ -4,9 +4,9 @@ A turn that did nothing (`E.acts` counts what a program does) and left every var
 as it was until something happens. `motionlang.mint.skipping` pays for all those turns at once, to the exact same end.
 A `Goto` back to an earlier label ends a turn as `End Loop` does.
 
-    if w1 == (w3 := (E.acts, v_state)): t = k1(t, w2, H, (), w3)
+    if w1 == (w3 := (E.acts, v_state)): t = k1(t, w2, H, (), w3, E.resumed - w4)
     if t >= H: t, H = yield t; w3 = (E.acts, v_state)
-    w1 = w3; w2 = t
+    w1 = w3; w2 = t; w4 = E.resumed
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ MOST_VARIABLES = 40
 class Poll:
     """One loop that is watched, and the names of what is kept of its last turn: state, end, milliseconds waited."""
 
-    __slots__ = ("before", "how", "now", "since", "state", "waited", "watches")
+    __slots__ = ("before", "how", "now", "others", "since", "state", "waited", "watches")
 
     def __init__(self, b: Body, state: list[str], watches: list[str], reads: bool, waits: bool) -> None:
         self.how = "skip" if reads else "rest"
-        self.before, self.since, self.now = b.temp(), b.temp(), b.temp()
+        self.before, self.since, self.now, self.others = b.temp(), b.temp(), b.temp(), b.temp()
         self.waited = b.temp() if waits and reads else ""
         self.state = f"(E.acts, {', '.join(state)})" if state else "(E.acts,)"
         self.watches = f"({', '.join(watches)},)" if watches else "()"
@@ -36,7 +36,7 @@ class Poll:
     def first(self, time: str) -> str:
         """What stands before the first turn."""
         more = f"; {self.waited} = 0.0" if self.waited else ""
-        return f"{self.before} = None; {self.since} = {time}{more}"
+        return f"{self.before} = None; {self.since} = {time}; {self.others} = 0{more}"
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
@@ -69,12 +69,12 @@ def turn(b: Body, poll: Poll) -> None:
     """The end of a turn, `t` being up to date."""
     now = poll.now
     waited = f", E.waited - {poll.waited}" if poll.waited else ""
-    skip = f"{b.whole.use('env', poll.how)}(t, {poll.since}, H, {poll.watches}, {now}{waited})"
+    others = f"E.resumed - {poll.others}"
+    skip = f"{b.whole.use('env', poll.how)}(t, {poll.since}, H, {poll.watches}, {now}, {others}{waited})"
     b.emit(f"if {poll.before} == ({now} := {poll.state}): t = {skip}")
     b.horizon(then=f"; {now} = {poll.state}")
-    b.emit(
-        f"{poll.before} = {now}; {poll.since} = t" + (f"; {poll.waited} = E.waited" if poll.waited else "")
-    )
+    more = f"; {poll.waited} = E.waited" if poll.waited else ""
+    b.emit(f"{poll.before} = {now}; {poll.since} = t; {poll.others} = E.resumed{more}")
 
 
 def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:

@@ -37,13 +37,15 @@ class Skipper:
         horizon: float,
         watches: tuple[tuple[object, ...], ...],
         state: tuple[object, ...],
+        others: int,
         waited: float = 0.0,
         asks: bool = True,
     ) -> float:
         """A loop polls, its last turn from `since` to `t`: the end of the last turn that can be no different.
 
-        `state` is what every turn leaves behind, after the count of what the program did; `waited` are the milliseconds
-        that the turn waited; `asks`: whether the loop looks at anything.
+        `state` is what every turn leaves behind, after the count of what the program did; `others`: how often other
+        tasks ran within the turn, which then is no more than remembered; `waited` are the milliseconds that the turn
+        waited; `asks`: whether the loop looks at anything.
         """
         environment, task = self._environment, self._environment.task
         level = INFINITY
@@ -53,6 +55,9 @@ class Skipper:
             level = next_change(environment, since, watches)
             if level <= t:
                 environment.acts += 1  # the turn was not like the one before in everything that it looked at
+        task.look, task.looked, task.level = (environment.acts, state[1:], asks), t, level
+        if others:
+            return t
         if since != self._last or task is not self._task:
             self._task, self._first = task, since
         scheduler = self._machine.scheduler
@@ -61,8 +66,6 @@ class Skipper:
             self._clock.now = t
             horizon = max(horizon, scheduler.reach())
             environment.task = task  # what the others wait for was looked at with their eyes
-        task.look = environment.acts - environment.resumed, state[1:], asks
-        task.level = level
         horizon = min(horizon, level)
         if horizon == INFINITY:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
@@ -75,10 +78,16 @@ class Skipper:
         return self._last
 
     def rest(
-        self, t: float, since: float, horizon: float, watches: tuple[()], state: tuple[object, ...]
+        self,
+        t: float,
+        since: float,
+        horizon: float,
+        watches: tuple[()],
+        state: tuple[object, ...],
+        others: int,
     ) -> float:
         """The same for a loop that looks at nothing."""
-        return self.skip(t, since, horizon, watches, state, asks=False)
+        return self.skip(t, since, horizon, watches, state, others, asks=False)
 
     def _cost(self, seconds: float, waited: float) -> float:
         """What a turn takes, in whole statements and milliseconds, so that no rounding adds up over millions of turns.

@@ -41,21 +41,23 @@ class MintTask(GeneratorTask):
         environment = self.environment
         environment.task = self
         clock = environment.clock
-        if environment.ran is not self or environment.fired != clock.fired:
-            # Others have run since: what a loop looked at before may have changed.
+        if environment.fired != clock.fired:
+            environment.fired = clock.fired
             environment.acts += 1
+            self.look = self.in_vain = None
+        if environment.ran is not self or environment.leaps != clock.leaps:
             environment.resumed += 1
-            if environment.fired != clock.fired:
-                self.in_vain = None
+            environment.leaps = clock.leaps
+        acts = environment.acts
         quantum = environment.quanta.get(self.name)
         if quantum is not None:
             # Half a statement less, so that it is never rounding that decides whether the last one still fits.
             horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
         try:
             time, wait = super().resume(now, horizon)
-            environment.ran, environment.fired = self, clock.fired
-            if self.look is not None and self.look[0] != environment.acts - environment.resumed:
-                self.look = self.in_vain = None  # it has done something since
+            environment.ran = self
+            if environment.acts != acts:
+                self.look = self.in_vain = None  # it has done something
         except TaskEnd as end:
             self.done = True
             return end.time, None
