@@ -48,34 +48,50 @@ class Skipper:
         waited; `asks`: whether the loop looks at anything.
         """
         environment, task = self._environment, self._environment.task
-        level = INFINITY
-        if watches:
-            from motionlang.mint.watching import next_change
-
-            level = next_change(environment, since, watches)
-            if level <= t:
-                environment.acts += 1  # the turn was not like the one before in everything that it looked at
+        level = self._level(t, since, watches) if watches else INFINITY
         task.look, task.looked, task.level = (environment.acts, state[1:], asks), t, level
         if others:
             return t
         if since != self._last or task is not self._task:
             self._task, self._first = task, since
-        scheduler = self._machine.scheduler
-        assert scheduler is not None
-        if t < horizon and self._first <= scheduler.began:
-            self._clock.now = t
-            horizon = max(horizon, scheduler.reach())
-            environment.task = task  # what the others wait for was looked at with their eyes
-        horizon = min(horizon, level)
+        horizon = min(self._horizon(t, horizon), level)
         if horizon == INFINITY:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
-        if horizon >= scheduler.until and asks and level == scheduler.next_change() == INFINITY:
-            environment.task = task
-            task.in_vain = self._first if task.in_vain is None else task.in_vain
+        if asks:
+            self._note_vain(horizon, level)
+        environment.task = task  # what others wait for may have been looked at with their eyes
         cost = self._cost(t - since, waited / 1000.0)
-        self._last = t + max(0, int((horizon - t) / cost)) * cost if cost else t
-        task.looked = self._last
+        self._last = task.looked = t + max(0, int((horizon - t) / cost)) * cost if cost else t
         return self._last
+
+    def _level(self, t: float, since: float, watches: tuple[tuple[object, ...], ...]) -> float:
+        """When what was looked at since a moment changes by itself."""
+        from motionlang.mint.watching import next_change
+
+        level = next_change(self._environment, since, watches)
+        if level <= t:
+            self._environment.acts += (
+                1  # the turn was not in everything that it looked at like the one before
+            )
+        return level
+
+    def _horizon(self, t: float, horizon: float) -> float:
+        """The end of the time slice, or what lies beyond it where nobody else can run."""
+        scheduler = self._machine.scheduler
+        assert scheduler is not None
+        if t >= horizon or self._first > scheduler.began:
+            return horizon
+        self._clock.now = t
+        return max(horizon, scheduler.reach())
+
+    def _note_vain(self, horizon: float, level: float) -> None:
+        """Note since when the task looks for what nothing will bring about."""
+        scheduler = self._machine.scheduler
+        assert scheduler is not None
+        if horizon >= scheduler.until and level == scheduler.next_change() == INFINITY:
+            task = self._task
+            assert task is not None
+            task.in_vain = self._first if task.in_vain is None else task.in_vain
 
     def rest(
         self,
