@@ -51,21 +51,38 @@ def _unknown(name: str, names: list[str]) -> Diagnostic:
 def _replace(
     body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]
 ) -> None:
-    """In the order of the text: the first value a name is given is the one that is replaced."""
+    """In the order of the text: the first value a name is given is the one that is replaced.
+
+    Where that value is made of the name's own (`n = n + 1`), or stands in no line of the parent, Dim gives it.
+    """
     from motionlang.mint.survey import walk
 
+    bare: dict[str, nodes.Variable] = {}
     for node in sorted(walk(body), key=lambda each: each.at):
         if type(node) is nodes.Const:
             if _take(node.name, wanted, done, names):
                 node.value = _literal(node.at, wanted[node.name.lower()])
         elif type(node) is nodes.Dim:
             for variable in node.variables:
+                if not variable.values and not variable.dimensions:
+                    bare.setdefault(variable.name.lower(), variable)
                 if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
                     variable.values = [_literal(variable.at, wanted[variable.name.lower()])]
         elif type(node) is nodes.Assign and type(node.target) is nodes.Name:
-            plain = node.target.args is None
-            if plain and _take(node.target.name, wanted, done, names):
-                node.values = [_literal(node.at, wanted[node.target.name.lower()])]
+            plain, key = node.target.args is None, node.target.name.lower()
+            if plain and not _reads_itself(node, key) and _take(node.target.name, wanted, done, names):
+                node.values = [_literal(node.at, wanted[key])]
+            elif plain and key in bare and _take(node.target.name, wanted, done, names):
+                bare[key].values = [_literal(bare[key].at, wanted[key])]
+    for key, variable in bare.items():
+        if _take(variable.name, wanted, done, names):
+            variable.values = [_literal(variable.at, wanted[key])]
+
+
+def _reads_itself(node: nodes.Assign, key: str) -> bool:
+    from motionlang.mint.survey import walk
+
+    return any(type(each) is nodes.Name and each.name.lower() == key for each in walk(node.values))
 
 
 def _take(name: str, wanted: dict[str, float | str], done: set[str], names: list[str]) -> bool:

@@ -66,6 +66,21 @@ def test_a_program_can_be_started_again() -> None:
 
 @pytest.mark.parametrize(
     ("overrides", "printed"),
+    [({}, "20"), ({"parts": 5}, "70"), ({"FAULTS": 3}, "23"), ({"parts": 1, "faults": 1}, "31")],
+)
+def test_a_counter_that_only_counts_begins_with_another_value(
+    overrides: dict[str, float], printed: str
+) -> None:
+    """Neither `parts = parts + 1` nor what a sub does is the value that it is first given."""
+    text = (
+        "Dim parts As Integer, faults As Integer\nparts = parts + 1\nparts = parts + 1\nfault\n"
+        "PRINT parts; faults\nparts = 0\nEnd\nSub fault\n  faults = faults + 0\nEnd Sub"
+    )
+    assert run(Source("a.mnt", text), overrides=overrides, cache=False).output == [printed]
+
+
+@pytest.mark.parametrize(
+    ("overrides", "printed"),
     [
         ({"LENGTH": 50}, "50.0000"),
         ({"length": 50, "VMAX": 100}, "50.0000"),
