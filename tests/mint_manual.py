@@ -60,7 +60,7 @@ CHAPTERS = {
     ),
     "Memory that outlives the run": "nv_data",
     "The controller itself": "machine/identity machine/readings",
-    "Older Mint": "style_v4 style_v4_names older_words machine/can_events_v4",
+    "Older Mint": "style_v4 style_v4_names older_words onerror_v4 machine/can_events_v4",
     "Known, not simulated": "machine/not_simulated machine/kept_settings",
 }
 

@@ -6,9 +6,12 @@ task is a program counter over a tuple of operations.
 
 from __future__ import annotations
 
+from sys import _getframe
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
+    from types import FrameType
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
@@ -150,6 +153,12 @@ class GeneratorTask(Task):
     @property
     def at(self) -> int:
         """The place of the innermost sub that the task is in."""
+        if self.running:
+            # A generator that runs does not tell what it has handed on to; the frames between here and it do.
+            caller: FrameType | None = _getframe(1)
+            while caller is not None and caller.f_code.co_filename != self._file:
+                caller = caller.f_back
+            return self._places[caller.f_lineno] if caller is not None else 0
         line = 0
         inner: object = self._generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:

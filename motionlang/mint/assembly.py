@@ -6,12 +6,10 @@ from re import findall
 
 from motionlang.mint import jumping
 from motionlang.mint.code import ALL, FILE, TIME, Code, Unit
-from motionlang.mint.events import kind_and_number
 from motionlang.mint.expressions import counted
-from motionlang.mint.nodes import Jump
+from motionlang.mint.handlers import label_handlers
 from motionlang.mint.parts import SIZE, Part
 from motionlang.mint.statements import fresh
-from motionlang.mint.survey import walk
 from motionlang.mint.symbols import FLOAT, Function, Symbol
 
 TYPE_CHECKING = False
@@ -207,9 +205,7 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
 
 def _label_handler(whole: Whole, function: Function, label: str, number: int) -> list[str]:
     """v4: a label with the name of an event, to which nothing jumps, is its handler."""
-    if function.kind != "main" or kind_and_number(label) is None:
-        return []
-    if any(type(node) is Jump and node.name.lower() == label for node in walk(function.body)):
+    if label not in label_handlers(function):
         return []
     word = "global" if whole.typed else "nonlocal"
     return [

@@ -22,7 +22,7 @@ from motionlang.mint.overriding import override
 from motionlang.mint.parser import parse
 from motionlang.mint.problems import Problems
 from motionlang.mint.runtime import MintProgram
-from motionlang.mint.statements import block, leave
+from motionlang.mint.statements import block, hear_of_errors, leave
 from motionlang.mint.told import words
 
 TYPE_CHECKING = False
@@ -104,6 +104,8 @@ def _function(whole: Whole, function: Function) -> Body:
         b.indent -= 1
         return b
     block(b, function.body)
+    b.flush()
+    hear_of_errors(b)
     leave(b)
     if not (function.plain or b.waits):
         b.emit("yield")

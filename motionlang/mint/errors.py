@@ -177,7 +177,11 @@ class Errors:
 
     def line(self) -> int:
         """ERRLINE: the line of the error that the registers tell of; 0 for a line typed at a prompt."""
-        error, line_of = self.register(), self.environment.line_of
+        return self.line_of(self.register())
+
+    def line_of(self, error: Error) -> int:
+        """The line of an error, found when it is asked for."""
+        line_of = self.environment.line_of
         if not error.line and error.place and line_of is not None:
             error.line = line_of(error.place)
         return error.line

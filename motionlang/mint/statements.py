@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 def block(b: Body, body: list[nodes.Stmt]) -> None:
     """Statements one after the other."""
-    guarded = b.whole.guarded and b.function.name.lower() != "onerror"
+    guarded = b.whole.guarded and not _handles_errors(b)
     first, outer, b.deepest = len(b.lines), b.deepest, len(b.loops)
     ends = []
     for node in body:
@@ -44,6 +44,11 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
     if len(b.lines) - first > parts.LONGEST:
         parts.cut(b, first, ends)
     b.deepest = max(outer, b.deepest)
+
+
+def _handles_errors(b: Body) -> bool:
+    """Whether these are statements of ONERROR itself, whose own failures end the program."""
+    return b.function.name.lower() == "onerror" or (b.function.jumps and b.stretches()[b.stretch][0] == "onerror")
 
 
 def _guard(b: Body, node: nodes.Stmt) -> None:
@@ -383,6 +388,12 @@ def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
 # --------------------------------------------------------------------------------------------------- ending
 
 
+def hear_of_errors(b: Body) -> None:
+    """At the end of the program ONERROR hears of what the last statement has done wrong."""
+    if b.function.kind == "main" and b.whole.guarded:
+        b.horizon()
+
+
 def _end(b: Body, node: nodes.End) -> None:
     if node.name is not None:
         symbol = _task(b, node, node.name)
@@ -393,6 +404,7 @@ def _end(b: Body, node: nodes.End) -> None:
         return
     b.flush()
     b.noted = True
+    hear_of_errors(b)
     if b.function.kind == "main" and not b.function.jumps:
         b.emit("return t")
     else:

@@ -29,8 +29,8 @@ def read_error(environment: Environment, row: Row) -> Operation:
 
 
 def read_error_line(environment: Environment, row: Row) -> Operation:
-    environment.errors  # noqa: B018 - it listens from now on
-    return lambda: 0 if (last := _last(environment)) is None else last.line
+    errors = environment.errors
+    return lambda: 0 if (last := _last(environment)) is None else errors.line_of(last)
 
 
 def read_error_axis(environment: Environment, row: Row) -> Operation:

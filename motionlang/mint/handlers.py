@@ -1,0 +1,20 @@
+"""Labels of v4 that handle events: those with an event's name, to which nothing jumps."""
+
+from __future__ import annotations
+
+from motionlang.mint.events import kind_and_number
+from motionlang.mint.nodes import Jump, Label
+from motionlang.mint.survey import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.symbols import Function
+
+
+def label_handlers(function: Function) -> set[str]:
+    """The labels of the main program that handle events, in small letters."""
+    if function.kind != "main":
+        return set()
+    labels = {node.name.lower() for node in function.body if type(node) is Label}
+    named = {label for label in labels if kind_and_number(label) is not None}
+    return named and named - {node.name.lower() for node in walk(function.body) if type(node) is Jump}
