@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from motionlang import run
@@ -9,6 +11,7 @@ from motionlang.lang.keyword import Keyword
 from motionlang.mint import DIALECT
 from motionlang.mint.keywords import Vocabulary, indexing, kept, known, library_a_i, library_j_z, table
 from motionlang.source import Source
+from tests.keyword_pages import shown
 
 SIMULATED = [row for row in table() if row.simulated and row.example]
 OTHERS = [row for row in table() if not row.simulated]
@@ -19,6 +22,16 @@ def test_the_example_runs(row: Keyword) -> None:
     result = run(Source("example.mnt", row.example), cache=False, until=60.0)
     assert [each.message for each in result.diagnostics] == []
     assert result.status == "ended"
+
+
+# What changes nothing that a program could print, and INPUT, for which nobody is there.
+SILENT = {"NOP", "TRON", "TROFF", "BEEPON", "BEEPOFF", "REMOTEPDOOUT", "Input", "Rem"}
+
+
+def test_an_example_has_its_word_and_shows_something() -> None:
+    for row in SIMULATED:
+        assert re.search(rf"\b{row.name}\b", row.example, re.IGNORECASE), row.name
+    assert {row.name for row in SIMULATED if not shown(row, "mint")} == SILENT
 
 
 def test_rows_are_complete() -> None:

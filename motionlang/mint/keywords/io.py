@@ -24,7 +24,7 @@ def _adc(name: str, short: str, help: str, low: float, high: float, unit: str = 
 ROWS = (
     Keyword("IN", "", "reading", "R", "bank", "bits", "inputs.bank",
             "The digital inputs of a bank as bits, bank 0 when none is given; edges that are latched are read off.",
-            "If IN(0) & 3 Then PRINT 1", default=0.0, source=_DRIVE, trust="code", group="io"),
+            "PRINT IN(0) & 3", default=0.0, source=_DRIVE, trust="code", group="io"),
     Keyword("INX", "", "reading", "R", "input", "bool", "inputs.bit",
             "One digital input: 1 when it is active or, with its INPUTMODE bit set, when its edge has come.",
             "PRINT INX(3)", default=0.0, source=_DRIVE, trust="code", group="io"),

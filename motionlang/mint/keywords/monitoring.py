@@ -7,7 +7,7 @@ from motionlang.mint.defaults import FATAL_ERROR, MODES
 
 _LIBRARY = "Mint type library"
 _ADC = "ADCMIN(2) = 10\nADCMAX(2) = 90\nADCMONITOR(0) = 4\nPRINT {}"
-_FAIL = "{}SPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
+_FAIL = "{}SPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPRINT IDLE(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
 
 
 def _word(
@@ -50,7 +50,8 @@ ROWS = (
           "AXISWARNINGDISABLE(0) = 1\nPRINT AXISWARNINGDISABLE(0)"),
     _word("ERRORMASK", "", "RW", "axis", "bits", "monitoring.mask",
           "Bit pattern of the errors of the axis, as in AXISERROR, that call ONERROR; the axis stops as ever.",
-          "ERRORMASK(0) = 0x7E\nABORT\nEnd\nEvent ONERROR\nEnd Event", -1.0),
+          "ERRORMASK(0) = 0x7E\nABORT\nPRINT AXISERROR(0), AXISERROR(1)\nEnd\nEvent ONERROR\n"
+          "  While ERRORREADNEXT(_egAXIS, 1)\n    PRINT ERRSTRING\n  End While\nEnd Event", -1.0),
     _word("ERRORMASKCODE", "", "RW", "code, data", "bool", "monitoring.code_mask",
           "1: the error of that number, of an axis the one that data names, does not call ONERROR.",
           _FAIL.format("ERRORMASKCODE(3, 0) = _TRUE\n"), 0.0, 0, 1),

@@ -23,7 +23,7 @@ ROWS = (
     Keyword("JOG", "", "setting", "RW", "axis", "uu/s", "jogging.velocity",
             "Run at a constant speed, its sign the direction, until stopped or told another speed; 0 brings the axis "
             "to rest and ends it.",
-            "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)",
+            "JOG(0) = 100\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)\nPAUSE IDLE(0)",
             default=0.0, low=-8388607.0, high=8388607.0, source="Mint type library", trust="memory",
             group="motion"),
     Keyword("CANCEL", "CN", "command", "C", "axes", "", "cancel",

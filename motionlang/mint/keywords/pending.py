@@ -18,6 +18,7 @@ ROWS = (
             _TIMER.format("EVENTPEND(5, 0, 0)\n"), source=_LIBRARY, trust="memory", group="events"),
     Keyword("EVENTUNPEND", "", "command", "C", "type, data, data", "", "pending.unpend",
             "Drop an event that waits to be handled; the same types and data as EVENTPEND.",
-            _TIMER.format("EVENTDISABLE = 0x20\nEVENTPEND(5, 0, 0)\nEVENTUNPEND(5, 0, 0)\nEVENTDISABLE = 0\n"),
+            _TIMER.format("EVENTDISABLE = 0x20\nEVENTPEND(5, 0, 0)\nEVENTUNPEND(5, 0, 0)\nEVENTDISABLE = 0\n"
+                          "PRINT EVENTPENDING\n"),
             source=_LIBRARY, trust="memory", group="events"),
 )  # fmt: skip

@@ -8,7 +8,7 @@ _TUTORIAL = "Mint programming tutorial, part 5"
 _LIBRARY = "Mint type library"
 _BLINK = "\nWAIT = 50\nEnd\nTask Blink\n  Loop\n    WAIT = 20\n  End Loop\nEnd Task"
 _TICK = '\nWAIT = 50\nEnd\nEvent TIMER\n  PRINT "tick"\nEnd Event'
-_FAIL = '\nEnd\nEvent ONERROR\n  PRINT ERRCODE, " ", ERRSTRING\n  ERRORCLEAR(0, 0)\nEnd Event'
+_FAIL = '\nEnd\nEvent ONERROR\n  PRINT ERRCODE, " ", ERRLINE, " ", ERRSTRING\n  ERRORCLEAR(0, 0)\nEnd Event'
 
 ROWS = (
     Keyword("TASKPRIORITY", "", "setting", "RW", "task", "integer", "task_priority",
@@ -44,7 +44,7 @@ ROWS = (
             "PRINT EVENTPENDING", default=0.0, source=_LIBRARY, trust="memory", group="events"),
     Keyword("EVENTDISABLE", "", "setting", "RW", "none", "bits", "event_disable",
             "Bit pattern of the events that must wait, bit 5 the timer.",
-            f"EVENTDISABLE = 0x20\nTIMEREVENT = 20{_TICK}",
+            f"EVENTDISABLE = 0x20\nTIMEREVENT = 20\nWAIT = 30\nPRINT EVENTPENDING\nEVENTDISABLE = 0{_TICK}",
             default=0.0, source=_LIBRARY, trust="memory", group="events"),
     Keyword("ERRCODE", "", "reading", "R", "none", "integer", "error_code",
             "Number of the error that was read last.",
@@ -57,7 +57,8 @@ ROWS = (
             f"SPEED(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL}", source=_LIBRARY, trust="code", group="errors"),
     Keyword("ERRDATA", "", "reading", "R", "index", "integer", "error_data",
             "Data of the error that was read last: of an axis error 1 is the axis, 2 its error bits.",
-            "If ERRORREADNEXT(_egAXIS, 0) Then PRINT ERRDATA(1)", source=_LIBRARY, trust="code", group="errors"),
+            'ABORT\nWhile ERRORREADNEXT(_egAXIS, 0)\n  PRINT ERRDATA(1), " ", ERRDATA(2)\nEnd While',
+            source=_LIBRARY, trust="code", group="errors"),
     Keyword("ERRORPRESENT", "", "reading", "R", "group, data", "bool", "error_present",
             "Whether a group of errors holds any; data is the axis of the group _egAXIS.",
             "PRINT ERRORPRESENT(_egALL, 0)", source=_LIBRARY, trust="code", group="errors"),
@@ -69,7 +70,7 @@ ROWS = (
             "PRINT ERRORREADCODE(3, 0)", source=_LIBRARY, trust="code", group="errors"),
     Keyword("ERRORCLEAR", "", "command", "C", "group, data", "", "error_clear",
             "Forget the errors of a group, those of an axis on the axis too.",
-            "ERRORCLEAR(_egALL, 0)", source=_LIBRARY, trust="code", group="errors"),
+            "ABORT\nERRORCLEAR(_egALL, 0)\nPRINT AXISERROR(0)", source=_LIBRARY, trust="code", group="errors"),
     Keyword("ERRORSTRING", "", "reading", "R", "code", "text", "error_text",
             "The text of an error's number.",
             "PRINT ERRORSTRING(40)", source=_LIBRARY, trust="code", group="errors"),
