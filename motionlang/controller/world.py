@@ -14,7 +14,7 @@ from motionlang.controller.sensor import Sensor
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from motionlang.controller.controller import Controller
 
@@ -59,8 +59,9 @@ class World:
         for entry in _entries(settings, "input"):
             if "output" in entry:
                 self._wire_output(entry)
-            else:
-                self._wire_channel(entry, controller.inputs.__setitem__)
+                continue
+            for each in _again(entry) if "every" in entry else (entry,):
+                self._wire_channel(each, controller.inputs.__setitem__)
         for entry in _entries(settings, "analogue"):
             self._wire_channel(entry, controller.analogue_inputs.__setitem__)
         for entry in _entries(settings, "fault"):
@@ -274,6 +275,16 @@ class World:
 
 def _entries(settings: Settings, name: str) -> Sequence[Entry]:
     return settings.get(name, ())  # type: ignore[return-value]
+
+
+def _again(entry: Entry) -> Iterator[Entry]:
+    """An entry as often as it happens: so many seconds later, or so much further on."""
+    for n in range(int(_number(entry, "times"))):
+        later = n * _number(entry, "every")
+        if "between" in entry:
+            yield {**entry, "between": [place + later for place in _span(entry)]}
+        else:
+            yield {**entry, "at": _number(entry, "at", 0.0) + later}
 
 
 def _number(entry: Entry, key: str, default: float | None = None) -> float:

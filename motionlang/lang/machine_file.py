@@ -122,6 +122,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     yield from _when_problems(table, entry)
     if table == "fault" and "axis" not in entry and entry.get("kind") != "controller":
         yield "[[fault]] needs axis", rows["axis"][1], "[[fault]]"
+    if table == "input" and ("every" in entry or "times" in entry):
+        yield from _again_problems(entry)
     if table == "remote":
         yield from _remote_problems(entry)
     first, last = entry.get("first"), entry.get("last", LAST_REGISTER)
@@ -146,6 +148,22 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
         yield f"[[{table}]] {what} in one way only", f"give at, {ways}", where[0]
     if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+
+
+def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    """What comes again must be over before it does."""
+    every, between, length = entry.get("every"), entry.get("between"), entry.get("for")
+    if every is None or "times" not in entry:
+        yield "[[input]] needs every and times together", "every = 0.5, times = 20", "[[input]]"
+        return
+    if between is None and (length is None or any(way in entry for way in ("above", "below", "output"))):
+        words = "give for, how long it lasts, or between, two positions of an axis"
+        yield "[[input]] cannot come again before it is over", words, "every"
+        return
+    spans = isinstance(between, list) and _is_pair(between)
+    last = between[1] - between[0] if spans else length  # type: ignore[index]
+    if isinstance(every, (int, float)) and isinstance(last, (int, float)) and every <= last:
+        yield "[[input]] comes again before it is over", f"every must be more than {last:g}", "every"
 
 
 def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -191,6 +209,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "number": (finite, "must be a number"),
         "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
         "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
+        "times": (whole and 1 <= value <= 10_000, "must be a whole number from 1 to 10000"),  # type: ignore[operator]
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
         "reading": (finite or isinstance(value, (bool, str)), "must be a number, a text, true or false"),
         "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]

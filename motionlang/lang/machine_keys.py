@@ -57,6 +57,8 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "channel": ("channel", "The digital input."),
         "value": ("number", "The value while active, 1 unless given."),
         "for": ("positive", "How long it stays so, in seconds; for ever unless given."),
+        "every": ("positive", "Again so many seconds later, or with between so many user units further on."),
+        "times": ("times", "How often it happens then, the first time included, 1 to 10000."),
         "output": ("channel", "The digital output whose level it follows."),
         "delay": ("time", "How long after the output, in seconds; at once unless given."),
         **_WHEN,

@@ -157,3 +157,39 @@ def test_settings_of_a_caller_are_held_to_the_same_vocabulary(
 ) -> None:
     with pytest.raises(ValueError, match=words):
         motionlang.run(Source("hello.mnt", "PRINT 1\n"), machine=settings)
+
+
+def test_an_input_that_comes_again_is_over_before() -> None:
+    text = """\
+[[input]]
+channel = 1
+every = 1.0
+[[input]]
+channel = 1
+for = 2
+every = 1.0
+times = 3
+[[input]]
+channel = 1
+above = 5
+axis = 0
+for = 1
+every = 2.5
+times = 3
+[[input]]
+channel = 2
+axis = 0
+between = [10, 20]
+every = 10
+times = 100000
+"""
+    again, more = "[[input]] comes again before it is over", "every must be more than"
+    assert mistakes(text) == [
+        (1, 1, "[[input]] needs every and times together", "every = 0.5, times = 20"),
+        (7, 1, again, f"{more} 2"),
+        (14, 1, "[[input]] cannot come again before it is over",
+         "give for, how long it lasts, or between, two positions of an axis"),
+        (20, 1, again, f"{more} 10"),
+        (21, 1, "times of [[input]] must be a whole number from 1 to 10000, not 100000",
+         "How often it happens then, the first time included, 1 to 10000."),
+    ]  # fmt: skip

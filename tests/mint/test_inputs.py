@@ -82,3 +82,16 @@ End Sub
 
 def test_a_hidden_word_is_no_word() -> None:
     assert "(line)" not in DIALECT.table().names()
+
+
+def test_an_input_comes_again_by_time_and_by_place() -> None:
+    text = (
+        "SPEED(0) = 100 : ACCEL(0) = 1e9 : DECEL(0) = 1e9\nMOVER(0) = 300 : GO(0)\nPAUSE IDLE(0)\nEnd\n"
+        'Event IN1\nPRINT "at ", TIME\nEnd Event\nEvent IN2\nPRINT "on ", POS(0) USING 1, 1\nEnd Event'
+    )
+    entries = [
+        {"channel": 1, "at": 0.25, "for": 0.1, "every": 1.25, "times": 3},
+        {"channel": 2, "axis": 0, "between": [60.0, 62.0], "every": 100.0, "times": 2},
+    ]
+    result = run(Source("a.mnt", text), machine={"input": entries}, cache=False)
+    assert result.output == ["at 250", "on 60.0", "at 1500", "on 160.0", "at 2750"]
