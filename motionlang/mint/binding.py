@@ -259,6 +259,8 @@ def _wrapped(environment: Environment, position: Callable[[int], float]) -> Oper
 def _write_position(environment: Environment, row: Row) -> Operation:
     def write(axis: int, value: float) -> None:
         counts = scale_of(environment, axis).position_to_counts(value)
+        if not -1e300 < counts < 1e300:
+            raise Refusal("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")
         environment.controller.define_position(axis, counts)
 
     return write
@@ -273,7 +275,7 @@ def _load_load_by(environment: Environment, row: Row) -> Operation:
 
     def by(axis: int, value: float, line: int) -> bool:
         scale = scale_of(environment, axis)
-        _finite(row, value)
+        finite(row, value)
         refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
@@ -291,7 +293,7 @@ def _load_load_to(environment: Environment, row: Row) -> Operation:
 
     def to(axis: int, value: float, line: int) -> bool:
         scale = scale_of(environment, axis)
-        _finite(row, value)
+        finite(row, value)
         refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
@@ -310,7 +312,8 @@ def refuse_stopping(environment: Environment, axis: int) -> None:
         raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it stands")
 
 
-def _finite(row: Row, value: float) -> None:
+def finite(row: Row, value: float) -> None:
+    """Refuse a distance without an end."""
     if not -1e300 < value < 1e300:
         raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.controller.faults import Refusal
-from motionlang.mint.binding import scale_of
+from motionlang.mint.binding import finite, scale_of
 from motionlang.mint.operations.limits import axis_of
 
 TYPE_CHECKING = False
@@ -16,16 +15,11 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
 
 
-def _finite(row: Row, value: float) -> None:
-    if not -1e300 < value < 1e300:
-        raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
-
-
 def write_by(environment: Environment, row: Row) -> Operation:
     """INCR: the target moves by user units, of a move under way too."""
 
     def write(axis: int, value: float, line: int) -> None:
-        _finite(row, value)
+        finite(row, value)
         counts = scale_of(environment, axis).to_counts(value)
         environment.controller.retarget_by(axis, counts, row.name, line)
 
@@ -36,7 +30,7 @@ def write_to(environment: Environment, row: Row) -> Operation:
     """INCA: a new target, user units, of a move under way too."""
 
     def write(axis: int, value: float, line: int) -> None:
-        _finite(row, value)
+        finite(row, value)
         counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
         environment.controller.retarget_to(axis, counts, row.name, line)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mint.binding import scale_of
+from motionlang.mint.binding import finite, scale_of
 from motionlang.mint.operations.buffering import loader
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.masters import Masters, distance
@@ -107,6 +107,7 @@ def load_offset(environment: Environment, row: Row) -> Operation:
     controller, masters = environment.controller, environment.part(Masters)
 
     def put(axis: int, value: float, line: int) -> None:
+        finite(row, value)
         mode = int(masters.setting("OFFSETMODE", axis))
         over = masters.setting("OFFSETDISTANCE", axis) * masters.of(axis).per_unit
         controller.load_offset(axis, scale_of(environment, axis).to_counts(value), mode, over, row.name, line)

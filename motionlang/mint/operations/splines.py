@@ -61,13 +61,13 @@ class Splines:
         """The motion through the table from `start`, counts; from rest the first time, else as the last one ended."""
         points, velocities, times = self._points(axis, mode, start)
         cyclic = bool(mode & CONTINUOUS)
-        if velocities is None:
-            last = _seam(points, times, bool(mode & SECOND)) if cyclic else 0.0
-            choose = smooth_velocities if mode & SECOND else average_velocities
-            velocities = choose(points, times, 0.0 if first_time else last, last)
-        else:
-            velocities = [0.0 if first_time else velocities[-1], *velocities]
         try:
+            if velocities is None:
+                last = _seam(points, times, bool(mode & SECOND)) if cyclic else 0.0
+                choose = smooth_velocities if mode & SECOND else average_velocities
+                velocities = choose(points, times, 0.0 if first_time else last, last)
+            else:
+                velocities = [0.0 if first_time else velocities[-1], *velocities]
             return plan_pvt(points, velocities, times)
         except ValueError as problem:
             raise Refusal("range", f"axis {axis} cannot follow the spline: {problem}") from None
