@@ -58,12 +58,14 @@ class Whole:
         "parts",
         "problems",
         "rewritten",
+        "samples",
         "spec_names",
         "specs",
         "suffix",
         "table",
         "told",
         "typed",
+        "written",
     )
 
     def __init__(
@@ -85,6 +87,10 @@ class Whole:
         self.costs: set[int] = set()
         # What loops that poll may write over and over.
         self.rewritten: set[Keyword] = set()
+        # What stands before a statement with a reading that changes by itself, by the identity of its node.
+        self.samples: dict[int, str] = {}
+        # The functions whose text has been begun.
+        self.written: set[Function] = set()
         self.parts = 0  # how many parts there are
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.

@@ -39,6 +39,8 @@ def type_of(unit: str) -> str:
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """The value of a keyword, a function or a constant."""
+    if b.whole.samples and id(node) in b.whole.samples:
+        b.emit(b.whole.samples[id(node)])
     if row.kind == "constant":
         if node.args is not None:
             b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)

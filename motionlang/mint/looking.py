@@ -8,7 +8,7 @@ it, and so is what its Gosubs lead to.
 from __future__ import annotations
 
 from motionlang.mint import nodes
-from motionlang.mint.pausing import COMPARED, moves, moves_by_itself, solved
+from motionlang.mint.pausing import COMPARED, moves, moves_by_itself, solved, spelled
 from motionlang.mint.polling import REPEATABLE
 from motionlang.mint.survey import children, walk
 from motionlang.mint.symbols import NUMERIC, STRING, TIME
@@ -44,29 +44,32 @@ class Look:
         self.watches: list[str] = []
         self.rewritten: set[Keyword] = set()
         self._changed: set[Symbol] = set()
-        self._compared: list[nodes.Binary] = []
+        self._compared: list[tuple[nodes.Binary, bool]] = []
         self._called: set[Function] = set()
         self._labels: set[str] = set()
 
-    def at_all(self, body: Iterable[nodes.Stmt], conditions: Iterable[nodes.Expr] = ()) -> None:
-        """Look at a loop: its statements, its conditions, and everything that it calls."""
-        self._at([*body, *conditions], self.b.scope)
-        for node in self._compared:
-            self._compare(node)
+    def at_all(
+        self, body: Iterable[nodes.Stmt], conditions: Iterable[nodes.Expr] = (), *, is_written: bool = False
+    ) -> None:
+        """Look at a loop: its statements, whose text may be written already, its conditions, and all that it calls."""
+        self._at(body, self.b.scope, is_written)
+        self._at(conditions, self.b.scope, True)
+        for node, was_written in self._compared:
+            self._compare(node, was_written)
 
-    def _at(self, found: Iterable[object], scope: Scope) -> None:
+    def _at(self, found: Iterable[object], scope: Scope, is_written: bool) -> None:
         stack = list(found)
         while stack and not self.acts:
             node = stack.pop()
             if isinstance(node, nodes.Name):
-                self._name(node, scope)
+                self._name(node, scope, is_written)
                 stack += node.args or ()
             elif isinstance(node, nodes.Binary) and node.op in COMPARED and self._is_known_here(node, scope):
-                self._compared.append(node)
+                self._compared.append((node, is_written))
             elif isinstance(node, nodes.Assign):
                 stack += self._given(node.target, scope, node.values)
             elif isinstance(node, nodes.Call):
-                stack += self._command(node.target, scope)
+                stack += self._command(node.target, scope, is_written)
             elif node.__class__ not in _ACTS:
                 self._other(node, scope)
                 stack += children(node)
@@ -81,37 +84,40 @@ class Look:
 
     # ---------------------------------------------------------------------------------------- what is read
 
-    def _name(self, node: nodes.Name, scope: Scope) -> None:
+    def _name(self, node: nodes.Name, scope: Scope, is_written: bool) -> None:
         symbol = scope.find(node.name)
         if symbol is None:
             row = self.b.whole.table.get(node.name)
             if row is not None:
-                self._keyword(row)
+                self._keyword(node, row, is_written)
             return
         if symbol.kind == "sub":
             self._call(node, symbol, scope)
         elif symbol.kind == "define":
-            self._at([symbol.node], scope)
+            self._at([symbol.node], scope, is_written)
         elif symbol.type.name == TIME:
-            self._watch("('tick',)")
+            self._watch("('always',)")
         self.reads = self.reads or symbol.shared or symbol.by_ref
 
-    def _keyword(self, row: Keyword) -> None:
+    def _keyword(self, node: nodes.Name, row: Keyword, is_written: bool) -> None:
         if row.verb == "wait":
             self.waits = True
         if row.kind in ("reading", "setting"):
             self.reads = True
-        if moves_by_itself(row, counting=True):
-            self._watch("('tick',)")
-        elif moves_by_itself(row, counting=False):
-            self._watch("('motion',)")
+        counts = moves_by_itself(row, counting=True)
+        if not counts and not moves_by_itself(row, counting=False):
+            return
+        if is_written:
+            self._watch("('always',)" if counts else "('moving',)")
+        else:  # only the turns that come to it are no mere look
+            self.b.whole.samples[id(node)] = "E.acts += 1" if counts else "E.task.sampled = True"
 
-    def _compare(self, node: nodes.Binary) -> None:
+    def _compare(self, node: nodes.Binary, is_written: bool) -> None:
         """A comparison changes at a moment that can be solved, or whenever what it compares does."""
         steady = all(self.b.scope.find(name) not in self._changed for name in _names(node))
         watch = solved(self.b, node) if steady and moves(self.b, node) else None
         if watch is None:
-            self._at([node.left, node.right], self.b.scope)
+            self._at([node.left, node.right], self.b.scope, is_written)
         else:
             self._watch(watch)
 
@@ -146,7 +152,8 @@ class Look:
         if symbol.kind == "sub":  # the result of the function
             result = scope.function.result
             symbol = symbol if result is None else result
-        self._changed.add(symbol)
+        if symbol.type.name != TIME:  # which has another base after every turn that sets it
+            self._changed.add(symbol)
         self.computes = self.computes or not values or any(_names(each) for each in values)
         if symbol.home is self.b.function or symbol.home.kind != "sub":
             text = _text(symbol)
@@ -166,13 +173,13 @@ class Look:
 
     # ------------------------------------------------------------------------------------- what is called
 
-    def _command(self, target: nodes.Name, scope: Scope) -> list[nodes.Expr]:
+    def _command(self, target: nodes.Name, scope: Scope, is_written: bool) -> list[nodes.Expr]:
         """A sub, or a keyword that stands alone, which is something done."""
         symbol = scope.find(target.name)
         row = self.b.whole.table.get(target.name) if symbol is None else None
         if row is not None and row.verb != "wait":
             return []
-        self._name(target, scope)
+        self._name(target, scope, is_written)
         return target.args or []
 
     def _call(self, node: nodes.Name, symbol: Symbol, scope: Scope) -> None:
@@ -182,7 +189,7 @@ class Look:
                 self._given(arg, scope)
         if callee not in self._called:
             self._called.add(callee)
-            self._at(callee.body, callee.scope)
+            self._at(callee.body, callee.scope, callee in self.b.whole.written)
 
     def _gosub(self, label: str) -> None:
         if label in self._labels:
@@ -190,7 +197,7 @@ class Look:
         self._labels.add(label)
         start = self.b.labels().get(label, 0)
         for _, body in self.b.stretches()[start:]:
-            self._at(body, self.b.scope)
+            self._at(body, self.b.scope, True)
             if body and body[-1].__class__ in (nodes.Return, nodes.Jump, nodes.End):
                 break
 
@@ -202,16 +209,14 @@ def _names(node: nodes.Node) -> list[str]:
 
 def _text(symbol: Symbol) -> str:
     """A variable as Python text, with a value that can be compared; "" where there is none."""
-    if symbol.type.name not in (*NUMERIC, STRING) or symbol.type.name == TIME:
+    if symbol.type.name not in (*NUMERIC, STRING):
         return ""
     if symbol.is_array:
         count = 1
         for size in symbol.dimensions:
             count *= size
         return f"tuple({symbol.python})" if 0 < count <= MOST_ELEMENTS else ""
-    if symbol.by_ref:
-        return f"{symbol.python}[{symbol.python}_k]"
-    return f"{symbol.python}[0]" if symbol.boxed else symbol.python
+    return spelled(symbol)
 
 
 # Whoever does one of these has done something, whatever it looks at.

@@ -17,6 +17,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.body import Body
+    from motionlang.mint.symbols import Symbol
 
 # Verbs of readings that change while time passes and nothing happens.
 MOVING = frozenset(
@@ -85,12 +86,22 @@ def solved(b: Body, node: nodes.Expr) -> str | None:
         reading = _defined(b, reading)
         if type(reading) is not nodes.Name or moves(b, level):
             continue
-        row = None if b.scope.find(reading.name) is not None else b.whole.table.get(reading.name)
+        symbol = b.scope.find(reading.name)
+        if symbol is not None and symbol.type.name == TIME and reading.args is None and not symbol.is_array:
+            return f"('time', lambda: {spelled(symbol)}, lambda: {number(b, level).text})"
+        row = None if symbol is not None else b.whole.table.get(reading.name)
         if row is not None and row.verb in SOLVED:
             where = indices(b, reading, row, single=True)
             axis = f"lambda: {where[0]}" if where else "None"
             return f"({row.verb!r}, {axis}, lambda: {number(b, level).text})"
     return None
+
+
+def spelled(symbol: Symbol) -> str:
+    """A variable as Python text."""
+    if symbol.by_ref:
+        return f"{symbol.python}[{symbol.python}_k]"
+    return f"{symbol.python}[0]" if symbol.boxed else symbol.python
 
 
 def _defined(b: Body, node: nodes.Expr) -> nodes.Expr:

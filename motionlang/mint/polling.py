@@ -43,7 +43,7 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     """The watch on a loop, None where it would never find anything to skip."""
     if any(_plainly_acts(b, node) for node in body):
         return None
-    poll = _poll(b, body, conditions)
+    poll = _poll(b, body, conditions, is_written=False)
     if poll is not None:
         b.emit(poll.first("t"))
     return poll
@@ -51,14 +51,16 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
 
 def watched_jump(b: Body, body: list[nodes.Stmt]) -> Poll | None:
     """The watch on a Goto that leads back over these statements."""
-    return _poll(b, body, ())
+    return _poll(b, body, (), is_written=True)
 
 
-def _poll(b: Body, body: list[nodes.Stmt], conditions: tuple[nodes.Expr, ...]) -> Poll | None:
+def _poll(
+    b: Body, body: list[nodes.Stmt], conditions: tuple[nodes.Expr, ...], *, is_written: bool
+) -> Poll | None:
     from motionlang.mint.looking import Look
 
     look = Look(b)
-    look.at_all(body, conditions)
+    look.at_all(body, conditions, is_written=is_written)
     if look.acts or len(look.assigned) > MOST_VARIABLES or (look.computes and not look.reads):
         return None  # with nothing but its own variables it computes
     b.whole.rewritten |= look.rewritten

@@ -48,7 +48,7 @@ class Skipper:
         waited; `asks`: whether the loop looks at anything.
         """
         environment, task = self._environment, self._environment.task
-        level = self._level(t, since, watches) if watches else INFINITY
+        level = self._level(t, since, watches) if watches or task.sampled else INFINITY
         task.look, task.looked, task.level = (environment.acts, state[1:], asks), t, level
         if others:
             return t
@@ -68,6 +68,9 @@ class Skipper:
         """When what was looked at since a moment changes by itself."""
         from motionlang.mint.watching import next_change
 
+        if self._environment.task.sampled:
+            self._environment.task.sampled = False
+            watches = (*watches, ("moving",))
         level = next_change(self._environment, since, watches)
         if level <= t:
             self._environment.acts += (

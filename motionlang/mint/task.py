@@ -25,7 +25,7 @@ PARENT = "ParentTask"
 class MintTask(GeneratorTask):
     """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
-    __slots__ = ("axes", "environment", "held", "suspended", "timer")
+    __slots__ = ("axes", "environment", "held", "sampled", "suspended", "timer")
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
         file = make.__code__.co_filename
@@ -33,6 +33,8 @@ class MintTask(GeneratorTask):
         self.environment = environment
         self.timer = [environment.clock.now]
         self.axes: tuple[int, ...] = (0,)
+        # Whether it has read, of late, what changes while an axis moves.
+        self.sampled = False
         self.suspended = False
         self.held: Wait | None = None
 

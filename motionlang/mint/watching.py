@@ -23,9 +23,10 @@ def watch(
 ) -> Wait:
     """Wait until `ready`; `watches` tell when it may become true while nothing else happens.
 
-    A watch is `("position" | "demand" | "remaining", axis, level)`, `("time", None, level)`, `("motion",)` for what
-    changes while an axis moves, or `("tick",)`; axis and level are functions, as they may change while the program
-    waits.
+    A watch is `("position" | "demand" | "remaining", axis, level)`, `("time", base, level)` (None: the task's TIME),
+    `("motion",)` for what changes while an axis moves, and is looked at every tick, or `("tick",)`; axis, base and
+    level are functions, as they may change while the program waits. For a loop, which looks more often than that, there
+    are `("moving",)` and `("always",)`.
     """
     waiting = _Waiting(environment, ready, watches)
     return Wait(t, waiting.ready, waiting.due, why)
@@ -82,20 +83,24 @@ class _Waiting:
         return moment
 
     def moment(
-        self, kind: str, axis: Callable[[], int] | None = None, level: Callable[[], float] | None = None
+        self, kind: str, axis: Callable[[], float] | None = None, level: Callable[[], float] | None = None
     ) -> float:
         """The next moment at which one watch changes."""
         controller = self.environment.controller
         now = self.environment.clock.now
         if kind == "tick":
             return _next_tick(now)
-        if kind == "motion":
-            return INFINITY if all(map(controller.is_still, controller.axes)) else _next_tick(now)
+        if kind == "always":
+            return now
+        if kind in ("motion", "moving"):
+            if all(map(controller.is_still, controller.axes)):
+                return INFINITY
+            return _next_tick(now) if kind == "motion" else now
         assert level is not None
         if kind == "time":
-            return _counted(now, self.task.timer[0], level())
+            return _counted(now, self.task.timer[0] if axis is None else axis(), level())
         assert axis is not None
-        return self._crossing(kind, axis(), level())
+        return self._crossing(kind, int(axis()), level())
 
     def _crossing(self, kind: str, axis: int, level_uu: float) -> float:
         controller = self.environment.controller

@@ -9,7 +9,7 @@ COST = 0.7310585e-5
 
 _HEAD = """\
 Dim g As Integer, h As Integer, q As Float
-Dim a(4) As Integer, sem As Semaphore
+Dim a(4) As Integer, sem As Semaphore, clock As Time
 TIME = 0
 SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500
 """
@@ -26,13 +26,13 @@ End Function
 """
 _CONDITIONS = (
     "INX(0)", "INX(1) = 0", "INX(2) And g", "TIME > 40", "TIME > 700", "IDLE(0)", "Not IDLE(0)", "POS(0) > 12",
-    "h > 0", "Ready()", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
+    "clock > 300", "h > 0", "POS(0) > TIME / 100", "Ready()", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
 )  # fmt: skip
 _ACTS = (
     'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",
     "PAUSE IDLE(0)", "PAUSE INX(1) Or TIME > 300", "EVENTDISABLE = 0xFFFF", "EVENTDISABLE = 0", "TIMEREVENT = 45",
     "FEEDRATEOVERRIDE(0) = 50", "STOP(0)", "MOVER(0) = 5 : GO(0)", "COMMS(1) = h",
-    "Act(3)", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
+    "Act(3)", "clock = 0", "a(2) = a(1) + 1", "WAIT = 17", "JOG(0) = 20 * INX(1)",
 )  # fmt: skip
 # With a second task, which they order about; and a semaphore.
 _TASK_ACTS = (

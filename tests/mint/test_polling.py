@@ -88,6 +88,10 @@ FOR_EVER = {
     "the same value": "While 1\n  x = 5\nEnd While",
     "memory for a host": "Loop\n  COMMS(1) = POS(0)\n  COMMS(2) = INX(1)\nEnd Loop",
     "a jog panel": "Loop\n  If INX(1) Then JOG(0) = 10 Else JOG(0) = 0\nEnd Loop",
+    "a timer of its own": "Dim since As Time, state As Integer\nLoop\n  Select Case state\n  Case 0\n"
+    "    If INX(1) Then since = 0 : state = 1\n  Case 1\n    If since > 500 Then state = 0\n  End Select\nEnd Loop",
+    "what other states look at": "Loop\n  If INX(1) Then\n    COMMS(1) = TIME\n    COMMS(2) = POS(0)\n"
+    "  End If\nEnd Loop",
     "a jog that goes on": "Loop\n  JOG(0) = 10\n  SPEED(1) = 20\nEnd Loop",
     "a speed": "Loop\n  SPEED(0) = 50 + 10 * INX(1)\nEnd Loop",
     "subs": "Dim seen As Integer\nLoop\n  Look\n  OUTX(1) = seen\nEnd Loop\n"
@@ -116,12 +120,12 @@ class Near(float):
 
 
 def outcome(text: str, machine: dict[str, object] | None = None, until: float = 100.0) -> list[object]:
-    """What a program prints, and when it ends and moves."""
+    """What a program prints, what is wrong with it, and when it ends and moves."""
     machine = machine or {"controller.instruction_time": COST}
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
     starts = [move.start_time for move in result.controller.moves]
-    assert not result.diagnostics
-    return [result.output, result.status, *(Near(time) for time in (result.time, *starts))]
+    wrong = [each.message for each in result.diagnostics]
+    return [result.output, wrong, result.status, *(Near(time) for time in (result.time, *starts))]
 
 
 def turn_by_turn(monkeypatch: pytest.MonkeyPatch) -> None:
