@@ -71,6 +71,8 @@ def _end(b: Body) -> None:
     if b.function.kind in ("sub", "event"):
         b.emit("return")
     else:
+        if b.whole.guarded and b.function.kind == "main":
+            b.horizon()  # ONERROR hears of what the last statement has done wrong
         b.emit(f"{b.whole.use('env', 'end_main' if b.function.kind == 'main' else 'end_this')}(t)")
 
 
