@@ -26,7 +26,10 @@ CHAPTERS = {
     "The language": "first_program style_separators style_lines variables style_names shadows startup",
     "Types": "numbers style_numbers casting overflow strings arrays records style_types time_variables constants",
     "Operators": "arithmetic precedence style_not functions",
-    "Control flow": "if select style_select loops exits labels labels_in_blocks style_jumps style_deep style_ends several_at_once",
+    "Control flow": (
+        "if select style_select loops exits labels labels_in_blocks style_jumps style_deep style_ends"
+        " several_at_once"
+    ),
     "Subs and functions": "subs by_reference array_parameters recursion style_functions",
     "Time and tasks": "time tasks priorities semaphore",
     "Events": "events masked_events machine/urgency style_events machine/input_events machine/pending",
@@ -34,8 +37,8 @@ CHAPTERS = {
         "print using style_print screen operator machine/keys machine/terminals machine/serial"
     ),
     "Errors": (
-        "onerror onerror_at_the_end reading_errors machine/error_numbers machine/error_lines machine/monitoring machine/warnings"
-        " machine/never"
+        "onerror onerror_at_the_end reading_errors machine/error_numbers machine/error_lines machine/monitoring"
+        " machine/warnings machine/never"
     ),
     "Axes and moves": (
         "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"
