@@ -98,7 +98,7 @@ def _is_left(statement: list[Line]) -> bool:
         while loops and depth <= loops[-1]:
             loops.pop()
         breaks = text == "break" or (text.startswith("if ") and text.endswith(": break"))
-        if text.startswith(_LEAVES) or (breaks and not loops):
+        if text.startswith(_LEAVES) or text.endswith("; continue") or (breaks and not loops):
             return True
         if text.startswith(("while ", "for ")) and text.endswith(":"):
             loops.append(depth)
