@@ -48,7 +48,9 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
 
 def _handles_errors(b: Body) -> bool:
     """Whether these are statements of ONERROR itself, whose own failures end the program."""
-    return b.function.name.lower() == "onerror" or (b.function.jumps and b.stretches()[b.stretch][0] == "onerror")
+    return b.function.name.lower() == "onerror" or (
+        b.function.jumps and b.stretches()[b.stretch][0] == "onerror"
+    )
 
 
 def _guard(b: Body, node: nodes.Stmt) -> None:
