@@ -188,8 +188,10 @@ class Readings:
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """The same of the demanded position."""
         a, now = self.axes[axis], self.clock.now
-        start = a.starts[-1]
-        found = a.profiles[-1].crossing(position, now - start)
+        start, profile = a.starts[-1], a.profiles[-1]
+        if profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
+            return INFINITY  # it rests, as a slave whose master does: it passes nothing, not even where it is
+        found = profile.crossing(position, now - start)
         return INFINITY if found is None else start + found
 
     def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:

@@ -85,3 +85,12 @@ def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
     )
     assert result.time == pytest.approx(1000 * 30e-6, rel=0.01)
     assert result.controller.position(0) == pytest.approx(100 * result.time, rel=0.01)
+
+
+def test_a_slave_at_rest_never_leaves_the_place_that_it_is_at() -> None:
+    """It is at the very level of the wait, and its master does not move before 5 s."""
+    text = "MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1\nRun Belt\nPAUSE POS(1) > 0\nPRINT TIME > 4999\nEnd\n"
+    line = "Task Belt\nWAIT = 5000\nJOG(0) = 10\nEnd Task"
+    assert run(Source("a.mnt", text + line), cache=False).output == ["1"]
+    stuck = run(Source("a.mnt", "FOLLOW(1) = 1\nPAUSE POS(1) > 0"), cache=False)
+    assert [each.code for each in stuck.diagnostics] == ["never"]
