@@ -40,7 +40,7 @@ def serve_modbus(
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")
-    _greet(server)
+    _greet(server, source)
     before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # as good an end as Ctrl-C
     try:
         result = run(
@@ -65,9 +65,12 @@ def _outside(args: argparse.Namespace) -> Outside:
     return RealTime(args.factor or 1.0)
 
 
-def _greet(server: ModbusServer) -> None:
+def _greet(server: ModbusServer, source: Source) -> None:
     where = shown(server.host, server.port)
     _say(f"listening on {where} (Modbus TCP); Ctrl-C ends it\n")
+    if "modbusparameter" not in source.text.lower():
+        mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
+        _say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")
     if not is_loopback(server.host):
         _say(f"warning: whoever reaches this computer can write through {where}; there is no password\n")
 

@@ -137,7 +137,8 @@ class Environment:
         if how == "show":
             from motionlang.mint import printing
 
-            return getattr(printing, f"show_{details[0]}")
+            older = details[0] == "float" and self.machine.model and self._is_older()
+            return printing.show_older if older else getattr(printing, f"show_{details[0]}")
         if how == "using":
             from motionlang.mint import formats
 
@@ -150,6 +151,11 @@ class Environment:
         if how == "rewrite":
             return self._rewritten(operation, bind(self, "read", Row(*details)), str(details[3]))  # type: ignore[arg-type]
         return self._timed(operation) if how in ("write", "do") else operation
+
+    def _is_older(self) -> bool:
+        from motionlang.mint.models import V4, age
+
+        return age(self.machine.model) == V4
 
     def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
         """An operation at a time, which answers with the horizon: it may have made a nearer event."""

@@ -24,6 +24,12 @@ def show_float(value: float) -> str:
     return f"{value:e}"
 
 
+def show_older(value: float) -> str:
+    """A Float as a controller with Mint v4 writes it: without the zeros at its end."""
+    text = show_float(value)
+    return text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
+
+
 def show_integer(value: float) -> str:
     """An Integer as PRINT writes it."""
     return f"{value:d}"  # type: ignore[str-format,unused-ignore]

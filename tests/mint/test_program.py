@@ -194,3 +194,12 @@ def test_open_blocks_ask_for_more() -> None:
     assert interactive.is_complete("x = 1")
     assert not interactive.is_complete("For i = 1 To 3")
     assert interactive.is_complete("For i = 1 To 3\nNext")
+
+
+@pytest.mark.parametrize(
+    ("model", "printed"), [("", "3.0000 0.5000"), ("ESB-2", "3.0000 0.5000"), ("mint4", "3 0.5")]
+)
+def test_a_controller_of_v4_drops_the_zeros_of_a_float(model: str, printed: str) -> None:
+    settings: dict[str, object] = {"controller.model": model} if model else {}
+    result = run(Source("a.mnt", 'n = 3\nPRINT n," ",n / 6'), machine=settings, cache=False)
+    assert result.output == [printed]
