@@ -5,6 +5,8 @@ Few moves are shown phase by phase, more of them a line each, very many as total
 
 from __future__ import annotations
 
+from math import fsum
+
 from motionlang.report import axes as axes_of
 from motionlang.report import moves as moves_of
 from motionlang.report import written as written_of
@@ -155,7 +157,7 @@ def _totals(rows: list[Row], time: float, width: int, colour: bool) -> list[str]
     groups: dict[tuple[int, str, int], list[Row]] = {}
     for row in rows:
         groups.setdefault((row["line"], row["command"], row["axis"]), []).append(row)
-    busiest = sorted(groups.items(), key=lambda item: (-sum(row["duration"] for row in item[1]), item[0]))
+    busiest = sorted(groups.items(), key=lambda item: (-fsum(row["duration"] for row in item[1]), item[0]))
     texts = [_total(key, group, time) for key, group in busiest[:MOST_TOTALS]]
     lines = grid(_TOTALS, texts, width=width, colour=colour)
     if len(busiest) > MOST_TOTALS:
@@ -165,8 +167,8 @@ def _totals(rows: list[Row], time: float, width: int, colour: bool) -> list[str]
 
 def _total(key: tuple[int, str, int], group: list[Row], time: float) -> list[str]:
     line, command, axis = key
-    motion = sum(row["duration"] for row in group)
-    distance = sum(abs(row["distance"]) for row in group)
+    motion = fsum(row["duration"] for row in group)
+    distance = fsum(abs(row["distance"]) for row in group)
     return [
         str(line or ""),
         command,

@@ -102,7 +102,7 @@ line  command  axis  moves       in motion  of the run   each  distance    peak
    5  MOVER       0    100  1 min 41.416 s       17.6%  1.014  2116.723  33.333
    6  MOVER       3    100  1 min 41.104 s       17.6%  1.011  2108.415  33.333
    5  MOVER       2    100  1 min 40.972 s       17.5%  1.010  2104.021  33.333
-   6  MOVER       1    100  1 min 40.431 s       17.4%  1.004  2085.982  33.333
+   6  MOVER       1    100  1 min 40.431 s       17.4%  1.004  2085.983  33.333
 """
 
 
