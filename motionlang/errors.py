@@ -26,6 +26,7 @@ CODES: dict[str, str] = {
     "range": "The value lies outside what the keyword accepts.",
     "axis": "There is no such axis on this controller.",
     "channel": "There is no such input, output or element.",
+    "output": "No such output has been given to the word.",
     "no-connection": "The node or the server does not answer.",
     "terminal": "There is no such terminal.",
     "one-terminal": "This can be done with one terminal at a time.",

@@ -37,8 +37,8 @@ CHAPTERS = {
         "print using style_print screen operator machine/keys machine/terminals machine/serial"
     ),
     "Errors": (
-        "onerror onerror_at_the_end reading_errors machine/error_numbers machine/error_lines machine/monitoring"
-        " machine/warnings machine/never"
+        "onerror onerror_registers onerror_at_the_end reading_errors machine/error_numbers machine/error_lines"
+        " machine/monitoring machine/warnings machine/never"
     ),
     "Axes and moves": (
         "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"

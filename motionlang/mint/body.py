@@ -8,7 +8,7 @@ What takes note of time runs at `u = t + dN`, after everything that is due until
 from __future__ import annotations
 
 from motionlang.mint import ranges
-from motionlang.mint.handlers import label_handlers
+from motionlang.mint.handlers import handles
 from motionlang.mint.symbols import INTEGER, NUMERIC, Function, Symbol
 
 TYPE_CHECKING = False
@@ -94,9 +94,7 @@ class Whole:
         self.parts = 0  # how many parts there are
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.
-        self.guarded = any(f.kind == "event" and f.name.lower() == "onerror" for f in names.functions) or (
-            "onerror" in label_handlers(names.main)
-        )
+        self.guarded = handles(names, "onerror")
 
     def use(self, *spec: object) -> str:
         """The name, in the generated text, of what `spec` describes."""

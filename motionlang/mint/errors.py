@@ -19,6 +19,7 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "zero-speed": (3, "value invalid"),
     "zero-acceleration": (3, "value invalid"),
     "channel": (4, "channel invalid"),
+    "output": (6, "output not assigned"),
     "axis-error": (12, "axis has an error"),
     "moving": (10, "axis is moving"),
     "disabled-axis": (40, "drive disabled"),
@@ -82,6 +83,7 @@ class Errors:
         self.environment = environment
         self.found: list[Error] = []
         self.shown: Error | None = None
+        self.calling: Error | None = None  # the first one of those for which ONERROR is yet to begin
         # Whether an error calls no ONERROR, where a program says so.
         self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._heard)
@@ -126,7 +128,14 @@ class Errors:
         self.found.append(error)
         del self.found[:-100]  # a controller's log does not grow for ever either
         if self.masked is None or not self.masked(error):
+            self.calling = self.calling or error
             self.environment.events.raise_("onerror")
+
+    def call(self) -> None:
+        """ONERROR begins: the registers tell of the error that has called it, which stays on the list."""
+        if self.calling is not None:
+            self._show(self.calling)
+            self.calling = None
 
     # ---------------------------------------------------------------------------------------- reading
 

@@ -100,6 +100,8 @@ class Events:
                 return
             self.pending.remove(entry)
             self.active.append(entry)
+            if rank == 0:
+                self.environment.errors.call()
             make = self._handlers.get((KINDS[rank], number)) or self._handlers[KINDS[rank], -1]
             scheduler = self.environment.machine.scheduler
             assert scheduler is not None

@@ -1,4 +1,4 @@
-"""Labels of v4 that handle events: those with an event's name, to which nothing jumps."""
+"""What handles events: Event blocks, and labels of v4 with an event's name, to which nothing jumps."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from motionlang.mint.survey import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.mint.names import Names
     from motionlang.mint.symbols import Function
 
 
@@ -18,3 +19,9 @@ def label_handlers(function: Function) -> set[str]:
     labels = {node.name.lower() for node in function.body if type(node) is Label}
     named = {label for label in labels if kind_and_number(label) is not None}
     return named and named - {node.name.lower() for node in walk(function.body) if type(node) is Jump}
+
+
+def handles(names: Names, event: str) -> bool:
+    """Whether the program handles an event that exists once, such as onerror."""
+    blocks = (each.name.lower() for each in names.functions if each.kind == "event")
+    return event in blocks or event in label_handlers(names.main)

@@ -58,6 +58,9 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         return value(b, _each_of(node, node.args))
     known_use.warn(b, node, row)
     b.observes = True
+    if row.name == "IDLE" and _default_axes(b, node, row):
+        operation, axes = b.whole.operation("read", row), b.whole.use("env", "default_axes")
+        return Value(f"int(all(map({operation}, {axes}())))", INTEGER, ranges.BOOL)
     if _default_axes(b, node, row):
         arguments = [f"{b.whole.use('env', 'default_axes')}()[0]"]
     else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mint import nodes
 from motionlang.mint.events import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.fold import fold
+from motionlang.mint.handlers import handles
 from motionlang.mint.survey import Survey, walk
 from motionlang.mint.symbols import (
     FLOAT,
@@ -379,7 +380,12 @@ class Names:
                     symbol.boxed = not (symbol.by_ref or symbol.is_array or symbol.type.record)
 
     def _settle(self) -> None:
-        """Which subs are plain: no loop, no keyword that takes note of time, no call of a sub that is not plain."""
+        """Which subs are plain: no loop, no keyword that takes note of time, no call of a sub that is not plain.
+
+        None is where ONERROR may come between any two statements.
+        """
+        if handles(self, "onerror"):
+            return
         callers: dict[Function, list[Function]] = {}
         unknown: dict[Function, int] = {}
         for function in self.functions:

@@ -68,6 +68,8 @@ def _guard(b: Body, node: nodes.Stmt) -> None:
     b.noted = True
     b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
     b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
+    b.emit(" t, H = yield t")  # ONERROR comes before the next statement, also before one that only computes
+    b.waits = True
 
 
 def inner(b: Body, body: list[nodes.Stmt]) -> None:

@@ -76,11 +76,21 @@ def _shown(b: Body, item: nodes.PrintItem) -> str:
 
 def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:
     kind = {STRING: "text", FLOAT: "float"}.get(found.type, "integer")
-    widths = [converted(b, number(b, each, "a width"), Type(INTEGER), each) for each in item.using]
+    widths = [_width(b, each, first=index == 0) for index, each in enumerate(item.using)]
     if len(widths) > 2:
         b.problem("values", f"USING takes a width and decimals, {len(widths)} values given", item)
         return "''"
     return f"{b.whole.use('using', kind)}({', '.join([found.text, *widths])})"
+
+
+def _width(b: Body, node: nodes.Expr, first: bool) -> str:
+    found = value(b, node)
+    if found.type in NUMERIC:
+        return converted(b, found, Type(INTEGER), node)
+    what = "a width is" if first else "decimals are"
+    hint = "" if first else "a comma behind the width brings the decimals; a semicolon ends the item"
+    b.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
+    return "0"
 
 
 def line(b: Body, node: nodes.Call) -> None:

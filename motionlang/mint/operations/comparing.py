@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.cells import Cells
+from motionlang.controller.faults import Refusal
 from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.inputs import LAST_CHANNEL, checked
 from motionlang.mint.operations.limits import axis_of
@@ -159,7 +160,11 @@ def write_enable(environment: Environment, row: Row) -> Operation:
     compares = environment.part(Compares)
 
     def write(output: int, enabled: int) -> None:
-        for each in compares.of_output(output):
+        found = compares.of_output(output)
+        if enabled and not found:
+            what = f"output {output} is that of no position compare"
+            raise Refusal("output", what, f"COMPAREOUTPUT(0) = {output} gives it to axis 0")
+        for each in found:
             each.enable(bool(enabled))
 
     return write
