@@ -169,6 +169,7 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
         greeting = process.stderr.readline()
         found = re.match(r"listening on 127\.0\.0\.1:(\d+) \(Modbus TCP\)", greeting)
         assert found, greeting
+        assert process.stderr.readline().startswith("clients see NETINTEGER and NETFLOAT; MODBUSPARAMETER(")
         with ModbusTcpClient("127.0.0.1", port=int(found[1])) as client:
             assert not client.read_holding_registers(4, count=2).isError()
         os.kill(process.pid, signal.SIGTERM)
