@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli_run import complain
+from motionlang.controller.host import PRODUCTS, product
 from motionlang.errors import Diagnostic
 from motionlang.execution import end_of, run
 from motionlang.serve.address import is_loopback, shown
@@ -40,7 +41,7 @@ def serve_modbus(
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")
-    _greet(server, source)
+    _greet(server, source, str(settings.get("controller.model", "")))
     before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # as good an end as Ctrl-C
     try:
         result = run(
@@ -65,10 +66,10 @@ def _outside(args: argparse.Namespace) -> Outside:
     return RealTime(args.factor or 1.0)
 
 
-def _greet(server: ModbusServer, source: Source) -> None:
+def _greet(server: ModbusServer, source: Source, model: str) -> None:
     where = shown(server.host, server.port)
     _say(f"listening on {where} (Modbus TCP); Ctrl-C ends it\n")
-    if "modbusparameter" not in source.text.lower():
+    if PRODUCTS[product(model)] == "netdata" and "modbusparameter" not in source.text.lower():
         mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
         _say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")
     if not is_loopback(server.host):
