@@ -31,8 +31,8 @@ class Axis:
 
     `target` is where the last move loaded ends, `frame` how far the program's zero lies from where the axis stood at
     power-up (user units, None where unknown); `set` are the properties of moves given so far, `stale` those given
-    before the last scale, which stands at `scaled`; `timed` is where a ramp's time was given before any speed, 0 when
-    none was; `speeded` whether a speed may have been given.
+    before the last scale, which stands at `scaled`; `timed` is where a ramp's time was given before any speed, None
+    where none was; `speeded` whether a speed may have been given.
     """
 
     motion: str = UNKNOWN
@@ -43,7 +43,7 @@ class Axis:
     set: frozenset[str] = frozenset()
     stale: frozenset[str] = frozenset()
     scaled: int = 0
-    timed: int = 0
+    timed: int | None = None
     speeded: bool = True
 
     def joined(self, other: Axis, turns: bool) -> Axis:
@@ -59,7 +59,7 @@ class Axis:
             set=self.set & other.set,
             stale=self.stale & other.stale,
             scaled=self.scaled if self.scaled == other.scaled else 0,
-            timed=self.timed if self.timed == other.timed else 0,
+            timed=self.timed if self.timed == other.timed else None,
             speeded=self.speeded or other.speeded,
         )
 
@@ -238,7 +238,7 @@ class Follower:
 
     def _after_call(self, old: Axis, inner: Axis) -> Axis:
         """What a sub leaves behind; what was set before it still is, as far as it matters here."""
-        return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=0, stale=frozenset())
+        return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
 
     def _tell(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
         if self._report is not None:
@@ -322,11 +322,11 @@ class Follower:
         assert act.row is not None
         slot = SLOTS[act.row.name]
         if slot == "speed":
-            if axis.timed:
+            if axis.timed is not None:
                 self._tell("time-before-speed", step, act, act.axes[number], axis)
-            axis = replace(axis, speeded=True, timed=0)
+            axis = replace(axis, speeded=True, timed=None)
         elif act.row.name in ("ACCELTIME", "DECELTIME") and not axis.speeded:
-            axis = replace(axis, timed=axis.timed or act.at)
+            axis = replace(axis, timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
         return replace(
             axis, set=axis.set | {slot} if in_units else axis.set - {slot}, stale=axis.stale - {slot}
