@@ -64,7 +64,7 @@ ROWS = (
              0.0, -_LARGEST, _LARGEST, "manual"),
     _setting("FOLLOWMODE", "", "integer",
              "How FOLLOW begins: 0 at the master's speed at once, 1 with ramps at ACCEL and DECEL.", 0.0, 0, 1),
-    Keyword("FOLLOW", "", "setting", "RW", "axis", "number", "following.follow",
+    Keyword("FOLLOW", "FL", "setting", "RW", "axis", "number", "following.follow",
             "Follow the master: units of this axis for each unit of the master. 0 ends it; no GO is needed.",
             _READY + "FOLLOW(1) = 0.5\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
             default=0.0, low=-_LARGEST, high=_LARGEST, source=_MN1270, trust="manual", group="motion"),

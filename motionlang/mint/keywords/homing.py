@@ -25,7 +25,7 @@ def _what(direction: int, switch: str, index: bool) -> str:
 
 
 ROWS = (
-    Keyword("HOME", "", "setting", "RW", "axis", "integer", "homing.home",
+    Keyword("HOME", "HM", "setting", "RW", "axis", "integer", "homing.home",
             "Find the datum of the axis: run to the switch, leave it slowly, go on to the index; one of the _hm types.",
             _HOMED.format("HOME"), low=0, high=len(HOME_TYPES) - 1, source=_MN1270, trust="manual", group="motion"),
     Keyword("HOMETYPE", "", "setting", "RW", "axis", "integer", "homing.type",

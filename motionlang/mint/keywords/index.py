@@ -28,15 +28,15 @@ speedreferrordeceltime speedtestref speedtestrefacceltime speedtestrefdeceltime 
 speedmeasured sms speederror velerror
 """,
     "axis": """
-axes scalefactor scale speed accel decel acceltime deceltime acceljerk deceljerk profilemode movebuffersize mb
-driveenable de
+axes scalefactor scale speed sp accel ac decel acceltime deceltime acceljerk deceljerk profilemode
+movebuffersize mb driveenable de
 """,
     "feedrate": """
 feedrate feedratemode frm feedrateoverride fro feedrateparameter maxspeed maxaccel maxdecel acceltimemax
 deceltimemax acceljerktime deceljerktime sramp
 """,
     "motion": """
-mover mr movea ma go jog cancel cn cancelall cna
+mover mr movea ma go jog jg cancel cn cancelall cna
 """,
     "buffer": """
 _trauto _trgo _trinput _trposition movebufferid movebufferidlast movebufferlow triggermode triggerinput
@@ -52,7 +52,7 @@ blend veldemandpath vectorangle
     "following": """
 _mspos _msencoder _msauxencoder _ofstandard _ofspeed_limit _ofaccel_mod _ofspeed_mod _osmaxspeed _osminspeed
 _osmaxaccel _osmaxdecel _osprofileerror _oszeroaccel mastersource masterchannel masterdistance followmode
-follow follownumerator followdenom gearing gr gearingmode grm fly offset offsetmode offsetdistance
+follow fl follownumerator followdenom gearing gr gearingmode grm fly offset offsetmode offsetdistance
 offsetstatus ofs auxencoder auxencodervel auxencoderspeed auxencoderscale auxencoderprescale auxencoderwrap
 """,
     "profiles": """
@@ -61,7 +61,7 @@ camindex camsegment camphase camphasestatus splinetable spline spl splinestart s
 splinesuspendtime splineindex splinesegment
 """,
     "state": """
-idle pos ps vel posremaining folerror fe movebufferfree
+idle id pos ps vel vl posremaining folerror fe movebufferfree
 """,
     "control": """
 time wait wt
@@ -135,7 +135,7 @@ stopinputmode stopswitch suspendinput suspendswitch resetinput rsi axiserror err
 st stopmode reset resetall default defaultall (line)
 """,
     "homing": """
-home hometype homespeed homebackoff homecreepspeed homeaccel homedecel homeoffset homerefpos homepos hps
+home hm hometype homespeed homebackoff homecreepspeed homeaccel homedecel homeoffset homerefpos homepos hps
 homestatus homephase homeinput hi homeswitch hsw _hmnegative_switch _hmnegative_switch_index
 _hmpositive_switch _hmpositive_switch_index _hmnegative_index _hmpositive_index _hmnegative_limit
 _hmnegative_limit_index _hmpositive_limit _hmpositive_limit_index

@@ -20,7 +20,7 @@ ROWS = (
             "Start all moves in the buffers of the axes, together.",
             "MOVER(0, 1) = 10, 20\nGO(0, 1)\nPAUSE IDLE(0) And IDLE(1)\nPRINT POS(1)",
             source=_AN117, trust="manual", group="motion"),
-    Keyword("JOG", "", "setting", "RW", "axis", "uu/s", "jogging.velocity",
+    Keyword("JOG", "JG", "setting", "RW", "axis", "uu/s", "jogging.velocity",
             "Run at a constant speed, its sign the direction, until stopped or told another speed; 0 brings the axis "
             "to rest and ends it.",
             "JOG(0) = 100\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)\nPAUSE IDLE(0)",

@@ -8,7 +8,7 @@ _AN115 = "ABB AN00115"
 _LIBRARY = "Mint type library"
 
 ROWS = (
-    Keyword("IDLE", "", "reading", "R", "axis", "bool", "is_idle",
+    Keyword("IDLE", "ID", "reading", "R", "axis", "bool", "is_idle",
             "1 when no move of the axis is executing.",
             "MOVER(0) = 12\nGO(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)",
             default=1.0, source=_AN115, trust="manual", group="state"),
@@ -16,7 +16,7 @@ ROWS = (
             "Position of the axis, that of a simulated motor; writing it gives the present position a new value.",
             "POS(0) = 100\nPRINT POS(0)",
             default=0.0, source="Baldor MN1270", trust="manual", group="state"),
-    Keyword("VEL", "", "reading", "R", "axis", "uu/s", "velocity",
+    Keyword("VEL", "VL", "reading", "R", "axis", "uu/s", "velocity",
             "Velocity of the axis, that of a simulated motor.",
             "JOG(0) = 100\nWAIT = 100\nPRINT VEL(0)\nSTOP(0)",
             default=0.0, source=_LIBRARY, trust="memory", group="state"),
