@@ -55,7 +55,10 @@ def count(b: Body, node: nodes.For) -> None:
     """`For variable = start To stop Step step … Next`."""
     symbol = b.scope.find(node.variable.name)
     if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
-        b.problem("type", f"{node.variable.name} cannot count: it is not a numeric variable", node.variable)
+        name = node.variable.name
+        row = b.whole.table.get(name) if symbol is None else None
+        hint = f"it is a word of Mint, {row.name}; Dim {name} makes a variable of it" if row else ""
+        b.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
         return
     if not (symbol.boxed or symbol.by_ref or symbol.is_array):
         b.use_outside(symbol)

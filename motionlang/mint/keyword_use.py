@@ -223,7 +223,7 @@ def _many(count: int, what: str) -> str:
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """`KEYWORD(axes) = values`."""
     if not known_use.can_be_given(row):
-        b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row))
+        b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
         for each in node.values:
             value(b, each)
         return
@@ -290,7 +290,9 @@ def _why_not(row: Keyword) -> str:
     return "is a command and takes no value" if row.access == "C" else "can be read but not written"
 
 
-def _instead(row: Keyword) -> str:
+def _instead(row: Keyword, name: str) -> str:
+    if name.lower() == row.short.lower():
+        return f"{name} is short for {row.name}; Dim {name} makes a variable of it"
     if row.access == "C" and row.kind == "command":
         return f"write {row.name}(0) without ="
     if row.group == "v4":
