@@ -233,7 +233,11 @@ def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None
 def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | None:
     """The text, the type and the sizes of a member as a whole; a mistake is noted."""
     if type(node.value) is nodes.Name and b.scope.find(node.value.name) is None:
-        unknown(b, node.value)
+        if node.value.args is None and b.whole.table.get(node.value.name) is not None:
+            b.problem("syntax", f"behind the dot of {node.value.name} stands a number, not a name", node,
+                      f"write {node.value.name}[{node.field}]")  # fmt: skip
+        else:
+            unknown(b, node.value)
         return None
     if type(node.value) not in (nodes.Name, nodes.Member):
         b.problem("type", "only a variable has members", node)

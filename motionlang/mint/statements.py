@@ -268,10 +268,15 @@ def _call(b: Body, node: nodes.Call) -> None:
             keyword_use.command(b, node, row)
 
 
+# Words of the grammar that begin a statement and are easily written wrong.
+_FIRST_WORDS = ("Pause", "Print", "Return", "Input", "Repeat")
+
+
 def unknown_command(b: Body, target: nodes.Name) -> None:
     """Note a word that should do something and is not known; what only has a value is no suggestion."""
     words = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
     words += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
+    words += _FIRST_WORDS
     b.whole.problems.unknown(f"{target.name} is neither a keyword nor a sub of this program", target.name, words,
                              target.at)  # fmt: skip
 
