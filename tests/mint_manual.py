@@ -55,7 +55,9 @@ CHAPTERS = {
         "machine/digital_inputs machine/edges machine/debounce machine/outputs machine/signals machine/relays"
         " machine/analogue machine/camboxes"
     ),
-    "Latches and position compare": "machine/latches machine/latch_settings machine/fastaux machine/compare",
+    "Latches and position compare": (
+        "machine/latches machine/wrapped_latch machine/latch_settings machine/fastaux machine/compare"
+    ),
     "Motors": "machine/servo machine/torque machine/captures machine/captured_motor",
     "Communication": (
         "machine/comms machine/packed_texts machine/comms_esb machine/modbus_own machine/modbus_client"

@@ -219,14 +219,15 @@ def read_caught(environment: Environment, row: Row) -> Operation:
 
 
 def read_value(environment: Environment, row: Row) -> Operation:
-    """What was caught: a position in user units, an encoder's count in counts."""
-    find = _find(environment, row)
+    """What was caught: a position in user units, within POSWRAP as POS shows it, an encoder's count in counts."""
+    find, wraps = _find(environment, row), environment.wraps
 
     def read(channel: int) -> float:
         latch = find(channel)
         if latch.source == ENCODER:
             return latch.value
-        return scale_of(environment, latch.axis).position_to_user(latch.value)
+        shown, wrap = scale_of(environment, latch.axis).position_to_user(latch.value), wraps.get(latch.axis)
+        return shown % wrap if wrap else shown
 
     return read
 
