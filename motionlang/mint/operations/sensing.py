@@ -63,26 +63,22 @@ def read_target(environment: Environment, row: Row) -> Operation:
     """POSTARGET; of motion without an end, where the axis is."""
     controller = environment.controller
 
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        return scale.position_to_user(_finite(environment, axis, controller.target(axis)))
-
-    return read
+    return lambda axis: _shown(environment, axis, controller.target(axis))
 
 
 def read_last_target(environment: Environment, row: Row) -> Operation:
     """POSTARGETLAST: where the axis will be when its buffer is empty."""
     axes = environment.controller.axes
 
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        return scale.position_to_user(_finite(environment, axis, buffer.end(axes[axis])))
-
-    return read
+    return lambda axis: _shown(environment, axis, buffer.end(axes[axis]))
 
 
-def _finite(environment: Environment, axis: int, target: float) -> float:
-    return target if abs(target) < 1e300 else environment.controller.position(axis)
+def _shown(environment: Environment, axis: int, target: float) -> float:
+    """An end in user units, within POSWRAP, as POSROLLOVERTARGET tells the turn; the position where there is none."""
+    scale, wrap = scale_of(environment, axis), environment.wraps.get(axis)
+    counts = target if abs(target) < 1e300 else environment.controller.position(axis)
+    shown = scale.position_to_user(counts)
+    return shown % wrap if wrap else shown
 
 
 def read_seconds(environment: Environment, row: Row) -> Operation:
