@@ -61,16 +61,14 @@ def read_acceleration(environment: Environment, row: Row) -> Operation:
 
 def read_target(environment: Environment, row: Row) -> Operation:
     """POSTARGET; of motion without an end, where the axis is."""
-    controller = environment.controller
-
-    return lambda axis: _shown(environment, axis, controller.target(axis))
+    target = environment.controller.target
+    return lambda axis: _shown(environment, axis, target(axis_of(environment, axis)))
 
 
 def read_last_target(environment: Environment, row: Row) -> Operation:
     """POSTARGETLAST: where the axis will be when its buffer is empty."""
     axes = environment.controller.axes
-
-    return lambda axis: _shown(environment, axis, buffer.end(axes[axis]))
+    return lambda axis: _shown(environment, axis, buffer.end(axes[axis_of(environment, axis)]))
 
 
 def _shown(environment: Environment, axis: int, target: float) -> float:
