@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.execution import Run
     from motionlang.lang.scheduler import Scheduler, Stuck
+    from motionlang.lang.task import Task
 
 # Of a word that changes nothing, so many lines are named.
 MOST_LINES = 5
@@ -94,14 +95,30 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
     message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
     result.not_counted.append(f"line {line}: {message}")
+    others = _others(result, stuck.task)
+    for each in others:
+        where, _, _ = result.dialect.locate(result.source, each.at)
+        result.not_counted.append(f"line {where}: {each.name} waits {_why(each)}")
     if "run.until" in result.machine.settings:
         result.status = "until"
         result.controller.clock.advance(until)
         return
     otherwise = "start a move first, or let a machine file say what happens, and with run.until how long"
-    hint = result.dialect.what_ends(stuck.wait.why) or otherwise
+    hints = [result.dialect.what_ends(why) for why in (stuck.wait.why, *map(_why, others))]
+    hint = next(filter(None, hints), otherwise)
     result.status = "fault"
     result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
+
+
+def _others(result: Run, task: Task) -> list[Task]:
+    """The other tasks that wait."""
+    scheduler = result.machine.scheduler
+    assert scheduler is not None
+    return [each for each in scheduler.tasks if each is not task and each.wait is not None]
+
+
+def _why(task: Task) -> str:
+    return "" if task.wait is None else task.wait.why
 
 
 def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:

@@ -203,3 +203,12 @@ def test_a_controller_of_v4_drops_the_zeros_of_a_float(model: str, printed: str)
     settings: dict[str, object] = {"controller.model": model} if model else {}
     result = run(Source("a.mnt", 'n = 3\nPRINT n," ",n / 6'), machine=settings, cache=False)
     assert result.output == [printed]
+
+
+def test_who_waits_for_a_task_is_told_what_that_waits_for() -> None:
+    text = "Run A\nPAUSE TASKSTATUS(A) = 0\nTask A\n  PAUSE INX(3)\nEnd Task"
+    result = run(Source("a.mnt", text), cache=False)
+    (diagnostic,) = result.diagnostics
+    assert diagnostic.line == 2
+    assert "[[input]]" in diagnostic.hint
+    assert result.not_counted[1] == "line 4: a waits until INX(3)"
