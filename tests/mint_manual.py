@@ -57,6 +57,7 @@ CHAPTERS = {
     ),
     "Latches and position compare": (
         "machine/latches machine/wrapped_latch machine/latch_settings machine/fastaux machine/compare"
+        " machine/wrapped_compare"
     ),
     "Motors": "machine/servo machine/torque machine/captures machine/captured_motor",
     "Communication": (

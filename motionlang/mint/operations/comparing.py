@@ -26,12 +26,12 @@ class Compare:
     """The compare of one axis: `positions` in counts, the output it drives (-1: none)."""
 
     def __init__(self, environment: Environment, axis: int) -> None:
-        self._controller = environment.controller
+        self._environment, self._controller = environment, environment.controller
         self._axis = axis
         self.mode, self.output = AT, -1
         self.positions = [0.0, 0.0]
         self.enabled = self.passed = False
-        self._between: Cells | None = None
+        self._cells: Cells | None = None
         self._watch: Watch | None = None
 
     def enable(self, enabled: bool) -> None:
@@ -41,13 +41,26 @@ class Compare:
         if not enabled:
             return
         self.passed = False
+        turn = self._turn()
         if self.mode == BETWEEN:
-            track = self._controller.axes[self._axis]
-            self._between = Cells(self._controller, track, sorted(self.positions), self._moved)
-            if self._between.index == BETWEEN:
+            self._cells = self._watched(self.positions, turn, self._moved)
+            if self._cells.index % 2:
                 self._inside(True)
+        elif turn:
+            self._cells = self._watched(self.positions[:1], turn, lambda _: self._inside(True))
         else:
             self._watch = self._controller.watch(self._axis, self.positions[0], lambda _: self._inside(True))
+
+    def _turn(self) -> float:
+        """The counts of a turn, 0 where the axis does not wrap."""
+        wrap = self._environment.wraps.get(self._axis)
+        return abs(self._controller.axes[self._axis].scale.to_counts(wrap, "uu")) if wrap else 0.0
+
+    def _watched(self, positions: list[float], turn: float, change: Callable[[int], None]) -> Cells:
+        """Positions to watch; on an axis that wraps they come again in every turn."""
+        track = self._controller.axes[self._axis]
+        edges = [position % turn for position in positions] if turn else positions
+        return Cells(self._controller, track, sorted(edges), change, turn)
 
     def set(self, name: str, value: int) -> None:
         setattr(self, name, value)
@@ -62,7 +75,7 @@ class Compare:
 
     def _moved(self, index: int) -> None:
         """Below both positions, between them, or above both; a new zero may jump from one to another."""
-        self._inside(index == BETWEEN)
+        self._inside(bool(index % 2))
 
     def _inside(self, inside: bool) -> None:
         self.passed = self.passed or inside
@@ -70,11 +83,11 @@ class Compare:
             self._controller.set_output(self.output, int(inside))
 
     def _forget(self) -> None:
-        if self._between is not None:
-            self._between.remove()
+        if self._cells is not None:
+            self._cells.remove()
         if self._watch is not None:
             self._controller.unwatch(self._axis, self._watch)
-        self._between = self._watch = None
+        self._cells = self._watch = None
 
 
 class Compares:
