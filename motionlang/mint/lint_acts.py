@@ -8,7 +8,7 @@ from motionlang.mint import nodes
 from motionlang.mint.flowgraph import Graph, Step
 from motionlang.mint.fold import fold
 from motionlang.mint.lint_words import OF_ALL_AXES, role
-from motionlang.mint.survey import walk
+from motionlang.mint.survey import meant, walk
 from motionlang.mint.symbols import Function, Symbol
 
 if TYPE_CHECKING:
@@ -173,7 +173,7 @@ class Facts:
         target: nodes.Expr | None = None
         if isinstance(node, nodes.Assign | nodes.Call):
             target = node.target
-            written = self._meant(function, node.target)
+            written = meant(function.scope, node.target)
         for expression in parts(node):
             for name in reversed(list(walk([expression]))):
                 if (
@@ -185,15 +185,6 @@ class Facts:
         if type(written) is nodes.Name:
             values = node.values if type(node) is nodes.Assign else []
             yield from self._word(function, written, True, values)
-
-    def _meant(self, function: Function, target: nodes.Expr) -> nodes.Expr:
-        """The target of an assignment, through a Define."""
-        while type(target) is nodes.Name and target.args is None:
-            symbol = function.scope.find(target.name)
-            if symbol is None or symbol.kind != "define":
-                break
-            target = symbol.node  # type: ignore[assignment]
-        return target
 
     def _word(
         self, function: Function, name: nodes.Name, written: bool, values: list[nodes.Expr]

@@ -11,6 +11,7 @@ from motionlang.mint import nodes
 from motionlang.mint.expressions import condition, number
 from motionlang.mint.keyword_use import indices
 from motionlang.mint.shown import shown
+from motionlang.mint.survey import meant, walk
 from motionlang.mint.symbols import TIME
 
 TYPE_CHECKING = False
@@ -25,12 +26,21 @@ MOVING = frozenset(
         "position", "velocity", "remaining", "following_error", "time", "demand", "demand_velocity",
         "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
         "sensing.turns", "identity.date", "following.offset", "path_speed", "paths.angle", "auxiliary.position",
-        "turns.demand",
+        "turns.demand", "jogging.time", "torque.demand", "torque.effort", "torque.current",
     }
 )  # fmt: skip
-COUNTING = frozenset({"time", "sensing.seconds", "identity.date"})
+COUNTING = frozenset({"time", "sensing.seconds", "identity.date", "jogging.time"})
 # Those of them whose crossing of a value can be solved.
 SOLVED = frozenset({"position", "demand", "remaining", "following.offset", "time"})
+# What counts milliseconds from a moment of its own, with the reading that tells the moment.
+_BASES = {"jogging.time": "jogging.began"}
+# What takes away what it tells of, or tells something else each time.
+TAKING = frozenset(
+    {
+        "random", "terminal.key", "serial.character", "network.event", "fastaux.passed", "fastaux.aux_passed",
+        "latches.caught", "inputs.bit", "inputs.bank", "error_read_next", "error_read_code",
+    }
+)  # fmt: skip
 COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 
 
@@ -64,7 +74,7 @@ def _poll(b: Body, test: str) -> None:
 
 def _watch(b: Body, node: nodes.Expr, watches: list[str]) -> None:
     """Add what decides when `node` may change: nothing where only events can change it."""
-    node = _defined(b, node)
+    node = meant(b.scope, node)
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
         _watch(b, node.left, watches)
         _watch(b, node.right, watches)
@@ -83,8 +93,8 @@ def solved(b: Body, node: nodes.Expr) -> str | None:
     if type(node) is not nodes.Binary or node.op not in COMPARED:
         return None
     for reading, level in ((node.left, node.right), (node.right, node.left)):
-        reading = _defined(b, reading)
-        if type(reading) is not nodes.Name or moves(b, level):
+        reading = meant(b.scope, reading)
+        if type(reading) is not nodes.Name or moves(b, level) or _acts(b, node):
             continue
         symbol = b.scope.find(reading.name)
         if symbol is not None and symbol.type.name == TIME and reading.args is None and not symbol.is_array:
@@ -94,7 +104,26 @@ def solved(b: Body, node: nodes.Expr) -> str | None:
             where = indices(b, reading, row, single=True)
             axis = f"lambda: {where[0]}" if where else "None"
             return f"({row.verb!r}, {axis}, lambda: {number(b, level).text})"
+        if row is not None and row.verb in _BASES:
+            base = b.whole.use("read", _BASES[row.verb], row.name, row.unit, row.index, row.low, row.high)
+            axis = indices(b, reading, row, single=True)[0]
+            return f"('time', lambda: {base}({axis}), lambda: {number(b, level).text})"
     return None
+
+
+def _acts(b: Body, node: object) -> bool:
+    """Whether it does something to work out an expression: its value is then not to be had by the way."""
+    for each in walk([node]):
+        if type(each) is nodes.Name:
+            symbol = b.scope.find(each.name)
+            row = b.whole.table.get(each.name) if symbol is None else None
+            if symbol is not None and (
+                symbol.kind == "sub" or (symbol.kind == "define" and _acts(b, symbol.node))
+            ):
+                return True
+            if row is not None and row.verb in TAKING:
+                return True
+    return False
 
 
 def spelled(symbol: Symbol) -> str:
@@ -104,20 +133,8 @@ def spelled(symbol: Symbol) -> str:
     return f"{symbol.python}[0]" if symbol.boxed else symbol.python
 
 
-def _defined(b: Body, node: nodes.Expr) -> nodes.Expr:
-    """What a name made by Define stands for."""
-    while type(node) is nodes.Name and node.args is None:
-        symbol = b.scope.find(node.name)
-        if symbol is None or symbol.kind != "define":
-            break
-        node = symbol.node  # type: ignore[assignment]
-    return node
-
-
 def moves(b: Body, node: nodes.Node, counting: bool = False) -> bool:
     """Whether the value of an expression changes by itself; `counting`: also while every axis stands still."""
-    from motionlang.mint.survey import walk
-
     for each in walk([node]):
         if type(each) is nodes.Name:
             symbol = b.scope.find(each.name)

@@ -9,6 +9,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
+    from motionlang.mint.symbols import Scope
+
 # The slots of each class that may hold nodes; the others hold names, operators and the like.
 _NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
                         "places", "repeat", "separator", "word"))  # fmt: skip
@@ -47,6 +49,16 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
                 stack.extend(value)
             elif value is not None:
                 stack.append(value)
+
+
+def meant(scope: Scope, node: nodes.Expr) -> nodes.Expr:
+    """What a name made by Define stands for; anything else stands for itself."""
+    while isinstance(node, Name) and node.args is None:
+        symbol = scope.find(node.name)
+        if symbol is None or symbol.kind != "define":
+            break
+        node = symbol.node  # type: ignore[assignment]
+    return node
 
 
 class Survey:

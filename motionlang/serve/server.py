@@ -62,7 +62,6 @@ class Server:
         self._listeners: dict[socket.socket, Callable[[], None]] = {}
         self._refusing = False
         self._known: set[str] = set()
-        self._late = False
         self._selector = selectors.DefaultSelector()
         self._over = False
         self._wake, self._alarm = socket.socketpair()

@@ -20,13 +20,22 @@ End Sub
 Sub Look()
   If INX(1) Then g = 1 Else g = 0
 End Sub
+Function Counted(ByVal level As Float) As Float
+  q = q + 1
+  Counted = level
+End Function
+Function Late(ByVal level As Float) As Float
+  WAIT = 1
+  Late = level
+End Function
 Function Ready() As Integer
   Ready = INX(2) And g
 End Function
 """
 _CONDITIONS = (
     "INX(0)", "INX(1) = 0", "INX(2) And g", "TIME > 40", "TIME > 700", "IDLE(0)", "Not IDLE(0)", "POS(0) > 12",
-    "clock > 300", "h > 0", "POS(0) > TIME / 100", "Ready()", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
+    "clock > 300", "h > 0", "POS(0) > TIME / 100", "Ready()",
+    "POS(0) > Counted(4)", "TIME > Counted(500)", "POS(0) < Late(11)", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
 )  # fmt: skip
 _ACTS = (
     'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",

@@ -9,6 +9,7 @@ from motionlang.execution import Run
 from motionlang.lang.task import GeneratorTask
 from motionlang.mint import polling
 from motionlang.mint.keywords import table
+from motionlang.mint.pausing import TAKING
 from motionlang.mint.skipping import Skipper
 from motionlang.source import Source
 from tests.mint.polling_programs import COST, program
@@ -198,6 +199,10 @@ def test_eight_hours_of_nothing_are_over_at_once(text: str, monkeypatch: pytest.
 def test_what_may_be_written_over_and_over_can_be_read() -> None:
     readable = {row.verb for row in table() if row.access == "RW"}
     assert readable >= polling.REPEATABLE
+
+
+def test_what_takes_away_by_being_read_is_in_the_table() -> None:
+    assert {row.verb for row in table()} >= TAKING
 
 
 def test_a_loop_that_looks_for_what_cannot_happen_is_told() -> None:

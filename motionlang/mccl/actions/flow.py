@@ -54,11 +54,6 @@ def nothing(task: CommandTask, command: Command) -> None:
     return None
 
 
-def skip_two(task: CommandTask) -> None:
-    """Leave out the next two commands."""
-    task.pc += 2
-
-
 def _if(condition: Condition) -> Action:
     def decide(task: CommandTask, command: Command) -> None:
         if not condition(task.registers[0], task.value(command)):

@@ -6,7 +6,6 @@ from motionlang.controller.faults import Refusal
 from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.settings import forget
-from motionlang.mint.operations.ticking import Ticks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
     Rates = tuple[float | None, float | None]
 
+INFINITY = float("inf")
 CONTINUOUS, TIMED = range(2)
 COMMAND = "JOGCOMMAND"
 _RAMPS = ("JOGACCELTIMEMAX", "JOGDECELTIMEMAX")
@@ -82,11 +82,11 @@ class Jogs:
 
     def elapsed(self, axis: int) -> int:
         """Milliseconds since the jog of a command began, 0 while there is none."""
-        if not self.commanded(axis):
-            return 0
-        began, passed = self._began[axis], self._environment.elapsed(self._began[axis])
-        self._environment.part(Ticks).at(began + (passed + 1) / 1000.0)
-        return passed
+        return self._environment.elapsed(self._began[axis]) if self.commanded(axis) else 0
+
+    def began(self, axis: int) -> float:
+        """The moment from which that counts, infinite while there is no such jog."""
+        return self._began[axis] if self.commanded(axis) else INFINITY
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
@@ -169,6 +169,12 @@ def write_command(environment: Environment, row: Row) -> Operation:
         jogs.command(axis_of(environment, axis), direction, line)
 
     return write
+
+
+def read_began(environment: Environment, row: Row) -> Operation:
+    """The moment from which JOGTIME counts."""
+    jogs = environment.part(Jogs)
+    return lambda axis: jogs.began(axis_of(environment, axis))
 
 
 def read_time(environment: Environment, row: Row) -> Operation:

@@ -12,7 +12,6 @@ from motionlang.mint.operations.inputs import checked
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.operations.settings import forget, reading
-from motionlang.mint.operations.ticking import Ticks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -154,26 +153,10 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     return write
 
 
-def _again(environment: Environment) -> Callable[[int], None]:
-    """What a motor does is worth another look at the next tick, for as long as it does anything."""
-    controller, ticks = environment.controller, environment.part(Ticks)
-
-    def again(axis: int) -> None:
-        if controller.has_motor(axis) and not controller.is_still(axis):
-            ticks.soon()
-
-    return again
-
-
 def read_demand(environment: Environment, row: Row) -> Operation:
     """TORQUEDEMAND: the output to the motor, percent."""
-    output, again = environment.controller.servo_output, _again(environment)
-
-    def read(axis: int) -> float:
-        again(axis_of(environment, axis))
-        return 100.0 * output(axis) / FULL
-
-    return read
+    output = environment.controller.servo_output
+    return lambda axis: 100.0 * output(axis_of(environment, axis)) / FULL
 
 
 def read_effort(environment: Environment, row: Row) -> Operation:
@@ -184,10 +167,10 @@ def read_effort(environment: Environment, row: Row) -> Operation:
 
 def read_current(environment: Environment, row: Row) -> Operation:
     """CURRENTMEAS and CURRENTDEMAND: of a simulated motor, whose amplifier does what is asked of it."""
-    current, again = environment.controller.motor_current, _again(environment)
+    current = environment.controller.motor_current
 
     def read(axis: int, channel: int) -> float:
-        again(axis_of(environment, axis))
+        axis_of(environment, axis)
         if channel:
             hint = "channel 0 is the current of the motor, the only one that is simulated"
             raise Refusal("channel", f"{row.name}: there is no current {channel}", hint)
