@@ -26,7 +26,7 @@ MOVING = frozenset(
         "position", "velocity", "remaining", "following_error", "time", "demand", "demand_velocity",
         "sensing.acceleration", "sensing.encoder", "sensing.encoder_speed", "sensing.encoder_count", "sensing.seconds",
         "sensing.turns", "identity.date", "following.offset", "path_speed", "paths.angle", "auxiliary.position",
-        "turns.demand", "jogging.time", "torque.demand", "torque.effort", "torque.current",
+        "turns.demand", "turns.frequency", "jogging.time", "torque.demand", "torque.effort", "torque.current",
     }
 )  # fmt: skip
 COUNTING = frozenset({"time", "sensing.seconds", "identity.date", "jogging.time"})
