@@ -178,6 +178,11 @@ class Axis:
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
     @property
+    def index_pitch(self) -> float:
+        """Counts from one index mark to the next, 0 where the encoder has none."""
+        return abs(self.scale.to_counts(self.index_every))
+
+    @property
     def limited(self) -> bool:
         """Whether moves keep a limit of speed or rate, whatever they ask for."""
         return not self.max_speed == self.max_accel == self.max_decel == INFINITY

@@ -212,7 +212,7 @@ class Homing:
 def next_index(controller: Controller, axis: int, direction: int) -> float:
     """The next index mark in a direction, in counts of the machine; infinite where the encoder has none."""
     a = controller.axes[axis]
-    pitch = a.index_every * a.scale.counts
+    pitch = a.index_pitch
     if not pitch > 0:
         return math.inf * direction
     here = controller.position(axis) - a.datum - a.index_origin

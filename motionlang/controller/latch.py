@@ -132,8 +132,7 @@ class IndexMarks:
 
     def _passed_at(self, mark: float) -> Callable[[int], None]:
         def passed(direction: int) -> None:
-            a = self._controller.axes[self.axis]
-            pitch = a.index_every * a.scale.counts
+            pitch = self._controller.axes[self.axis].index_pitch
             self._window([mark - pitch, mark, mark + pitch])
             self._latch.capture()
 

@@ -61,7 +61,7 @@ class Sensor:
     def _sample(self) -> None:
         self._cancel()
         controller, a = self._controller, self._controller.axes[self.axis]
-        place = (controller.position(self.axis) - a.datum) / a.scale.counts
+        place = a.scale.to_user(controller.position(self.axis) - a.datum)
         self.put(self.value + self.per_unit * (place - self.origin))
         if not controller.is_still(self.axis):
             self._event = controller.clock.at(next_tick(controller.clock.now), self._sample)

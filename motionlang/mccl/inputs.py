@@ -62,7 +62,7 @@ def index_input(board: Board, axis: AxisState) -> tuple[bool, float]:
     """Whether the encoder is on one of its marks, and until when that is so if nothing else happens."""
     controller, number = board.controller, axis.number
     a = controller.axes[number]
-    every = a.index_every * abs(a.scale.counts)
+    every = a.index_pitch
     if every <= 0.0:
         return False, INFINITY
     zero = a.datum + a.index_origin

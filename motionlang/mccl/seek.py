@@ -71,7 +71,7 @@ class Seek:
         """Watch the marks on either side of the axis; it can get to no other without passing one of these."""
         controller, number = self._board.controller, self._axis.number
         a = controller.axes[number]
-        every = a.index_every * abs(self._axis.scale.counts)
+        every = a.index_pitch
         if every <= 0.0:
             return
         here = controller.position(number) - a.datum

@@ -114,7 +114,7 @@ class Index:
             self._cells.remove()
             self._cells = None
         track = self._track
-        pitch = abs(track.index_every * track.scale.counts)
+        pitch = track.index_pitch
         if pitch:
             origin = track.index_origin - floor(track.index_origin / pitch) * pitch
             self._cells = Cells(self._controller, track, (origin,), self._mark, pitch, self._physical)
