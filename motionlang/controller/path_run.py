@@ -6,6 +6,8 @@ of them, hands each axis its curve travelled at that speed, and has one event, f
 
 from __future__ import annotations
 
+from math import fsum
+
 from motionlang.controller.buffer import motions, reach
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
@@ -35,7 +37,9 @@ class PathRun:
     """A run along `here`, a path laid out as `segment`, and the paths `ahead`.
 
     `profile` is the distance along `segment` over the time since `began`; distances beyond its length are those of
-    the paths ahead. `tails` is what the axes still have to do of a path that this one was blended into.
+    the paths ahead. It was planned to the end of the path `goal` (None: to rest wherever that is); times and distances
+    are rounded on the way there, and tell neither which path has ended nor whether it was the last one. `tails` is what
+    the axes still have to do of a path that this one was blended into.
     """
 
     __slots__ = (
@@ -47,6 +51,7 @@ class PathRun:
         "axes",
         "began",
         "ended",
+        "goal",
         "here",
         "profile",
         "segment",
@@ -59,6 +64,7 @@ class PathRun:
         self.segment = here.lay(starts)
         self.ahead: list[tuple[PathMove, Segment]] = []
         self.profile: Profile = hold(0.0)
+        self.goal: PathMove | None = here
         self.began = 0.0
         self.ended = ""
         self._event: Event | None = None
@@ -73,7 +79,7 @@ class PathRun:
         """Make ready to begin, at rest on the path."""
         try:
             self._look_ahead()
-            self.profile = self._planned(0.0, 0.0, 0.0)
+            self.profile, self.goal = self._planned(0.0, 0.0, 0.0)
         except Refusal as refusal:
             refusal.line = self.here.moves[0].line
             raise
@@ -87,10 +93,9 @@ class PathRun:
         if self._over or self.ended:
             return
         state = self._state()
-        profile = self._planned(*state)
-        reach = self._reach(profile)
-        if profile.extrema()[1] <= reach * (1.0 + _SLACK) or self.profile.shape == "suspend":
-            self._change(profile)
+        profile, goal = self._planned(*state)
+        if profile.extrema()[1] <= self._reach() * (1.0 + _SLACK) or self.profile.shape == "suspend":
+            self._change(profile, goal)
 
     def more(self) -> None:
         """Something further was released: it may prolong the run, or be blended into."""
@@ -117,7 +122,10 @@ class PathRun:
         self.ended = ended
         self._cancel_blend()
         profile = self._braking(pace, decel)
-        self._change(self.profile.after(controller.clock.now - self.began) if profile is None else profile)
+        if profile is None:
+            self._change(self.profile.after(controller.clock.now - self.began), self.goal)
+        else:
+            self._change(profile, None)
 
     def suspend(self) -> None:
         """Come to rest on the path, and keep it."""
@@ -129,7 +137,7 @@ class PathRun:
         pace = self.here.pace(self._controller, self.segment)
         profile = self._braking(pace, pace.decel)
         if profile is not None:
-            self._change(halted(profile, "suspend"))
+            self._change(halted(profile, "suspend"), None)
 
     def resume(self) -> None:
         """Go on."""
@@ -203,43 +211,45 @@ class PathRun:
             before = (action, segment)  # type: ignore[assignment]
             self.ahead.append(before)
 
-    def _planned(self, place: float, speed: float, accel: float) -> Profile:
-        """To the end of the stretch that has one pace, and as fast there as what follows allows."""
+    def _planned(self, place: float, speed: float, accel: float) -> tuple[Profile, PathMove | None]:
+        """To the end of the stretch that has one pace, and as fast there as what follows allows; and the goal."""
         if self._suspended() or not self.here.pace(self._controller, self.segment).speed:
-            return halted(hold(place).cut(0.0), "suspend") if speed == 0.0 else self._held(place, speed)
+            return self._held(place, speed), None
         if not self.segment.length:
-            return hold(place).cut(0.0)
+            return hold(place).cut(0.0), self.here
         groups = self._groups()
         leaving = 0.0
-        for length, pace in reversed(groups[1:]):
+        for length, pace, _ in reversed(groups[1:]):
             leaving = entry_speed(pace, length, leaving)
-        end, pace = groups[0]
+        end, pace, goal = groups[0]
         if len(groups) > 1:
             leaving = min(leaving, pace.speed)
         try:
-            return plan_between(pace, place, end, speed, leaving, accel)
+            return plan_between(pace, place, end, speed, leaving, accel), goal
         except ValueError as problem:
             raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
 
     def _held(self, place: float, speed: float) -> Profile:
+        if speed == 0.0:
+            return halted(hold(place).cut(0.0), "suspend")
         pace = self.here.pace(self._controller, self.segment)
         stop = plan_stop(pace.shape, place, speed, pace.decel, pace.ramp, pace.decel_jerk)
         return halted(stop, "suspend")
 
-    def _groups(self) -> list[tuple[float, Pace]]:
-        """Stretches of one pace: the length of each."""
-        groups: list[tuple[float, Pace]] = []
+    def _groups(self) -> list[tuple[float, Pace, PathMove]]:
+        """Stretches of one pace: the length of each, and the path that it ends with."""
+        groups: list[tuple[float, Pace, PathMove]] = []
         for action, segment in [(self.here, self.segment), *self.ahead]:
             pace = action.pace(self._controller, segment)
             if groups and groups[-1][1].key() == pace.key():
-                groups[-1] = (groups[-1][0] + segment.length, pace)
+                groups[-1] = (groups[-1][0] + segment.length, pace, action)
             else:
-                groups.append((segment.length, pace))
+                groups.append((segment.length, pace, action))
         return groups
 
-    def _reach(self, profile: Profile) -> float:
+    def _reach(self) -> float:
         """How far a profile may go along this path and those ahead."""
-        return self.segment.length + sum(segment.length for _, segment in self.ahead)
+        return self.segment.length + fsum(segment.length for _, segment in self.ahead)
 
     def _braking(self, pace: Pace, decel: float) -> Profile | None:
         """To rest at `decel`; None where the paths end before, which the run brakes for by itself."""
@@ -250,7 +260,7 @@ class PathRun:
             profile = plan_stop(pace.shape, place, speed, decel, pace.ramp, pace.decel_jerk)
         except ValueError as problem:
             raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
-        return profile if profile.end <= self._reach(profile) else None
+        return profile if profile.end <= self._reach() else None
 
     # ----------------------------------------------------------------------------------------------- following
 
@@ -270,22 +280,27 @@ class PathRun:
             if not self._over and a.limits:
                 controller._check_limits(a)
 
-    def _change(self, profile: Profile) -> None:
+    def _change(self, profile: Profile, goal: PathMove | None) -> None:
         """Follow another profile along the path from now on."""
         controller = self._controller
-        self.profile, self.began = profile, controller.clock.now
+        self.profile, self.goal, self.began = profile, goal, controller.clock.now
         part = self._part()
         for k, a in enumerate(self.axes):
             controller._amend(a, self._of(k, part), self.ended)
             controller._follow(a, self._total(k, part))
         self._await(part)
 
+    def _leads_on(self) -> bool:
+        """Whether the profile goes beyond the end of this path."""
+        if self.goal is not None:
+            return self.here is not self.goal
+        return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + _SLACK)
+
     def _part(self) -> Profile:
         """The profile up to the end of this path."""
-        length = self.segment.length
-        if not self.ahead or self.profile.end <= length:
+        if not self._leads_on():
             return self.profile
-        time = self.profile.crossing(length)
+        time = self.profile.crossing(self.segment.length)
         return self.profile if time is None else self.profile.cut(time)
 
     def _of(self, k: int, part: Profile) -> Profile:
@@ -293,7 +308,8 @@ class PathRun:
         if not self.segment.length:
             return hold(self.segment.ends[k]).cut(0.0)
         made = travelled(part, self.segment.curves[k])
-        if part.duration < INFINITY and part.end >= self.segment.length * (1.0 - 1e-12):
+        arrives = self.goal is not None or part.end >= self.segment.length * (1.0 - 1e-12)
+        if arrives and part.duration < INFINITY:
             made.end = self.segment.ends[k]
         return made
 
@@ -319,16 +335,15 @@ class PathRun:
     def _reached(self) -> None:
         """The end of this path, or of the run."""
         self._event = None
-        elapsed = self._controller.clock.now - self.began
-        rest = self.profile.after(elapsed)
-        at_end = rest.start >= self.segment.length * (1.0 - _SLACK)
-        if self.ahead and at_end and (rest.duration > 0.0 or rest.end_velocity > 0.0):
-            self._go_on(rest)
+        if self._leads_on():
+            self._go_on(self.profile.after(self._controller.clock.now - self.began))
+        elif self.ahead and self.profile.end_velocity:
+            self._go_on(None)
         else:
             self._finish()
 
-    def _go_on(self, rest: Profile) -> None:
-        """Enter the next path without coming to rest."""
+    def _go_on(self, rest: Profile | None) -> None:
+        """Enter the next path without coming to rest, on the rest of the profile where there is one."""
         controller = self._controller
         for a in self.axes:
             a.move = None
@@ -337,12 +352,15 @@ class PathRun:
         for a, move in zip(self.axes, self.here.moves, strict=True):
             if move in a.buffer:
                 reach(controller, a, move)
-        self.profile = rest.shifted(-rest.start)
         known = len(self.ahead)
         self._look_ahead()
-        if rest.duration == 0.0 or len(self.ahead) > known:
+        if rest is None:
+            self.profile, self.goal = self._planned(0.0, self.profile.end_velocity, 0.0)
+        elif len(self.ahead) > known:
             state = rest.at(0.0)
-            self.profile = self._planned(0.0, state.velocity, state.acceleration)
+            self.profile, self.goal = self._planned(0.0, state.velocity, state.acceleration)
+        else:
+            self.profile = rest.shifted(-rest.start)
         self._enter()
 
     def _finish(self) -> None:

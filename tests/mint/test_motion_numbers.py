@@ -174,3 +174,18 @@ def test_a_continuous_spline_goes_over_into_itself() -> None:
         before, after = axis.at(begin - 1e-9), axis.at(begin + 1e-9)
         assert after.velocity == pytest.approx(before.velocity, abs=1e-5)
         assert after.velocity == pytest.approx(10 * 2 * pi / 0.4, rel=0.01)
+
+
+def test_a_contour_at_three_speeds_arrives() -> None:
+    result = ran("""ACCEL(0)=90:DECEL(0)=60
+MOVEBUFFERSIZE(0)=3:MOVEBUFFERSIZE(1)=3
+FEEDRATEMODE(0)=1:CONTOURMODE(0)=1
+SPEED(0)=20:VECTORR(0,1)=80,0
+SPEED(0)=30:VECTORR(0,1)=30,0
+SPEED(0)=45:VECTORR(0,1)=80,0
+GO(0)
+PAUSE IDLE(0)
+PRINT POS(0)""")
+    assert result.output == ["190.0000"]
+    times = [move["duration"] for move in result.report["moves"] if move["axis"] == 0]
+    assert times == pytest.approx([20 / 90 + (80 - 20 / 9) / 20, 1 / 9 + (30 - 25 / 9) / 30, 157 / 72])
