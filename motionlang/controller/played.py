@@ -50,9 +50,7 @@ class Played(Action):
             self._aim(a, path)
         else:
             pace = running(place, 1.0)
-        end = pace.crossing(path.duration)
-        assert end is not None, "a pace above zero comes to every end"
-        return self._made(controller, path, pace.cut(end), path.shape)
+        return self._made(controller, path, _to_the_end(path, pace), path.shape)
 
     def stop(self, controller: Core, a: Axis, ended: str) -> bool:
         """Come to rest on the profile, the buffer emptied; False for a fault, and where it is no path."""
@@ -85,8 +83,7 @@ class Played(Action):
         path, place, rate = self.state(controller, a)
         pace = self._slowing(a, place, rate)
         path = self._long_enough(a, path, pace.end)
-        end = pace.crossing(path.duration) if pace.end > path.duration else None
-        return path, pace if end is None else pace.cut(end)
+        return path, _to_the_end(path, pace) if pace.end > path.duration else pace
 
     def _long_enough(self, a: Axis, path: Profile, duration: float) -> Profile:
         """The profile, and behind it what the next entry of the buffer goes on with, as far as one does."""
@@ -116,6 +113,13 @@ class Played(Action):
     def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
         self._path, self._pace, self._began = path, pace, controller.clock.now
         self._shown = Composed(pace, path, shape)
-        if pace.end == path.duration:
-            self._shown.end = path.end
         return self._shown
+
+
+def _to_the_end(path: Profile, pace: Profile) -> Profile:
+    """A time of the profile that passes its end, up to there: to the last bit, so that it ends where it should."""
+    end = pace.crossing(path.duration)
+    assert end is not None, "a pace above zero comes to every end"
+    made = pace.cut(end)
+    made.end = path.duration
+    return made

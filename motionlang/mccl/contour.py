@@ -22,11 +22,14 @@ if TYPE_CHECKING:
 # Paths that may wait in the queue.
 LONGEST_QUEUE = 1000
 
+# What a stop may end short of the paths by, as a part of their length, and still be the rest at their end.
+_SLACK = 1e-9
+
 
 class Contour:
     """The paths that one axis controls. `end` is the point where the last of them ends, by axis, in user units."""
 
-    __slots__ = ("_axis", "_board", "_course", "_events", "_line", "_path", "_queue", "_start")
+    __slots__ = ("_axis", "_board", "_course", "_events", "_line", "_path", "_queue", "_start", "_stopping")
 
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis
@@ -34,6 +37,7 @@ class Contour:
         self._course: Course | None = None
         self._path: Profile | None = None
         self._start = 0.0
+        self._stopping = False
         self._line = 0
         self._events: list[Event] = []
 
@@ -74,7 +78,7 @@ class Contour:
             self._run(Course([segment for segment, _ in segments]))
 
     def stop(self) -> None:
-        """Come to rest on the path, at its deceleration; what waits is forgotten."""
+        """Come to rest on the path, at its deceleration, or at its end where that is nearer; what waits is forgotten."""
         self._queue.clear()
         if self._course is None or self._path is None:
             return
@@ -84,6 +88,9 @@ class Contour:
             self.abort()
             return
         path = plan_stop(motion.shape, state.position, state.velocity, motion.decel, ramp=motion.ramp)
+        if path.end >= self._course.length * (1.0 - _SLACK):
+            path = self._path.after(now - self._start)
+        self._stopping = True
         self._redirect(path, "stop")
 
     def abort(self) -> None:
@@ -96,7 +103,7 @@ class Contour:
 
     def set_speed(self) -> None:
         """The override has changed: go on at the new vector velocity, where the shape allows it in motion."""
-        if self._course is None or self._path is None or self._path.end != self._course.length:
+        if self._course is None or self._path is None or self._stopping:
             return
         motion = self._course.segments[0].motion
         if motion.shape == "trapezoid":
@@ -131,6 +138,7 @@ class Contour:
         controller = self._board.controller
         path = self._plan(0.0, course.length, 0.0, course)
         self._course, self._path, self._start = course, path, controller.clock.now
+        self._stopping = False
         for number, profile in [(each, self._of(each)) for each in self.members]:
             if self._course is course:  # unless an axis before it is beyond its limit, which aborts the path
                 controller.play(number, profile, "CP", self._line)
@@ -142,7 +150,7 @@ class Contour:
         course = self._course
         if course is None or self._path is None or not join_smoothly(course.segments[-1], segment):
             return False
-        if segment.motion.shape != "trapezoid" or self._path.end != course.length or segment.length == 0.0:
+        if segment.motion.shape != "trapezoid" or self._stopping or segment.length == 0.0:
             return False
         course.extend(segment)
         self._redirect(self._planned_from_here(), "")

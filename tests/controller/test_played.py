@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from random import Random
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -76,6 +78,19 @@ def test_axes_that_play_together_stay_together(pauses: list[float]) -> None:
         at = mine.starts[where] + found
         if where + 1 == len(mine.starts) or at <= mine.starts[where + 1]:
             assert c.axes[1].position(at) == pytest.approx(plain(1, time), abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", [465, 1237, *range(20)])
+def test_however_often_it_is_suspended_it_ends_at_its_end_to_the_last_bit(seed: int) -> None:
+    c, random, time = playing(), Random(seed), 0.0
+    for _ in range(random.randint(1, 3)):
+        for change in (c.suspend, c.resume):
+            time += random.uniform(0.01, 0.6)
+            until(c, time)
+            for axis in (0, 1):
+                change(axis)
+    until(c, 99.0)
+    assert (c.position(0), c.position(1)) == (8.0, 1.0)
 
 
 def test_stop_comes_to_rest_on_the_course_where_that_is_wanted() -> None:

@@ -61,6 +61,28 @@ def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
     assert {move.ended for move in result.controller.moves} == {"stop"}
 
 
+@pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
+def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
+    """Also where the stop ends at the end of the path, which rounding must not decide about."""
+    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\nWA{wait},1ST,1CP1,1MA20000,2MA0\n1WS,1TX,1TP")
+    first, second = (move for move in result.controller.moves if move.axis == 1)
+    assert first.profile is not None
+    assert (first.ended, first.profile.end_velocity) == ("stop", 0.0)
+    assert second.start_time == pytest.approx(first.start_time + first.profile.duration, abs=1e-9)
+    whole = first.profile.end == 10000.0
+    assert whole is (wait > 0.4999)
+    assert result.output == ["01 2" if whole else "01 1", "01 20000"]
+
+
+@pytest.mark.parametrize("shape", ["1PS", "1PS0.2", "1PP"])
+@pytest.mark.parametrize("wait", [0.55, 0.6])
+def test_a_stop_never_runs_beyond_the_end_of_the_paths(mccl: Runner, shape: str, wait: float) -> None:
+    result = mccl(f"{HEAD}{shape}\n1CP1,1MA10000,2MA0\nWA{wait},1ST\n1WS")
+    (move,) = (move for move in result.controller.moves if move.axis == 1)
+    assert move.profile is not None
+    assert 9990.0 < move.profile.end <= 10000.0
+
+
 @pytest.mark.parametrize("command", ["1ST", "1VO0.3"])
 @pytest.mark.parametrize("wait", [0.0, 0.02, 0.137, 0.4])
 def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
