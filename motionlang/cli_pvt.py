@@ -14,6 +14,7 @@ from motionlang.cli_pvt_options import OPTIONS, add_input
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.profile.pvt_points import absolute, plan_points, relative, until_end
 from motionlang.profile.pvt_velocities import compare_velocities, knot_accelerations
+from motionlang.profile.total import total
 
 if TYPE_CHECKING:
     import argparse
@@ -104,7 +105,7 @@ def export(args: argparse.Namespace) -> int:
     except Unwritable as problem:
         raise ProgramError([Diagnostic("range", str(problem))]) from None
     error, when = _error(move, from_wire(made.read_back), args.start or 0.0)
-    span = sum(p.time for p in points)
+    span = total(p.time for p in points)
     worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
     head = f"# {move.name}: {len(points) - 1} segments, {span:.3f} s, {worst}"
     _write(args.output, [head, *made.lines])

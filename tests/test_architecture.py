@@ -49,6 +49,8 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pymodbus": ("serve",),
     "canopen": ("copley",),
 }
+# Files whose sums are of whole numbers, though their text does not say so.
+WHOLE_SUMS = {"mint/counting.py", "mint/lint_buffer.py", "views/grid.py"}
 # A function with fewer lines needs no sentence about it.
 SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
@@ -140,3 +142,51 @@ def test_what_is_public_says_what_it_does(path: Path) -> None:
     ]
     assert silent == []
     assert ast.get_docstring(tree)
+
+
+def is_whole(node: ast.expr) -> bool:
+    """Whether an expression can only be a whole number: a constant, a bit, a comparison, a length, or made of such."""
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, int)
+    if isinstance(node, ast.BinOp):
+        return isinstance(node.op, ast.LShift) or (
+            isinstance(node.op, ast.Add | ast.Sub | ast.Mult) and is_whole(node.left) and is_whole(node.right)
+        )
+    is_length = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "len"
+    return is_length or isinstance(node, ast.Compare)
+
+
+def float_sums(tree: ast.AST) -> list[int]:
+    """The lines on which the builtin `sum` is named for anything but plainly whole numbers."""
+    counting = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
+            (of,) = node.args
+            lengths = isinstance(of, ast.Call) and ast.unparse(of).startswith("map(len, ")
+            if lengths or (isinstance(of, ast.GeneratorExp | ast.ListComp) and is_whole(of.elt)):
+                counting.add(node.func)
+    names = (node for node in ast.walk(tree) if isinstance(node, ast.Name) and node.id == "sum")
+    return [node.lineno for node in names if node not in counting]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
+    """From Python 3.12 on it rounds floats otherwise: `profile.total`, `math.fsum` and plain additions do not."""
+    found = float_sums(ast.parse(path.read_text(encoding="utf-8")))
+    assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("sum(1 << k for k in range(8))", []),
+        ("sum(map(len, texts)) + sum(len(each) - 1 for each in texts)", []),
+        ("sum(a == b for a in c)", []),
+        ("sum(each.time for each in moves)", [1]),
+        ("sum(map(sum, rows))", [1, 1]),
+        ("sum(times)\nadd = sum", [1, 2]),
+        ("sum([0.5 for each in moves])", [1]),
+    ],
+)
+def test_a_sum_of_floats_is_seen(text: str, lines: list[int]) -> None:
+    assert sorted(float_sums(ast.parse(text))) == lines

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import acos, degrees, hypot, inf, radians, sqrt
 
 from motionlang.profile.arc import arc_over, direction, line_over, rotated
+from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -106,7 +107,7 @@ def corner(before: Segment, after: Segment) -> float:
     """The angle, degrees, by which the direction changes from one segment to the next."""
     if not before.length or not after.length:
         return 180.0
-    cosine = sum(a * b for a, b in zip(before.leaving, after.entry, strict=True))
+    cosine = total(a * b for a, b in zip(before.leaving, after.entry, strict=True))
     if cosine > 0.9:  # the chord says more about a small angle than its cosine
         chord = hypot(*(a - b for a, b in zip(before.leaving, after.entry, strict=True)))
         return 2.0 * degrees(acos(sqrt(max(0.0, 1.0 - 0.25 * chord * chord))))

@@ -6,8 +6,6 @@ of them, hands each axis its curve travelled at that speed, and has one event, f
 
 from __future__ import annotations
 
-from math import fsum
-
 from motionlang.controller.buffer import motions, reach
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
@@ -16,6 +14,7 @@ from motionlang.profile import halted, hold, plan_stop
 from motionlang.profile.between import entry_speed, plan_between
 from motionlang.profile.composed import travelled
 from motionlang.profile.summed import added
+from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -249,7 +248,7 @@ class PathRun:
 
     def _reach(self) -> float:
         """How far a profile may go along this path and those ahead."""
-        return self.segment.length + fsum(segment.length for _, segment in self.ahead)
+        return self.segment.length + total(segment.length for _, segment in self.ahead)
 
     def _braking(self, pace: Pace, decel: float) -> Profile | None:
         """To rest at `decel`; None where the paths end before, which the run brakes for by itself."""

@@ -78,7 +78,7 @@ class Contour:
             self._run(Course([segment for segment, _ in segments]))
 
     def stop(self) -> None:
-        """Come to rest on the path, at its deceleration, or at its end where that is nearer; what waits is forgotten."""
+        """Come to rest at its deceleration, or at the end of the paths where that is nearer; forget what waits."""
         self._queue.clear()
         if self._course is None or self._path is None:
             return

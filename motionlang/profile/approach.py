@@ -11,6 +11,7 @@ from math import inf, sqrt
 from motionlang.profile.curve import Profile
 from motionlang.profile.limits import STILL, check_finite, too_large
 from motionlang.profile.ramps import ramp_distance
+from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ def from_rest(
 
 def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:
     """The profile of a recipe that ends at rest at `target`; ValueError if its duration is not finite."""
-    duration = sum(recipe[1::3])
+    duration = total(recipe[1::3])
     if not duration < inf:
         check_finite(position=start, target=target, start_velocity=recipe[0])
         raise too_large()

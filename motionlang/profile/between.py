@@ -8,6 +8,7 @@ from motionlang.profile.curve import Profile
 from motionlang.profile.ramps import ramp_distance
 from motionlang.profile.shapes import plan
 from motionlang.profile.stop import ramps_of
+from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ def plan_between(pace: Pace, start: float, end: float, v0: float, v1: float, a0:
         left = length - ramp_distance(v0, first, kind, top) - ramp_distance(top, last, last_kind, v1)
         slew = max(left, 0.0) / top
         recipe = (v0, first, kind, top, slew, 0.0, top, last, last_kind, v1)
-    return Profile(pace.shape, start, end, sum(recipe[1::3]), recipe)
+    return Profile(pace.shape, start, end, total(recipe[1::3]), recipe)
 
 
 def entry_speed(pace: Pace, length: float, v1: float) -> float:

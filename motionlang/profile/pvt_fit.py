@@ -17,6 +17,7 @@ import numpy as np
 
 from motionlang.profile.pvt_points import Point, plan_points
 from motionlang.profile.sample import PieceTable
+from motionlang.profile.total import total
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -228,7 +229,7 @@ def motion_error(
     `place` is where the motor stands before the points, which counts for relative ones.
     """
     made = PieceTable([0.0], [plan_points(points, place)])
-    steps = round(sum(point.time for point in points) / MILLISECOND)
+    steps = round(total(point.time for point in points) / MILLISECOND)
     return _largest(PieceTable(starts, profiles), begin, made, 0.0, steps)
 
 

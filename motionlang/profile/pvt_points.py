@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.profile.pieces import acceleration_in, jerk_in, position_in, velocity_in
 from motionlang.profile.pvt import plan_pvt
+from motionlang.profile.total import total
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -146,7 +147,7 @@ def split_long(points: Sequence[Point], longest: float = LONGEST, grid: float = 
     take them.
     """
     moving = until_end(absolute(points))
-    duration = sum(point.time for point in moving)
+    duration = total(point.time for point in moving)
     if not duration <= MOST_POINTS * longest:
         raise ValueError(f"a move of {duration:.3g} s takes more than {MOST_POINTS} points")
     profile, made = plan_points(moving), list[Point]()

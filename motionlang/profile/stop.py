@@ -10,6 +10,7 @@ from motionlang.profile.jerk import ease, jerk_ramps
 from motionlang.profile.limits import STILL, check_finite, check_positive, check_ramp, too_large
 from motionlang.profile.parabolic import parabolic_ramps
 from motionlang.profile.ramps import SINE, ramp_distance
+from motionlang.profile.total import total
 from motionlang.profile.trapezoid import stretched
 
 TYPE_CHECKING = False
@@ -94,7 +95,7 @@ def _run(start: float, ramps: Ramps, v0: float, v1: float) -> Profile:
     position = start
     for i in range(0, len(recipe) - 4, 3):
         position += ramp_distance(*recipe[i : i + 4])
-    if not (isfinite(position) and isfinite(sum(recipe[1:-4:3]))):
+    if not (isfinite(position) and isfinite(total(recipe[1:-4:3]))):
         raise too_large()
     return Profile("jog", start, far_end(position, v1), inf, recipe)
 

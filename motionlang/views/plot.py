@@ -7,6 +7,7 @@ names. Long runs are drawn from their outline, which keeps every peak.
 from __future__ import annotations
 
 import os
+from math import fsum
 from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any
 
@@ -145,7 +146,12 @@ def _layout(heights: Sequence[Sequence[float]], head: float) -> tuple[Figure, li
     """A figure with groups of panels, inches high, one time scale for all, which only the last one spells out."""
     from matplotlib.figure import Figure
 
-    total = head + BOTTOM + sum(map(sum, heights)) + WITHIN * sum(len(group) - 1 for group in heights)
+    total = (
+        head
+        + BOTTOM
+        + fsum(height for group in heights for height in group)
+        + WITHIN * sum(len(group) - 1 for group in heights)
+    )
     total += BETWEEN * (len(heights) - 1)
     figure = Figure(figsize=(WIDTH, total), facecolor="white")
     groups: list[list[Axes]] = []

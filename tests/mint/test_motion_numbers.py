@@ -187,5 +187,5 @@ GO(0)
 PAUSE IDLE(0)
 PRINT POS(0)""")
     assert result.output == ["190.0000"]
-    times = [move["duration"] for move in result.report["moves"] if move["axis"] == 0]
+    times = [move.profile.duration for move in result.controller.moves if move.profile and move.axis == 0]
     assert times == pytest.approx([20 / 90 + (80 - 20 / 9) / 20, 1 / 9 + (30 - 25 / 9) / 30, 157 / 72])

@@ -11,6 +11,7 @@ from functools import lru_cache
 from math import ceil, log2, pi
 
 from motionlang.controller.servo.plant import Drive, Motor
+from motionlang.profile.total import total
 
 Matrix = tuple[tuple[float, ...], ...]
 
@@ -165,7 +166,7 @@ def _integrate(rows: list[list[float]], period: float, drive: tuple[float, ...])
 
 def exponential(m: list[list[float]]) -> list[list[float]]:
     """The matrix exponential by scaling, a Taylor series and squaring; good to rounding for small matrices."""
-    norm = max(sum(abs(value) for value in row) for row in m)
+    norm = max(total(abs(value) for value in row) for row in m)
     halvings = max(0, ceil(log2(norm)) + 5) if norm > 0.0 else 0
     x = [[value / 2.0**halvings for value in row] for row in m]
     # Squaring exp - 1 instead of exp keeps the small entries of a short step to full precision.
@@ -181,7 +182,7 @@ def exponential(m: list[list[float]]) -> list[list[float]]:
 def product(a: list[list[float]], b: list[list[float]]) -> list[list[float]]:
     """The matrix product."""
     columns = list(zip(*b, strict=True))
-    return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in a]
+    return [[total(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in a]
 
 
 def _sum(a: list[list[float]], b: list[list[float]]) -> list[list[float]]:

@@ -11,6 +11,7 @@ from motionlang.mint.binding import scale_of
 from motionlang.mint.operations.buffering import loader
 from motionlang.mint.operations.limits import axis_of
 from motionlang.mint.operations.masters import Masters, distance
+from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -213,7 +214,10 @@ def do_phase(environment: Environment, row: Row) -> Operation:
         lengths = cams.lengths(axis_of(environment, axis))
         first, end = span(index, index + segments - 1, len(lengths), "CAM")
         counts = delta * masters.of(axis).per_unit
-        if sum(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
+        if (
+            total(lengths[first:end]) + counts <= 0.0
+            or min(lengths[first:end]) + counts / (end - first) <= 0.0
+        ):
             raise Refusal("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
                           "the master must still go forward in each of them")  # fmt: skip
         cams.phases[axis] = Phase(index, end, counts)
