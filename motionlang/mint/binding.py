@@ -45,8 +45,7 @@ def bind(environment: Environment, how: str, row: Row) -> Operation:
     """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
     place, _, verb = row.verb.rpartition(".")
     if place:
-        module = __import__(f"motionlang.mint.operations.{place}", fromlist=[verb])
-        made: Operation = getattr(module, f"{how}_{verb}")(environment, row)
+        made: Operation = getattr(_module(place), f"{how}_{verb}")(environment, row)
         return made
     special = globals().get(f"_{how}_{row.verb}")
     if special is None and row.verb not in SETTINGS:
@@ -60,6 +59,25 @@ def bind(environment: Environment, how: str, row: Row) -> Operation:
         return (_read_setting if how == "read" else _write_setting)(environment, row)
     assert how == "read", (how, row.verb)
     return _reading(environment, row)
+
+
+def held(environment: Environment, row: Row) -> Operation:
+    """What a keyword holds where a writing puts its value, called with all that the writing is.
+
+    That is what its reading finds by the indices, unless its module has a `held_…` of its own.
+    """
+    place, _, verb = row.verb.rpartition(".")
+    special = getattr(_module(place), f"held_{verb}", None) if place else None
+    if special is not None:
+        operation: Operation = special(environment, row)
+        return operation
+    read = bind(environment, "read", row)
+    count = 0 if row.index == "none" else row.index.count(",") + 1
+    return lambda *given: read(*given[:count])
+
+
+def _module(place: str) -> object:
+    return __import__(f"motionlang.mint.operations.{place}", fromlist=[place])
 
 
 def scale_of(environment: Environment, axis: int) -> Scale:

@@ -143,13 +143,14 @@ class Environment:
             from motionlang.mint import formats
 
             return getattr(formats, f"using_{details[0]}")
-        from motionlang.mint.binding import Row, bind
+        from motionlang.mint.binding import Row, bind, held
 
-        operation = bind(self, "write" if how == "rewrite" else how, Row(*details))  # type: ignore[arg-type]
+        row = Row(*details)  # type: ignore[arg-type]
+        operation = bind(self, "write" if how == "rewrite" else how, row)
         if how == "load":
             return self._loading(operation)
         if how == "rewrite":
-            return self._rewritten(operation, bind(self, "read", Row(*details)), str(details[3]))  # type: ignore[arg-type]
+            return self._rewritten(operation, held(self, row))
         return self._timed(operation) if how in ("write", "do") else operation
 
     def _is_older(self) -> bool:
@@ -170,17 +171,16 @@ class Environment:
         return at
 
     def _rewritten(
-        self, operation: Callable[..., object], read: Callable[..., object], index: str
+        self, operation: Callable[..., object], held: Callable[..., object]
     ) -> Callable[..., float]:
         """The same for what a loop that polls may write: the value that is there already does nothing."""
         clock = self.clock
-        count = 0 if index == "none" else index.count(",") + 1
 
         def at(time: float, horizon: float, *arguments: object) -> float:
             clock.now = time
-            before, made = read(*arguments[:count]), clock.made
+            before, made = held(*arguments), clock.made
             operation(*arguments)
-            if clock.made != made or read(*arguments[:count]) != before:
+            if clock.made != made or held(*arguments) != before:
                 self.acts += 1
             return clock.horizon if clock.horizon < horizon else horizon
 

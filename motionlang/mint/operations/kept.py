@@ -50,6 +50,12 @@ def read_value(environment: Environment, row: Row) -> Operation:
     return read
 
 
+def held_value(environment: Environment, row: Row) -> Operation:
+    """What is kept where a writing puts its value; called with all that the writing is, the line last."""
+    find = environment.part(Kept).find
+    return lambda *given: find(row, given[:-2])
+
+
 def write_value(environment: Environment, row: Row) -> Operation:
     """A setting that is kept and changes nothing here; the report tells that it was written."""
     values, name, without_effect = environment.part(Kept).values, row.name, environment.machine.without_effect
