@@ -36,8 +36,27 @@ class Value:
         self.text, self.type, self.range, self.const = text, type, range, const
 
     @property
+    def truth(self) -> str:
+        """The text where only its truth counts."""
+        return self.text
+
+    @property
     def is_number(self) -> bool:
         return self.type in NUMERIC
+
+
+class Answer(Value):
+    """The Integer 1 or 0 that Python's True or False is made by a plus sign; a condition does without."""
+
+    __slots__ = ("_truth",)
+
+    def __init__(self, text: str) -> None:
+        super().__init__(f"+{text}", INTEGER, ranges.BOOL)
+        self._truth = text
+
+    @property
+    def truth(self) -> str:
+        return self._truth
 
 
 class Whole:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint import nodes, operators, ranges
-from motionlang.mint.body import Value
+from motionlang.mint.body import Answer, Value
 from motionlang.mint.conversions import NOTHING, article, as_integer, literal
 from motionlang.mint.fold import binary as fold_binary
 from motionlang.mint.fold import unary as fold_unary
@@ -41,7 +41,7 @@ def condition(b: Body, node: nodes.Expr) -> str:
         return f"({condition(b, node.left)} {node.op.lower()} {condition(b, node.right)})"
     if type(node) is nodes.Unary and node.op == "Not":
         return f"(not {condition(b, node.operand)})"
-    return number(b, node, "a condition").text
+    return number(b, node, "a condition").truth
 
 
 # ------------------------------------------------------------------------------------------------- literals
@@ -207,7 +207,7 @@ def _loaded(b: Body, text: str, type: Type, known: ranges.Range | None) -> Value
         b.observes = True
         return Value(f"{b.whole.use('env', 'elapsed')}({text})", INTEGER, ranges.INTEGER)
     if type.name == SEMAPHORE:
-        return Value(f"({text}[0] is not None)", INTEGER, ranges.BOOL)
+        return Answer(f"({text}[0] is not None)")
     if known is None:
         known = ranges.INTEGER if type.name == INTEGER else ranges.FLOAT
     return Value(text, str(type) if type.name == RECORD else type.name, known)
@@ -263,7 +263,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
 def _unary(b: Body, node: nodes.Unary) -> Value:
     if node.op == "Not":
         inner = condition(b, node.operand)
-        return Value(f"(not {inner})", INTEGER, ranges.BOOL)
+        return Answer(f"(not {inner})")
     found = number(b, node.operand)
     if found.const is not None:
         known = fold_unary(node.op, found.const)
