@@ -190,8 +190,10 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     if own:
         lines.append(f"{indent} nonlocal {', '.join(sorted(own))}")
     out = [(line, function.at) for line in lines] + b.lines
+    handlers = label_handlers(function)
     for number, (label, _) in enumerate(b.stretches()):
-        out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
+        if label in handlers:
+            out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
     out.append((f"{indent}yield from {name}(0)", function.at))
     last = (
         f"return {function.result.python}"
@@ -205,8 +207,6 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
 
 def _label_handler(whole: Whole, function: Function, label: str, number: int) -> list[str]:
     """v4: a label with the name of an event, to which nothing jumps, is its handler."""
-    if label not in label_handlers(function):
-        return []
     word = "global" if whole.typed else "nonlocal"
     return [
         f"def e_{label}(t_, H_):",

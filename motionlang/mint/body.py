@@ -15,6 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint import nodes
+    from motionlang.mint.jumping import Turns
     from motionlang.mint.names import Names
     from motionlang.mint.parts import Part
     from motionlang.mint.polling import Poll
@@ -167,6 +168,7 @@ class Body:
         "stretch",
         "targets",
         "temps",
+        "turns",
         "values",
         "waits",
         "whole",
@@ -183,6 +185,7 @@ class Body:
         self.outside: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
+        self.turns: Turns | None = None
         # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
         self.stretch = 0
         self.polls: list[Poll] = []

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.mint.body import Body
+    from motionlang.mint.looking import Look
     from motionlang.mint.polling import Poll
 
 # In a function of more stretches than this no jump is watched.
@@ -132,23 +133,48 @@ def _watched(b: Body, target: int) -> Poll | None:
     stretches = b.stretches()
     if len(stretches) > MOST_STRETCHES:
         return None
-    ahead = _reached(target, _ways(b))
-    back: dict[int, list[int]] = {}
-    for number, nexts in _ways(b).items():
-        for each in nexts:
-            back.setdefault(each, []).append(number)
-    turn = ahead & _reached(b.stretch, back)
-    return polling.watched_jump(b, [node for number in sorted(turn) for node in stretches[number][1]])
+    if b.turns is None:
+        b.turns = Turns(_ways(b))
+    turn = b.turns.between(target, b.stretch)
+    look = b.turns.looks.get(turn)
+    if look is None:
+        body = [node for number in sorted(turn) for node in stretches[number][1]]
+        look = b.turns.looks[turn] = polling.look_at_jump(b, body)
+    return polling.watched_jump(b, look)
+
+
+class Turns:
+    """The turns that jumps back make in one function; `looks` is what was found in each, however many jumps end it."""
+
+    __slots__ = ("_back", "_found", "_ways", "looks")
+
+    def __init__(self, ways: dict[int, list[int]]) -> None:
+        self._ways = ways
+        self._back: dict[int, list[int]] = {}
+        for number, nexts in ways.items():
+            for each in nexts:
+                self._back.setdefault(each, []).append(number)
+        self._found: dict[tuple[int, int], frozenset[int]] = {}
+        self.looks: dict[frozenset[int], Look] = {}
+
+    def between(self, target: int, jump: int) -> frozenset[int]:
+        """The stretches on the ways from the one that a jump leads to until the one that it stands in."""
+        found = self._found.get((target, jump))
+        if found is None:
+            found = frozenset(_reached(target, self._ways) & _reached(jump, self._back))
+            self._found[target, jump] = found
+        return found
 
 
 def _ways(b: Body) -> dict[int, list[int]]:
-    """Where each stretch leads to: what its Gotos name, and the next one."""
+    """Where each stretch leads to: what its Gotos name, each once, and the next one."""
     from motionlang.mint.survey import walk
 
     labels, ways = b.labels(), {}
     for number, (_, body) in enumerate(b.stretches()):
         gotos = [node for node in walk(body) if type(node) is nodes.Jump and not _is_gosub(node)]
-        ways[number] = [labels[node.name.lower()] for node in gotos if node.name.lower() in labels]
+        names = dict.fromkeys(node.name.lower() for node in gotos)
+        ways[number] = [labels[name] for name in names if name in labels]
         if not body or type(body[-1]) not in (nodes.Jump, nodes.Return, nodes.End) or _goes_on(body[-1]):
             ways[number].append(number + 1)
     return ways

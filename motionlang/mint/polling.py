@@ -16,6 +16,7 @@ from motionlang.mint import nodes
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.body import Body
+    from motionlang.mint.looking import Look
 
 # A loop that gives more variables a value is not looked at turn by turn.
 MOST_VARIABLES = 40
@@ -43,24 +44,31 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     """The watch on a loop, None where it would never find anything to skip."""
     if any(_plainly_acts(b, node) for node in body):
         return None
-    poll = _poll(b, body, conditions, is_written=False)
+    poll = _poll(b, _look(b, body, conditions, is_written=False))
     if poll is not None:
         b.emit(poll.first("t"))
     return poll
 
 
-def watched_jump(b: Body, body: list[nodes.Stmt]) -> Poll | None:
-    """The watch on a Goto that leads back over these statements."""
-    return _poll(b, body, (), is_written=True)
+def look_at_jump(b: Body, body: list[nodes.Stmt]) -> Look:
+    """What there is to watch in a turn that a Goto ends by leading back over these statements."""
+    return _look(b, body, (), is_written=True)
 
 
-def _poll(
-    b: Body, body: list[nodes.Stmt], conditions: tuple[nodes.Expr, ...], *, is_written: bool
-) -> Poll | None:
+def watched_jump(b: Body, look: Look) -> Poll | None:
+    """The watch on a Goto that ends a turn which has been looked at."""
+    return _poll(b, look)
+
+
+def _look(b: Body, body: list[nodes.Stmt], conditions: tuple[nodes.Expr, ...], *, is_written: bool) -> Look:
     from motionlang.mint.looking import Look
 
     look = Look(b)
     look.at_all(body, conditions, is_written=is_written)
+    return look
+
+
+def _poll(b: Body, look: Look) -> Poll | None:
     if look.acts or len(look.assigned) > MOST_VARIABLES or (look.computes and not look.reads):
         return None  # with nothing but its own variables it computes
     b.whole.rewritten |= look.rewritten

@@ -1,8 +1,8 @@
 """What can be known about a number before the program runs: the domain of the range analysis.
 
-A `Range` is `(low, high, kind)`. Kind "i" means that the value is certainly held as a Python int (no bool) between low and
-high; "f" that it is certainly a Python float; "a" that it may be either (its bounds are then infinite). A Float that
-is held as an int never exceeds 2^53, up to which ints and doubles do the same arithmetic.
+A `Range` is `(low, high, kind)`. Kind "i" means that the value is certainly held as a Python int (and no bool) between
+low and high; "f" that it is certainly a Python float; "a" that it may be either (its bounds are then infinite). A Float
+that is held as an int never exceeds 2^53, up to which ints and doubles do the same arithmetic.
 """
 
 from __future__ import annotations
