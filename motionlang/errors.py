@@ -74,6 +74,7 @@ CODES: dict[str, str] = {
     "endless-wait": "A wait for what nothing can change.",
     "endless-loop": "A loop whose condition nothing in it changes.",
     "constant-condition": "A condition that is always true or always false.",
+    "mixed-operators": "& or | beside a comparison, without brackets.",
     "unreachable": "No way leads to the statement.",
     "unused-label": "A label that nothing goes to.",
     "unused-variable": "A variable that nothing reads.",

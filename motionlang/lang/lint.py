@@ -30,6 +30,7 @@ WARNINGS: dict[str, str] = {
     "endless-wait": "Mint",
     "endless-loop": "Mint",
     "constant-condition": "Mint",
+    "mixed-operators": "Mint",
     "unreachable": "Mint, MCCL",
     "unused-label": "Mint",
     "unused-variable": "Mint",

@@ -10,6 +10,7 @@ from motionlang.lang.lint import silence
 from motionlang.mint.keywords import table
 from motionlang.mint.lint_acts import Facts
 from motionlang.mint.lint_axis import Follower
+from motionlang.mint.lint_brackets import check_brackets
 from motionlang.mint.lint_buffer import Buffers
 from motionlang.mint.lint_flow import Ways
 from motionlang.mint.lint_motion import Motion, Reach
@@ -84,6 +85,7 @@ def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
     Buffers(facts, follower, add).check()
     Settings(facts, follower, add).check()
     Ways(facts, follower, settings, add).check()
+    check_brackets(facts, module.places, add)
     check_names(facts, add)
     check_tasks(facts, add)
     check_servers(module, settings, add)

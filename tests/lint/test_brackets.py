@@ -1,0 +1,77 @@
+"""The two readings that a mix of `&` or `|` with comparisons is shown with: the first one is how it is read."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from motionlang.errors import Diagnostic
+from motionlang.mint.lint import check
+from motionlang.mint.parser import parse
+from motionlang.source import Source
+
+OPERANDS = (
+    "a",
+    "(a)",
+    "-b",
+    "f(a, 1)",
+    "INX.0",
+    "POS(a & 1)",
+    "(a & 2)",
+    "((b = 1))",
+    "a + b * 2",
+    "r.c(1)",
+    "0x10",
+)
+BITS, COMPARISONS = ("&", "|"), ("=", "<>", "<", ">=")
+BEFORE = """\
+Type pair
+  c(2) As Integer
+End Type
+Dim a As Integer, b As Integer, f(3, 3) As Integer, r As pair
+a = 1 : b = 2 : f(1, 1) = 3 : r.c(1) = 4
+"""
+
+
+def mixed(line: str) -> list[Diagnostic]:
+    found = check(Source("a.mnt", BEFORE + line))
+    assert not [each for each in found if each.severity == "error"], line
+    return [each for each in found if each.code == "mixed-operators"]
+
+
+def tree(line: str) -> str:
+    return repr(parse(Source("a.mnt", BEFORE + line)).body)
+
+
+def bracketed(operands: list[str], ops: list[str], tight: tuple[str, ...]) -> str:
+    """The operands with brackets around every run that `tight` operators join."""
+    runs, loose = [[operands[0]]], []
+    for op, operand in zip(ops, operands[1:], strict=True):
+        if op in tight:
+            runs[-1] += [op, operand]
+        else:
+            loose.append(op)
+            runs.append([operand])
+    texts = [f"({' '.join(run)})" if len(run) > 1 else run[0] for run in runs]
+    return texts[0] + "".join(f" {op} {text}" for op, text in zip(loose, texts[1:], strict=True))
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_both_readings(seed: int) -> None:
+    random = Random(seed)
+    count = random.randint(3, 6)
+    operands = [random.choice(OPERANDS) for _ in range(count)]
+    ops = [random.choice(BITS), random.choice(COMPARISONS)]
+    ops = random.sample(ops + random.choices(BITS + COMPARISONS, k=count - 3), k=count - 1)
+    frame = random.choice(
+        ("If {} Then PRINT 1", "a = {}", "PRINT f(1, 2), {}; 7", "If Not {} And a Then PRINT 2")
+    )
+    line = frame.format(bracketed(operands, ops, ()))
+    here, there = (frame.format(bracketed(operands, ops, tight)) for tight in (BITS, COMPARISONS))
+    told = mixed(line)
+    assert [each.hint for each in told] == [
+        f"brackets say which is meant: {here}, as it is read here, or {there}"
+    ]
+    assert mixed(here) == mixed(there) == []
+    assert tree(here) == tree(line) != tree(there)
