@@ -47,17 +47,17 @@ class Value:
 
 
 class Answer(Value):
-    """The Integer 1 or 0 that Python's True or False is made by a plus sign; a condition does without."""
+    """What is true or false in Python, without brackets: an Integer, 1 or 0, but in a condition as it is."""
 
     __slots__ = ("_truth",)
 
-    def __init__(self, text: str) -> None:
-        super().__init__(f"+{text}", INTEGER, ranges.BOOL)
-        self._truth = text
+    def __init__(self, truth: str) -> None:
+        super().__init__(f"(1 if {truth} else 0)", INTEGER, ranges.BOOL)
+        self._truth = truth
 
     @property
     def truth(self) -> str:
-        return self._truth
+        return f"({self._truth})"
 
 
 class Whole:

@@ -207,7 +207,7 @@ def _loaded(b: Body, text: str, type: Type, known: ranges.Range | None) -> Value
         b.observes = True
         return Value(f"{b.whole.use('env', 'elapsed')}({text})", INTEGER, ranges.INTEGER)
     if type.name == SEMAPHORE:
-        return Answer(f"({text}[0] is not None)")
+        return Answer(f"{text}[0] is not None")
     if known is None:
         known = ranges.INTEGER if type.name == INTEGER else ranges.FLOAT
     return Value(text, str(type) if type.name == RECORD else type.name, known)
@@ -263,7 +263,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
 def _unary(b: Body, node: nodes.Unary) -> Value:
     if node.op == "Not":
         inner = condition(b, node.operand)
-        return Answer(f"(not {inner})")
+        return Answer(f"not {inner}")
     found = number(b, node.operand)
     if found.const is not None:
         known = fold_unary(node.op, found.const)
@@ -282,7 +282,7 @@ def _unary(b: Body, node: nodes.Unary) -> Value:
 def _binary(b: Body, node: nodes.Binary) -> Value:
     op = node.op
     if op == "And" or op == "Or":  # noqa: PLR1714 - quicker
-        return Value(f"(1 if {condition(b, node)} else 0)", INTEGER, ranges.BOOL)
+        return Answer(condition(b, node))
     left_node, right_node = node.left, node.right
     left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)
     if left.type not in NUMERIC or right.type not in NUMERIC:

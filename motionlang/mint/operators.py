@@ -22,7 +22,7 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
     if op in _ARITHMETIC:
         return arithmetic(b, op, left, right)
     if op in _COMPARISONS:
-        return Answer(f"({left.text} {_COMPARISONS[op]} {right.text})")
+        return Answer(f"{left.text} {_COMPARISONS[op]} {right.text}")
     if op == "/":
         return Value(f"({left.text} / {right.text})", FLOAT, ranges.FLOAT)
     if op == "^":
@@ -94,6 +94,6 @@ def text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
             return literal(left.const + right.const)
         return Value(f"({left.text} + {right.text})", STRING, ranges.ANY)
     if node.op in _COMPARISONS:
-        return Answer(f"({left.text} {_COMPARISONS[node.op]} {right.text})")
+        return Answer(f"{left.text} {_COMPARISONS[node.op]} {right.text}")
     b.problem("type", f"{node.op} needs numbers, not texts", node)
     return NOTHING

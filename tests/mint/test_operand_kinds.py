@@ -104,4 +104,5 @@ def test_a_comparison_in_a_condition_stays_as_it_is() -> None:
     from .test_ranges import text_of
 
     text = text_of("Dim n As Integer\nWhile n < 5 And Not n = 3\n  n = n + 1\nEnd While")
-    assert "+(" not in text
+    assert "while ((v_n < 5) and (not (v_n == 3))):" in text
+    assert "1 if" not in text
