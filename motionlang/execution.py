@@ -199,14 +199,18 @@ def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
 
 
 def _cache_name(source: Source, language: Dialect, settings: dict[str, object]) -> str:
-    """The name under which the cache has a compiled program."""
+    """The name under which the cache has a compiled program; "" where none is kept or its compiler cannot be told."""
+    if not language.cached:
+        return ""
     from motionlang.lang import cache
 
-    package = os.path.dirname(sys.modules[type(language).__module__].__file__ or "")
-    # An installed package changes with its version only; a checkout with every key that is pressed.
-    checkout = os.path.isdir(os.path.join(package, "..", "..", "grammars"))
-    state = cache.fingerprint(package) if checkout else ""
-    return cache.key(language.name, state, repr(sorted(settings.items())), source.name, source.text)
+    if not cache.wanted():
+        return ""
+    package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
+    compiler = cache.fingerprint(package)
+    if not compiler:
+        return ""
+    return cache.key(language.name, compiler, repr(sorted(settings.items())), source.name, source.text)
 
 
 def _compile(

@@ -1,16 +1,14 @@
 """Compiled programs, kept between runs as Python keeps its .pyc files.
 
-An entry is a file named after the digest of everything that went into it (text, dialect, settings, versions). It is
-used only if it belongs to this user, nobody else may write it, and its own digest fits: a damaged or foreign entry is
-ignored, never executed. No trouble with the cache is ever an error of the run.
+An entry is a file named after the digest of everything that went into it (text, dialect, settings, the compiler, the
+version of Python). It is used only if it belongs to this user, nobody else may write it, and its own digest fits: a
+damaged or foreign entry is ignored, never executed. No trouble with the cache is ever an error of the run.
 """
 
 from __future__ import annotations
 
 import os
 import sys
-
-from motionlang import __version__
 
 try:  # hashlib's front costs more to import than a whole cached run
     from _sha2 import sha256  # type: ignore[import-not-found,unused-ignore]
@@ -21,7 +19,14 @@ except ImportError:
         from hashlib import sha256
 
 ENTRIES = 512
+# What compiling takes besides a language's own package; a test holds it to what a compilation imports.
+SHARED = ("lang", "errors.py", "source.py", "controller/faults.py")
 OFF = "MOTIONLANG_NO_CACHE"
+
+
+def wanted() -> bool:
+    """Whether the environment leaves the cache on."""
+    return not os.environ.get(OFF)
 
 
 def folder() -> str:
@@ -41,7 +46,7 @@ def folder() -> str:
 
 def key(*parts: str) -> str:
     """The name of an entry: the digest of everything that its content depends on."""
-    digest = sha256(f"{__version__} {sys.version}".encode())
+    digest = sha256(sys.version.encode())
     for part in parts:
         digest.update(b"\0")
         digest.update(part.encode("utf-8", "surrogatepass"))
@@ -49,27 +54,42 @@ def key(*parts: str) -> str:
 
 
 def fingerprint(package: str) -> str:
-    """The state of a package's source files, so that a changed compiler never meets what an older one made."""
+    """The state of a compiler's source files, so that a changed one never meets what an older one made.
+
+    `package` is the folder of the language. Empty where there are no such files to look at, as in a zip archive.
+    """
+    root = os.path.dirname(package)
     found: list[str] = []
     try:
-        _note(package, found)
+        _note_all(package, found)
+        for name in SHARED:
+            place = os.path.join(root, name)
+            if name.endswith(".py"):
+                _note(place, os.stat(place), found)
+            else:
+                _note_all(place, found)
     except OSError:
         return ""
     return ",".join(sorted(found))
 
 
-def _note(place: str, found: list[str]) -> None:
-    for entry in os.scandir(place):
-        if entry.name.endswith(".py"):
-            status = entry.stat()
-            found.append(f"{entry.name} {status.st_size} {status.st_mtime_ns}")
-        elif entry.name != "__pycache__" and entry.is_dir():
-            _note(entry.path, found)
+def _note_all(place: str, found: list[str]) -> None:
+    with os.scandir(place) as entries:
+        for entry in entries:
+            if entry.name.endswith(".py"):
+                _note(entry.path, entry.stat(), found)
+            elif entry.name != "__pycache__" and entry.is_dir():
+                _note_all(entry.path, found)
+
+
+def _note(place: str, status: os.stat_result, found: list[str]) -> None:
+    """Note one file: the time of its last change, unlike that of its text, cannot be set by whoever installs it."""
+    found.append(f"{place} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns}")
 
 
 def get(name: str) -> bytes | None:
     """The payload of an entry, None where there is none that can be trusted."""
-    if os.environ.get(OFF):
+    if not wanted():
         return None
     try:
         place = folder()
@@ -87,7 +107,7 @@ def get(name: str) -> bytes | None:
 
 def put(name: str, payload: bytes) -> None:
     """Keep a payload; written aside and renamed, so that no reader sees half of it."""
-    if os.environ.get(OFF):
+    if not wanted():
         return
     place = folder()
     aside = os.path.join(place, f".{name}.{os.getpid()}")

@@ -50,11 +50,15 @@ def unknown_model(name: str) -> tuple[str, str] | None:
 
 
 class Dialect:
-    """`name` as users write it, the file `suffixes` it owns, and the number of its first axis."""
+    """`name` as users write it, the file `suffixes` it owns, and the number of its first axis.
+
+    `cached` says that compiled programs are worth keeping: `Program.payload` and `load` are for those.
+    """
 
     name: str
     suffixes: tuple[str, ...]
     first_axis: int
+    cached = False
 
     def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
         """Parse and compile; ProgramError with every mistake of the text."""

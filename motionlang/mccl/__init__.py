@@ -41,9 +41,6 @@ class Mccl(Dialect):
 
         return tuple(MODELS)
 
-    def load(self, payload: bytes) -> Program:
-        raise NotImplementedError("MCCL programs are not cached: decoding is as quick")
-
     def table(self) -> Table:
         from motionlang.mccl.keywords import TABLE
 

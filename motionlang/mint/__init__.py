@@ -22,6 +22,7 @@ class Mint(Dialect):
     name = "mint"
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
+    cached = True
 
     def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
         from motionlang.mint.compiler import compile_source

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -12,6 +14,7 @@ from motionlang import execution
 from motionlang.lang import cache
 from motionlang.source import Source
 
+PACKAGE = Path(execution.__file__).parent
 HELLO = Source("hello.mnt", 'PRINT "hello"\n')
 
 
@@ -82,15 +85,111 @@ def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert len(list(folder.iterdir())) == 2
 
 
-def test_a_changed_compiler_is_another_key(tmp_path: Path) -> None:
-    (tmp_path / "compiler.py").write_text("one")
-    before = cache.fingerprint(str(tmp_path))
-    (tmp_path / "compiler.py").write_text("three")
-    changed = cache.fingerprint(str(tmp_path))
-    assert changed != before
-    (tmp_path / "keywords").mkdir()
-    (tmp_path / "keywords" / "axis.py").write_text("a = 1\n")
-    assert cache.fingerprint(str(tmp_path)) != changed
+def compiler_modules() -> list[str]:
+    """The files, from the package's root, of every module that compiling the gallery imports."""
+    script = (
+        "import sys\n"
+        "from pathlib import Path\n"
+        "from motionlang.mint import DIALECT\n"
+        "from motionlang.source import Source\n"
+        "for path in sorted(Path(sys.argv[1]).rglob('*.mnt')):\n"
+        "    DIALECT.compile(Source.read(path), {})\n"
+        "print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')), sep='\\n')\n"
+    )
+    command = [sys.executable, "-c", script, str(PACKAGE.parent / "scripts" / "mint")]
+    ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=PACKAGE.parent)
+    found = [Path(line).relative_to(PACKAGE) for line in ran.stdout.splitlines()]
+    # The first line of a package that holds nothing else decides nothing.
+    return sorted(str(path) for path in found if len((PACKAGE / path).read_text().splitlines()) > 4)
+
+
+def installed(place: Path) -> str:
+    """A copy of the package, as an installation makes one; the folder of Mint in it."""
+    shutil.copytree(PACKAGE, place / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
+    return str(place / "motionlang" / "mint")
+
+
+def test_a_change_in_any_module_of_the_compiler_is_another_key(tmp_path: Path) -> None:
+    mint = installed(tmp_path)
+    modules = compiler_modules()
+    assert {"mint/compiler.py", "mint/keywords/axis.py", "lang/tables.py", "errors.py"} <= set(modules)
+    seen = {cache.fingerprint(mint)}
+    for name in modules:
+        with open(tmp_path / "motionlang" / name, "a", encoding="utf-8") as file:
+            file.write("# changed\n")
+        seen.add(cache.fingerprint(mint))
+    # __init__.py of the package is no part: what it says of versions is not compiled in.
+    assert len(seen) == len([name for name in modules if name != "__init__.py"]) + 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows keeps no time of the last change of a file")
+def test_a_module_of_the_same_size_and_time_is_another_key(tmp_path: Path) -> None:
+    mint = installed(tmp_path)
+    module = tmp_path / "motionlang" / "mint" / "compiler.py"
+    before, status, text = cache.fingerprint(mint), module.stat(), module.read_text()
+    while module.stat().st_ctime_ns == status.st_ctime_ns:  # the clock of a file system ticks slowly
+        module.write_text(text.replace("e", "a", 1))
+        os.utime(module, ns=(status.st_atime_ns, status.st_mtime_ns))
+    changed = module.stat()
+    assert (changed.st_size, changed.st_mtime_ns) == (status.st_size, status.st_mtime_ns)
+    assert cache.fingerprint(mint) != before
+
+
+def test_a_new_module_of_the_compiler_is_another_key(tmp_path: Path) -> None:
+    mint = installed(tmp_path)
+    before = cache.fingerprint(mint)
+    (tmp_path / "motionlang" / "mint" / "keywords" / "lasers.py").write_text("ROWS = ()\n")
+    assert cache.fingerprint(mint) != before
+
+
+def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path) -> None:
+    installed(tmp_path)
+    (tmp_path / "hello.mnt").write_text(HELLO.text)
+    command = [sys.executable, "-m", "motionlang", "run", "hello.mnt", "--report", "none"]
+
+    def ran() -> str:
+        return subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path).stdout
+
+    assert [ran(), ran()] == ["hello\n", "hello\n"]
+    printing = tmp_path / "motionlang" / "mint" / "terminal_use.py"
+    printing.write_text(printing.read_text().replace("return found.text if", "return repr('bye') if"))
+    assert ran() == "bye\n"
+
+
+def test_without_files_to_look_at_nothing_is_cached(tmp_path: Path, folder: Path) -> None:
+    installed(tmp_path / "loose")
+    archive = shutil.make_archive(str(tmp_path / "motionlang"), "zip", tmp_path / "loose")
+    program = tmp_path / "hello.mnt"
+    program.write_text(HELLO.text)
+    ran = subprocess.run(
+        [sys.executable, "-c", "from motionlang.cli import main; main()", "run", program, "--report", "none"],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": archive},
+    )
+    assert (ran.stdout, ran.stderr) == ("hello\n", "")
+    assert not folder.exists()
+    assert cache.fingerprint(os.path.join(archive, "motionlang", "mint")) == ""
+
+
+def test_what_is_not_kept_is_not_looked_for(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    looked: list[str] = []
+
+    def look(package: str) -> str:
+        looked.append(package)
+        return "state"
+
+    monkeypatch.setattr(cache, "fingerprint", look)
+    execution.run(Source("hello.mcl", "0"))
+    execution.run(HELLO, cache=False)
+    monkeypatch.setenv(cache.OFF, "1")
+    execution.run(HELLO)
+    assert looked == []
+    monkeypatch.delenv(cache.OFF)
+    execution.run(HELLO)
+    assert len(looked) == 1
 
 
 def test_a_cached_run_is_the_same_run(folder: Path) -> None:
