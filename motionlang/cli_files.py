@@ -7,9 +7,9 @@ import sys
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
-from motionlang.cli_run import PLOTS, TRACES, complain
+from motionlang.cli_run import PLOTS, TRACES, complain, unwritten
 from motionlang.errors import Diagnostic
-from motionlang.views.files import reason, unwritable
+from motionlang.files import unwritable
 from motionlang.views.progress import Progress
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def _write(path: str, write: Callable[[], None]) -> int:
     except BrokenPipeError:
         raise
     except OSError as error:
-        complain([Diagnostic("file", f"{path} cannot be written: {reason(error)}")], None, path)
+        complain([unwritten(path, error)], None, path)
         return 1
     return 0
 

@@ -10,7 +10,8 @@ import json
 import os
 from typing import TYPE_CHECKING
 
-from motionlang.execution import dialect, dialects, run
+from motionlang.execution import dialect, dialects
+from motionlang.files import replacing
 from motionlang.report import text
 
 if TYPE_CHECKING:
@@ -44,10 +45,9 @@ def golden_files(program: str) -> tuple[str, str]:
     return f"{stem}.golden.json", f"{stem}.golden.txt"
 
 
-def differences(program: str) -> list[str]:
-    """How a program's run differs from its golden files; OSError where one cannot be read."""
+def differences(program: str, result: Run) -> list[str]:
+    """How a program's run differs from its golden files; OSError where one cannot be read, ValueError for no JSON."""
     report, printed = golden_files(program)
-    result = run(program, cache=False)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
     found = list(_compare("", expected, json.loads(text(result))))
@@ -59,15 +59,14 @@ def differences(program: str) -> list[str]:
     return found
 
 
-def update(program: str) -> bool:
-    """Write the golden files of a program anew where they differ; whether they did. Raises OSError."""
+def update(program: str, result: Run) -> bool:
+    """Write the golden files of a program anew where its run differs; whether it did. OSError names the file."""
     try:
-        if not differences(program):
+        if not differences(program, result):
             return False
     except (OSError, ValueError):
         pass  # one is missing, or is no JSON
     report, printed = golden_files(program)
-    result = run(program, cache=False)
     _write(report, text(result))
     if result.output:
         _write(printed, _printed(result))
@@ -81,8 +80,8 @@ def _printed(result: Run) -> str:
 
 
 def _write(path: str, content: str) -> None:
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(content)
+    with replacing(path) as file:
+        file.write(content.encode())
 
 
 def _compare(place: str, expected: object, found: object) -> Iterator[str]:

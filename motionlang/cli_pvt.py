@@ -230,7 +230,7 @@ def _write(path: str | None, lines: Sequence[str]) -> None:
     if path is None or path == "-":
         sys.stdout.write(text)
         return
-    from motionlang.views.files import replacing
+    from motionlang.files import replacing
 
     with replacing(path) as file:
         file.write(text.encode("utf-8"))

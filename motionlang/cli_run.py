@@ -177,9 +177,17 @@ def pacer(factor: float) -> Callable[[float], None]:
 def unreadable(file: str, error: OSError) -> Diagnostic:
     """The diagnostic of a file that cannot be read."""
     from motionlang.errors import Diagnostic
-    from motionlang.views.files import reason
+    from motionlang.files import reason
 
     return Diagnostic("file", f"{file} cannot be read: {reason(error)}")
+
+
+def unwritten(file: str, error: OSError) -> Diagnostic:
+    """The diagnostic of a file that cannot be written."""
+    from motionlang.errors import Diagnostic
+    from motionlang.files import reason
+
+    return Diagnostic("file", f"{file} cannot be written: {reason(error)}")
 
 
 def no_dialect(file: str) -> Diagnostic:

@@ -7,11 +7,15 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli_golden import MOST_DIFFERENCES, differences, golden_files, programs, update
-from motionlang.cli_run import complain, no_dialect, unreadable
-from motionlang.execution import dialect_of
+from motionlang.cli_run import complain, no_dialect, unreadable, unwritten
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect_of, machine_of, run
+from motionlang.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from motionlang.execution import Run
 
 
 def verify_command(paths: Sequence[str], rewrite: bool) -> int:
@@ -36,8 +40,11 @@ def _verify(program: str) -> bool:
     if not os.path.exists(report):
         sys.stdout.write(f"{program}: no {os.path.basename(report)} beside it; --update writes one\n")
         return True
+    result = _ran(program)
+    if result is None:
+        return True
     try:
-        found = differences(program)
+        found = differences(program, result)
     except OSError as error:
         complain([unreadable(str(error.filename), error)], None, program)
         return True
@@ -54,15 +61,28 @@ def _verify(program: str) -> bool:
 
 def _update(program: str) -> bool:
     """Whether a program's golden files could not be written."""
-    if not _is_readable(program):
+    result = _ran(program) if _is_readable(program) else None
+    if result is None:
         return True
     try:
-        if update(program):
+        if update(program, result):
             sys.stdout.write(f"{program}: written\n")
     except OSError as error:
-        complain([unreadable(str(error.filename), error)], None, program)
+        complain([unwritten(str(error.filename), error)], None, program)
         return True
     return False
+
+
+def _ran(program: str) -> Run | None:
+    """The run of a program; None where it, or the machine file beside it, cannot be read."""
+    try:
+        return run(program, cache=False)
+    except OSError as error:
+        complain([unreadable(str(error.filename or program), error)], None, program)
+    except ProgramError as error:
+        machine = machine_of(program)
+        complain(error.diagnostics, Source.read(machine) if machine else None, machine or program)
+    return None
 
 
 def _is_readable(program: str) -> bool:

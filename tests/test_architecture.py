@@ -31,6 +31,7 @@ LEVELS: dict[str, int] = {
     "controller": 4,
     "profile": 3,
     "errors": 1,
+    "files": 1,
     "source": 1,
     "units": 1,
     "": 0,

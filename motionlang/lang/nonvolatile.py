@@ -90,15 +90,14 @@ class NonVolatile:
         if self.path is None:
             return
         from json import dumps
-        from os import replace
+
+        from motionlang.files import replacing
 
         values = {**self._values, **self._live}
         words = {str(address): word for address, word in sorted(self._words.items())}
         tree = {"schema": SCHEMA, "values": dict(sorted(values.items())), "words": words}
-        temporary = f"{self.path}.new"
-        with open(temporary, "w", encoding="utf-8") as file:
-            file.write(dumps(tree, indent=1, ensure_ascii=False) + "\n")
-        replace(temporary, self.path)
+        with replacing(self.path) as file:
+            file.write((dumps(tree, indent=1, ensure_ascii=False) + "\n").encode())
 
 
 def _fitted(stored: object, place: list[object]) -> list[object] | None:

@@ -8,10 +8,10 @@ from os.path import expanduser
 
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import ONE_SHIFT, Run, dialect_of
+from motionlang.files import reason
 from motionlang.repl import status
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
-from motionlang.views.files import reason
 from motionlang.views.keywords import page
 from motionlang.views.table import render
 from motionlang.views.words import dialect_name

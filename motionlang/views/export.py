@@ -8,8 +8,8 @@ from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
+from motionlang.files import replacing
 from motionlang.views.csv import Formatter, decimals_for
-from motionlang.views.files import replacing
 from motionlang.views.vcd import write_vcd
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
+from motionlang.files import replacing
 from motionlang.report import moves as moves_of
-from motionlang.views.files import replacing
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import HEIGHTS, panels
 from motionlang.views.plot_panel import (

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from motionlang.files import replacing
 from motionlang.profile.pvt_points import knots
-from motionlang.views.files import replacing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

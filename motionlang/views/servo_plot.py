@@ -7,7 +7,7 @@ import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from motionlang.views.files import replacing
+from motionlang.files import replacing
 from motionlang.views.plot import DPI, STYLE
 from motionlang.views.plot_panel import FAINT, INK
 from motionlang.views.servo import SHAPE_NAMES

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
+from pathlib import Path
 
-from tests.cli.programs import Cell
+import pytest
+
+from tests.cli.programs import BALLSCREW, Cell
 
 
 def test_update_then_verify(cell: Cell) -> None:
@@ -61,3 +66,38 @@ def test_a_golden_file_that_is_no_json(cell: Cell) -> None:
 def test_a_folder_that_is_not_there(cell: Cell) -> None:
     ran = cell("verify")
     assert (ran.status, ran.err) == (1, "error[file]: scripts cannot be read: no such file or directory\n")
+
+
+# A process whose files can get no larger than 64 bytes: the same as a disk on which there is no more room.
+SMALL_DISK = """
+import resource, signal, sys
+from motionlang.cli import main
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (64, 64))
+sys.exit(main(["verify", "ballscrew.mcl", "--update"]))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX limits")
+@pytest.mark.parametrize("old", ["{}", None])
+def test_where_there_is_no_room_the_old_golden_file_stays(old: str | None, tmp_path: Path) -> None:
+    (tmp_path / "ballscrew.mcl").write_text(BALLSCREW)
+    if old is not None:
+        (tmp_path / "ballscrew.golden.json").write_text(old)
+    before = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    ran = subprocess.run(
+        [sys.executable, "-c", SMALL_DISK], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    message = "error[file]: ballscrew.golden.json cannot be written: file too large\n"
+    assert (ran.returncode, ran.stderr) == (1, message)
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == before
+
+
+@pytest.mark.parametrize("option", [[], ["--update"]], ids=str)
+def test_a_wrong_machine_file_beside_a_program(option: list[str], cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    cell.write("ballscrew.machine.toml", "[controller]\naxs = 3\n")
+    ran = cell("verify", "ballscrew.mcl", *option)
+    assert ran.status == 1
+    assert "error[machine-file]: there is no key controller.axs\n" in ran.err
+    assert "ballscrew.machine.toml:2:1" in ran.err

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang import run
 from motionlang.cli_golden import differences, golden_files, programs, update
 
 ROOT = Path(__file__).parent.parent.parent
@@ -15,8 +16,8 @@ PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.relative_to(ROOT / "scripts").as_posix())
 def test_program(program: Path, request: pytest.FixtureRequest) -> None:
     if request.config.getoption("--update"):
-        update(str(program))
-    assert differences(str(program)) == []
+        update(str(program), run(program, cache=False))
+    assert differences(str(program), run(program, cache=False)) == []
 
 
 def test_no_golden_file_is_left_without_its_program() -> None:

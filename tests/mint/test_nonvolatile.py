@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from json import loads
 from pathlib import Path
 
@@ -120,6 +121,22 @@ def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
     result = ran("Dim nv a As Integer\nPRINT 1", tmp_path / "none" / "kept.json", "fault")
     assert result.output == ["1"]
     assert "cannot be written" in result.diagnostics[0].message
+
+
+def test_runs_that_end_at_once_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "kept.json"
+    replace, others = os.replace, ["Dim nv b As Integer = 2"]
+
+    def replace_after_another(source: str, target: str) -> None:
+        if others:
+            ran(others.pop(), file)
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", replace_after_another)
+    ran("Dim nv a As Integer = 1", file)
+    assert others == []
+    assert loads(file.read_text())["values"] == {"a": [1]}
+    assert os.listdir(tmp_path) == ["kept.json"]
 
 
 def test_a_handler_and_a_task_share_the_data_of_the_program(tmp_path: Path) -> None:

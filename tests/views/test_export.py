@@ -11,7 +11,6 @@ import pytest
 
 from motionlang.controller import trace as trace_module
 from motionlang.views.export import write_trace
-from motionlang.views.files import replacing, unwritable
 from tests.views.runs import ballscrew, pick
 
 NAMES = ["time_s", "axis0_position_uu", "axis0_velocity_uu_per_s", "axis0_acceleration_uu_per_s2"]
@@ -95,24 +94,3 @@ def test_ctrl_c_leaves_nothing_either(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         write_trace(ballscrew().trace, str(tmp_path / "x.npz"), 1000.0, interrupt)
     assert os.listdir(tmp_path) == []
-
-
-def test_a_link_is_followed_and_stays(tmp_path: Path) -> None:
-    (tmp_path / "real.csv").write_text("")
-    (tmp_path / "link.csv").symlink_to("real.csv")
-    with replacing(str(tmp_path / "link.csv")) as file:
-        file.write(b"new")
-    assert (tmp_path / "link.csv").is_symlink()
-    assert (tmp_path / "real.csv").read_text() == "new"
-
-
-def test_a_device_is_written_to_directly() -> None:
-    with pytest.raises(OSError, match="No space left"), replacing("/dev/full") as file:
-        file.write(b"x")
-    assert os.path.exists("/dev/full")
-
-
-def test_what_cannot_be_written_is_known_before(tmp_path: Path) -> None:
-    assert unwritable(str(tmp_path / "x.csv")) is None
-    assert unwritable(str(tmp_path)) == f"{tmp_path} is a folder"
-    assert unwritable(str(tmp_path / "no" / "x.csv")) == f"there is no folder {tmp_path / 'no'}"

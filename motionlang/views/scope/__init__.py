@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from motionlang import __version__
+from motionlang.files import replacing
 from motionlang.report import finite
 from motionlang.report import moves as moves_of
-from motionlang.views.files import replacing
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import UNITS, panels
 from motionlang.views.plot_panel import PHASES

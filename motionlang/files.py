@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 from contextlib import contextmanager
+from itertools import count
 from typing import IO, TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -15,23 +16,42 @@ if TYPE_CHECKING:
 def replacing(path: str) -> Iterator[IO[bytes]]:
     """Write aside and rename at the end; whatever goes wrong, the old file stays and no half of a new one does.
 
-    A device or a pipe is written to directly. Raises OSError.
+    However many write at the same time, the file is that of the last one. A device or a pipe is written to directly.
+    Raises OSError with the name of the file.
     """
-    if not _is_plain(path):
-        with open(path, "wb", buffering=0) as file:
-            yield file
-        return
-    target = os.path.realpath(path)
-    aside = os.path.join(os.path.dirname(target), f".{os.path.basename(target)}.{os.getpid()}")
+    aside = ""
     try:
-        with open(aside, "wb") as file:
+        if not _is_plain(path):
+            with open(path, "wb", buffering=0) as file:
+                yield file
+            return
+        target = os.path.realpath(path)
+        with _aside(target) as file:
+            aside = file.name
             yield file
+        if os.path.exists(target):
+            os.chmod(aside, stat.S_IMODE(os.stat(target).st_mode))
         os.replace(aside, target)
     except BaseException as error:
-        _remove(aside)
-        if isinstance(error, OSError) and error.filename == aside:
+        if aside:
+            _remove(aside)
+        if isinstance(error, OSError) and error.filename in (None, aside):
             error.filename = path
         raise
+
+
+def _aside(target: str) -> IO[bytes]:
+    """A new file beside another one, which nobody else writes to: not even a process of the same number elsewhere."""
+    folder, name = os.path.split(target)
+    for number in count():
+        try:
+            return open(os.path.join(folder, f".{name}.{os.getpid()}.{number}"), "xb")
+        except FileExistsError:
+            continue
+        except OSError as error:
+            error.filename = None  # nobody has asked for a file of that name
+            raise
+    raise AssertionError
 
 
 def unwritable(path: str) -> str | None:
