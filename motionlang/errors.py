@@ -125,12 +125,25 @@ class Diagnostic:
         }
 
 
+# Characters of a value in a message.
+_LONGEST = 60
+
+
 class ProgramError(Exception):
     """A program that cannot be run, or that went wrong; carries every diagnostic, in the order of the text."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
         super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
+def shown(value: object) -> str:
+    """A value that somebody has written, as a message shows it: on one line, and no longer than one."""
+    try:
+        text = repr(value)
+    except (ValueError, RecursionError):  # Python writes no number of more than 4300 digits
+        return "what stands there"
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
 def nearest(word: str, words: Iterable[str]) -> str | None:

@@ -38,7 +38,7 @@ def dialect(name: str) -> Dialect:
 
 def unknown_model(name: str) -> tuple[str, str] | None:
     """What is wrong with the name of a controller that no dialect knows, and a hint; None where one does."""
-    from motionlang.errors import nearest
+    from motionlang.errors import nearest, shown
 
     languages = [dialect(each) for each in dialects()]
     if any(each.knows_model(name) for each in languages):
@@ -46,7 +46,7 @@ def unknown_model(name: str) -> tuple[str, str] | None:
     models = [model for each in languages for model in each.models()]
     near = nearest(name, models)
     hint = f"did you mean {near}?" if near else f"there are {', '.join(models)}"
-    return f"{name!r} is no controller that is known here", hint
+    return f"{shown(name)} is no controller that is known here", hint
 
 
 class Dialect:

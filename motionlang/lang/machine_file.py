@@ -5,12 +5,13 @@ A key that does not exist, or a value of the wrong kind, is a diagnostic with it
 
 from __future__ import annotations
 
-from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.errors import Diagnostic, ProgramError, nearest, shown
 from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.machine_keys import (
     BUS_EVENTS,
     FAULT_KINDS,
     KEYS,
+    LAST_LINE,
     LAST_REGISTER,
     MAX_AXES,
     MOTORS,
@@ -32,6 +33,10 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 
+# A dotted key of so many parts lies deeper than any of the vocabulary.
+_DEEPEST = 5
+
+
 def read_machine(source: Source) -> dict[str, object]:
     """The settings of a machine file by their dotted keys, tables as lists; ProgramError with every mistake."""
     import tomllib
@@ -39,7 +44,9 @@ def read_machine(source: Source) -> dict[str, object]:
     try:
         tree = tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
-        raise ProgramError([_toml_mistake(error)]) from None
+        raise ProgramError([_toml_mistake(source, error)]) from None
+    except (ValueError, RecursionError) as error:
+        raise ProgramError([_beyond_python(source, error)]) from None
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
     for key, value in _flatten(tree):
@@ -79,7 +86,7 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         return unknown_model(str(value))
     if problem is None and key.startswith(OF_DIALECTS):
         return dialect(key.partition(".")[0]).setting_problem(key, value)
-    return None if problem is None else (f"{key} {problem}, not {value!r}", row[1])
+    return None if problem is None else (f"{key} {problem}, not {shown(value)}", row[1])
 
 
 def first_mistake(settings: Mapping[str, object]) -> str:
@@ -115,7 +122,7 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
             continue
         problem = _kind_problem(rows[name][0], value)
         if problem is not None:
-            yield f"{name} of [[{table}]] {problem}, not {value!r}", rows[name][1], name
+            yield f"{name} of [[{table}]] {problem}, not {shown(value)}", rows[name][1], name
     for name in REQUIRED[table]:
         if name not in entry:
             yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
@@ -148,6 +155,9 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
         yield f"[[{table}]] {what} in one way only", f"give at, {ways}", where[0]
     if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+    if "axis" in entry and table in ("input", "analogue") and where in ([], ["output"]):
+        hint = "add above, below or between, or take axis away"
+        yield f"axis of [[{table}]] decides nothing without a position", hint, "axis"
 
 
 def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -162,7 +172,7 @@ def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str
         return
     spans = isinstance(between, list) and _is_pair(between)
     last = between[1] - between[0] if spans else length  # type: ignore[index]
-    if isinstance(every, (int, float)) and isinstance(last, (int, float)) and every <= last:
+    if _kind_problem("number", every) is None and _kind_problem("number", last) is None and every <= last:  # type: ignore[operator]
         yield "[[input]] comes again before it is over", f"every must be more than {last:g}", "every"
 
 
@@ -179,7 +189,7 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
     element = entry.get("element", 1)
     if isinstance(element, int) and not 1 <= element <= 99:
         yield (
-            f"element of [[remote]] must be 1 to 99, not {element}",
+            f"element of [[remote]] must be 1 to 99, not {shown(element)}",
             TABLES["remote"]["element"][1],
             "element",
         )
@@ -190,7 +200,7 @@ def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple
     element = entry.get("element")
     if isinstance(element, int) and not low <= element <= high:
         yield (
-            f"element of [[{table}]] must be {low} to {high}, not {element}",
+            f"element of [[{table}]] must be {low} to {high}, not {shown(element)}",
             TABLES[table]["element"][1],
             "element",
         )
@@ -212,7 +222,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "times": (whole and 1 <= value <= 10_000, "must be a whole number from 1 to 10000"),  # type: ignore[operator]
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
         "reading": (finite or isinstance(value, (bool, str)), "must be a number, a text, true or false"),
-        "line": (whole and value > 0, "must be the number of a line"),  # type: ignore[operator]
+        "line": (whole and 0 < value <= LAST_LINE, "must be the number of a line"),  # type: ignore[operator]
         "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
         "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
         "bus": (whole and 1 <= value <= 2, "must be 1 or 2"),  # type: ignore[operator]
@@ -241,7 +251,7 @@ def _is_pair(value: object) -> bool:
 def _are_registers(value: object) -> bool:
     """Words, signed or not, by the numbers of their registers."""
     return isinstance(value, dict) and all(
-        str(name).isdecimal()
+        _is_number(str(name))
         and int(name) <= LAST_REGISTER
         and isinstance(word, int)
         and -(LAST_REGISTER // 2) - 1 <= word <= LAST_REGISTER
@@ -249,10 +259,15 @@ def _are_registers(value: object) -> bool:
     )
 
 
+def _is_number(text: str) -> bool:
+    """Whether a part of a key is a number as it is written: no zero before it, and no more digits than anything has."""
+    return text.isascii() and text.isdigit() and len(text) <= 6 and (text == "0" or text[0] != "0")
+
+
 def _generic(key: str) -> str:
     """`axis.3.travel` as the table has it."""
     parts = key.split(".")
-    if parts[0] == "axis" and len(parts) > 2 and parts[1].isdigit():
+    if parts[0] == "axis" and len(parts) > 2 and _is_number(parts[1]):
         parts[1] = "N"
     if parts[:2] == ["mint", "readings"] and len(parts) > 2:
         parts[2:] = ["WORD"]
@@ -260,8 +275,9 @@ def _generic(key: str) -> str:
 
 
 def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
+    """The values by their dotted keys; what lies deeper than any key has no key of its own."""
     for key, value in tree.items():
-        if isinstance(value, dict):
+        if isinstance(value, dict) and prefix.count(".") < _DEEPEST:
             yield from _flatten(value, f"{prefix}{key}.")
         else:
             yield prefix + key, value
@@ -270,32 +286,65 @@ def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str
 def _located(source: Source, key: str, message: str, hint: str, name: str, entry: int = 0) -> Diagnostic:
     """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it.
 
-    Of a table it is looked for in one entry, whose `[[key]]` stands in where the line is not found.
+    Of a table it is looked for in one entry, whose `[[key]]` stands in where the line is not found; of a section or of
+    what lies too deep, the first line of it.
     """
     here, seen = "", -1
     place = 0, 0, 1
+    inside = f"{key.removesuffix('.')}."
     for number, line in enumerate(source.text.split("\n"), 1):
         text = line.strip()
         column = len(line) - len(line.lstrip()) + 1
         if text.startswith("["):
             header = text.partition("#")[0].replace(" ", "")
-            here = header.strip("[]")
+            here = header.strip("[]").replace('"', "").replace("'", "")
             seen += header == f"[[{key}]]"
             if (header == f"[[{key}]]" and seen == entry) or (header == name and seen < 0):
                 place = number, column, len(text.partition("#")[0].strip())
             continue
-        word = text.split("=")[0].strip(' "')
+        if "=" not in text or text.startswith("#"):
+            continue
+        word = text.split("=")[0].strip(" \"'")
         full = f"{here}.{word}" if here else word
         within = "{" in text and key.startswith(f"{full}.")  # a table in one line
-        if word and (full == key or within or (here == key and word == name and seen == entry)):
+        if full == key or within or (here == key and word == name and seen == entry):
             return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
+        if full.startswith(inside) and not place[0]:
+            place = number, column, len(word)
     return Diagnostic("machine-file", message, *place[:2], length=place[2], hint=hint)
 
 
-def _toml_mistake(error: Exception) -> Diagnostic:
+def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
     import re
 
     text = str(error)
     place = re.search(r"\(at line (\d+), column (\d+)\)", text)
-    line, column = (int(place[1]), int(place[2])) if place else (0, 0)
+    line, column = (int(place[1]), int(place[2])) if place else source.place(len(source.text.rstrip()))
     return Diagnostic("machine-file", text.split(" (at ")[0], line, column, hint="the machine file is TOML")
+
+
+def _beyond_python(source: Source, error: Exception) -> Diagnostic:
+    """What Python's reader of TOML gives up at: nesting, or a number that is longer than any."""
+    import re
+
+    if isinstance(error, RecursionError):
+        line, column = source.place(_deepest(source.text))
+        message, hint = (
+            "values are nested too deeply",
+            "no value of the machine file is more than a list of numbers",
+        )
+    else:
+        digits = re.search("[0-9_]{1000,}", source.text)
+        line, column = source.place(digits.start()) if digits else (0, 0)
+        message, hint = "a number has too many digits", "1e6 is a million"
+    return Diagnostic("machine-file", message, line, column, hint=hint)
+
+
+def _deepest(text: str) -> int:
+    """Where the most brackets are open."""
+    open_now, most, place = 0, 0, 0
+    for offset, letter in enumerate(text):
+        open_now += (letter in "[{") - (letter in "]}")
+        if open_now > most:
+            most, place = open_now, offset
+    return place

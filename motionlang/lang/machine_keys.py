@@ -198,5 +198,6 @@ BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-over
 # What an entry of [[remote]] is about.
 OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
 LAST_REGISTER = 65535
+LAST_LINE = 99_999_999
 MOTORS = ("servo", "stepper")
 FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit", "drive", "controller")

@@ -47,7 +47,8 @@ def words(settings: Mapping[str, object]) -> frozenset[str]:
 
 
 def _numbers(where: str) -> tuple[object, ...]:
-    return tuple(int(each) if each.strip().isdigit() else each.strip() for each in where.split(","))
+    texts = [each.strip() for each in where.split(",")]
+    return tuple(int(each) if each.isdecimal() and len(each) < 10 else each for each in texts)
 
 
 def problem(key: str, value: object) -> tuple[str, str] | None:
@@ -77,13 +78,15 @@ def _why_not(row: Keyword) -> str:
 
 
 def _value_problem(row: Keyword, where: str, value: object) -> tuple[str, str] | None:
+    from motionlang.errors import shown
+
     brackets = 0 if row.index == "none" else len(row.index.split(", "))
     given = len(where.split(",")) if where else brackets
     if given != brackets:
         return f"{row.name} has {brackets} in its brackets, not {given}", f"it stands for {row.index}"
     if row.unit == "text":
-        return None if isinstance(value, str) else (f"{row.name} is a text, not {value!r}", row.help)
+        return None if isinstance(value, str) else (f"{row.name} is a text, not {shown(value)}", row.help)
     if isinstance(value, str) or (row.unit in WHOLE and value != int(value)):  # type: ignore[call-overload]
         what = "a whole number" if row.unit in WHOLE else "a number"
-        return f"{row.name} is {what}, not {value!r}", row.help
+        return f"{row.name} is {what}, not {shown(value)}", row.help
     return None

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from math import inf
+from sys import float_info
 from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
 from motionlang.controller.servo.plant import AMPLIFIERS, ENCODER_SIDES, Drive, Motor
-from motionlang.errors import nearest
+from motionlang.errors import nearest, shown
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -123,9 +124,9 @@ def problem(key: Key, value: object) -> str | None:
     if isinstance(value, bool) or not isinstance(value, int if key.kind == "count" else (int, float)):
         return "a whole number" if key.kind == "count" else "a number"
     inside = key.low < value <= key.high if key.exclusive else key.low <= value <= key.high
-    if not inside or value in (inf, -inf):
-        return _range_words(key)
-    return None
+    if abs(value) > float_info.max:
+        return f"no larger than {float_info.max:.1e}"
+    return None if inside else _range_words(key)
 
 
 def _range_words(key: Key) -> str:
@@ -147,7 +148,7 @@ def setting_problem(key: str, generic: str, value: object) -> tuple[str, str] | 
             f"did you mean {near}?" if near else f"[{section}] has {', '.join(table)}"
         )
     wrong = problem(row, value)
-    return None if wrong is None else (f"{key} must be {wrong}, not {value!r}", row.help)
+    return None if wrong is None else (f"{key} must be {wrong}, not {shown(value)}", row.help)
 
 
 def mistakes(settings: Mapping[str, object]) -> list[tuple[str, str, str]]:
@@ -208,5 +209,5 @@ def _checked(values: Mapping[str, object], table: dict[str, Key], section: str) 
             raise ValueError(f"there is no key {name} in {section}; {hint}")
         wrong = problem(table[name], value)
         if wrong is not None:
-            raise ValueError(f"{name} must be {wrong}, not {value!r}")
+            raise ValueError(f"{name} must be {wrong}, not {shown(value)}")
     return {name: float(v) if table[name].kind == "number" else v for name, v in values.items()}  # type: ignore[arg-type]
