@@ -23,8 +23,9 @@ def watched(run: Callable[[Callable[[str], None], Callable[[Machine], None] | No
 
     def show(text: str) -> None:
         if watcher is not None:
-            watcher.hide()
-        _write(text)
+            watcher.above(_write, text)
+        else:
+            _write(text)
 
     def begun(machine: Machine) -> None:
         nonlocal watcher

@@ -37,6 +37,7 @@ class Machine:
         "_operators",
         "_power_up",
         "_world",
+        "ask",
         "assumed",
         "clock",
         "diagnostics",
@@ -75,6 +76,8 @@ class Machine:
         self.terminal = Terminal(show)
         # What went to other terminals and to serial ports, by their labels.
         self.terminals: dict[str, Terminal] = {}
+        # Whoever is asked for a line of the console as soon as the program wants one; None where nobody is.
+        self.ask: Callable[[], str | None] | None = None
         # What `--set NAME=VALUE` gives to the program's own names.
         self.overrides = dict(overrides or {})
         # The words that the program came to and that change nothing here, in their order, with their lines.

@@ -34,6 +34,11 @@ class Terminal:
         *whole, self._open = (self._open + text).split("\n")
         self.lines.extend(whole)
 
+    @property
+    def begun(self) -> str:
+        """What stands on the line that is not ended yet."""
+        return self._open
+
     def aside(self, text: str) -> None:
         """Show whole lines that are none of this terminal's own, such as another one's with its label."""
         if self.show is not None:

@@ -14,7 +14,11 @@ if TYPE_CHECKING:
 
 def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE) -> Wait:
     """Wait for the next line; where no `[[answer]]` is left and nobody sits at the terminal, for ever."""
-    operator = environment.machine.operator_at(terminal)
+    machine = environment.machine
+    operator = machine.operator_at(terminal)
+    if not operator.lines and terminal == CONSOLE and machine.ask is not None:
+        line = machine.ask()
+        operator.lines += [] if line is None else [line]
     operator.asking = not operator.lines
     return Wait(t, lambda: _answered(operator), lambda: INFINITY, "for the operator to answer INPUT")
 

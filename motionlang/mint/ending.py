@@ -27,4 +27,6 @@ def what_ends(why: str) -> str:
     if not found:
         return ""
     sections = " or ".join(f"[[{each}]]" for each in found)
-    return f"the machine file says when it comes, {sections}, and with run.until how long to wait for it"
+    hint = f"the machine file says when it comes, {sections}, and with run.until how long to wait for it"
+    typed = "; run --realtime takes it from the keyboard of a terminal"
+    return hint + typed if found.keys() & {"answer", "key"} else hint

@@ -10,19 +10,24 @@ from motionlang.source import Source
 
 
 def read_lines(session: Session) -> int:
-    """Execute every line of standard input; 1 if anything was wrong.
+    """Execute every line of standard input, of which an INPUT takes the next; 1 if anything was wrong.
 
     Nobody is there to go on after Ctrl-C: the command is ended in good order, and KeyboardInterrupt follows.
     """
     interrupts = Interrupts()
     session.interrupted = interrupts.pressed
-    for raw in getattr(sys.stdin, "buffer", sys.stdin):
-        line = raw if isinstance(raw, str) else Source.from_bytes("", raw).text
+    lines = map(_text, getattr(sys.stdin, "buffer", sys.stdin))
+    session.ask = lambda begun: next(lines, None)
+    for line in lines:
         with interrupts:
-            session.feed(line.rstrip("\n"))
+            session.feed(line)
             if interrupts.pressed():
                 raise KeyboardInterrupt
         if session.over:
             break
     session.finish()
     return 1 if session.failed else 0
+
+
+def _text(raw: str | bytes) -> str:
+    return (raw if isinstance(raw, str) else Source.from_bytes("", raw).text).rstrip("\n")

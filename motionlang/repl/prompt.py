@@ -7,7 +7,7 @@ import sys
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
-from prompt_toolkit.formatted_text import StyleAndTextTuples
+from prompt_toolkit.formatted_text import ANSI, StyleAndTextTuples
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.output import ColorDepth
 from prompt_toolkit.patch_stdout import patch_stdout
@@ -34,6 +34,7 @@ def converse(session: Session) -> int:
     session.live = False
     live = Live(session)
     ask = _asker(session, live)
+    session.ask = _answer
     print(
         f"motionlang {__version__}, {dialect_name(session.dialect.name)}, {len(session.machine.controller.axes)} axes. "
         "Tab completes, .help helps, Ctrl-D leaves."
@@ -52,6 +53,16 @@ def converse(session: Session) -> int:
             session.feed(text)
             live.end()
     return 0
+
+
+def _answer(begun: str) -> str | None:
+    """The line that is typed behind a question; the program itself shows both, as it shows what `[[answer]]` says."""
+    try:
+        line = PromptSession[str](erase_when_done=True).prompt(ANSI(begun))
+    except EOFError:
+        line = None
+    print(begun, end="", flush=True)
+    return line
 
 
 def _asker(session: Session, live: Live) -> PromptSession[str]:

@@ -119,6 +119,7 @@ class Runner:
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
             hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
+            hint = self.dialect.what_ends(stuck.wait.why) or hint
             self._tell_at(source, "never", message, hint)
         except Exception as error:
             self._drop_if_broken(error)

@@ -29,10 +29,11 @@ REMARK_ON_MOTION = (
 class Session:
     """`feed(text)` executes lines and answers with all that they made appear.
 
-    `show` is called with the machine's output and the session's answers as they come, `complain` with troubles and
-    remarks (by default `show` gets them too). `interrupted()` is polled while a command runs, `pace(time)` is called
-    with the machine time that is about to be reached. `failed` says whether anything ever went wrong, `over` that the
-    user has asked to leave.
+    `show` is called with the machine's output and the session's answers as they come, `complain` with troubles
+    and remarks (by default `show` gets them too). `interrupted()` is polled while a command runs, `pace(time)` is
+    called with the machine time that is about to be reached. `ask(begun)` answers with the line for an INPUT that
+    stands behind the text `begun`, None where there is none; time stands still meanwhile. `failed` says whether
+    anything ever went wrong, `over` that the user has asked to leave.
     """
 
     def __init__(
@@ -47,6 +48,7 @@ class Session:
         self.dialect = dialect
         self.interrupted: Callable[[], bool] = lambda: False
         self.pace: Callable[[float], None] | None = None
+        self.ask: Callable[[str], str | None] = lambda begun: None
         self.colour, self.width = False, WIDTH
         self.failed = self.over = False
         # Whether machine time follows the wall; None where nobody sits before a clock.
@@ -62,6 +64,7 @@ class Session:
         self.machine = Machine(
             self._settings, first_axis=self.dialect.first_axis, show=self.say, overrides=self._overrides
         )
+        self.machine.ask = lambda: self.ask(self.machine.terminal.begun)
         self.runner = Runner(self.dialect, self.machine, self.trouble, self._poll)
         self._block: list[str] = []
         self._lines: list[str] = []

@@ -74,15 +74,17 @@ def _bar(stream: TextIO, label: str) -> Bar:
 class Watcher:
     """Shows the line that `describe` makes while something else works, from a thread of its own.
 
-    The thread only ever looks: it changes nothing of what it describes. `hide` before anything else writes to the
-    terminal; the line comes back by itself.
+    The thread only ever looks: it changes nothing of what it describes. Whatever else goes to the terminal is written
+    by `above`; the line comes back by itself as soon as the one before it is whole.
     """
 
-    __slots__ = ("_describe", "_ended", "_hidden", "_line", "_live", "_stop", "_stream")
+    __slots__ = ("_begun", "_describe", "_ended", "_line", "_live", "_stop", "_stream")
 
     def __init__(self, stream: TextIO, describe: Callable[[], str]) -> None:
         self._stream, self._describe = stream, describe
         self._live: Live | None = None
+        # Whether the cursor stands behind text, such as a question and what is typed: the line would wipe it.
+        self._begun = False
         # Held by whoever writes; `_stop` and `_ended` are let go of when the thread is to end, and when it has.
         self._line, self._stop, self._ended = (_thread.allocate_lock() for _ in range(3))
 
@@ -97,15 +99,18 @@ class Watcher:
         self._stop.release()
         self._ended.acquire()
 
-    def hide(self) -> None:
-        """Take the line away for the moment."""
-        if self._live is not None:
-            with self._line:
-                self._erase()
+    def above(self, write: Callable[[str], None], text: str) -> None:
+        """Let `write` write `text` where the line is, which goes away for that."""
+        with self._line:
+            self._erase()
+            write(text)
+            self._begun = not text.endswith("\n") if text else self._begun
 
     def show(self) -> None:
-        """Write the line, or write it anew."""
+        """Write the line, or write it anew, unless another one is begun."""
         with self._line:
+            if self._begun:
+                return
             if self._live is None:
                 self._live = _live(self._stream)
                 self._live.start()

@@ -46,6 +46,45 @@ def test_a_command_that_never_ends_is_ended_after_a_shift() -> None:
     assert session.feed("1TP") == "01 0\n"
 
 
+def test_an_input_is_answered_by_whoever_is_asked() -> None:
+    session = Session(dialect("mint"), {"answer": [{"text": "3"}]})
+    asked: list[tuple[str, float]] = []
+
+    def answer(begun: str) -> str:
+        asked.append((begun, session.machine.clock.now))
+        return "21"
+
+    session.ask = answer
+    session.feed("Dim n As Integer")
+    assert (
+        session.feed('INPUT "how many? ", n : PRINT n * 2') == "how many? 3\n6\n"
+    )  # the machine file's comes first
+    assert session.feed('INPUT "how many? ", n : PRINT n * 2') == "how many? 21\n42\n"
+    assert session.feed(".reset") == ""
+    assert session.feed("Dim s As String\nINPUT s : PRINT s; : INPUT s") == "3\n321\n"
+    assert [begun for begun, _ in asked] == ["how many? ", "3"]
+    assert all(time < 1e-3 for _, time in asked)
+
+
+def test_an_input_that_nobody_answers_ends_the_command() -> None:
+    session = Session(dialect("mint"))
+    answer = session.feed("Dim n As Integer\nINPUT n")
+    assert "the command waits for the operator to answer INPUT, and nothing can end the wait" in answer
+    assert "start a move" not in answer
+    assert session.feed("PRINT 1") == "1\n"
+
+
+def test_an_input_takes_the_next_line_of_standard_input(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = b'Dim n As Integer\nINPUT "how many? ", n\n21\r\nPRINT n * 2\nINPUT n\n'
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text)))
+    assert main("mint") == 1
+    out, err = capsys.readouterr()
+    assert out == "how many? 21\n42\n"
+    assert "the command waits for the operator to answer INPUT" in err
+
+
 def test_no_command_lives_on_what_an_earlier_one_printed() -> None:
     session = Session(dialect("mccl"))
     session.feed("1TP")

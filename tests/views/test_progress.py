@@ -71,15 +71,27 @@ def test_a_terminal_that_cannot_erase_is_left_alone(monkeypatch: pytest.MonkeyPa
 def test_a_watcher_hides_for_what_else_is_written() -> None:
     terminal = Terminal()
     watcher = Watcher(terminal, lambda: "working [1]")
-    watcher.hide()
+    watcher.above(terminal.write, "")
     watcher.show()
-    watcher.hide()
-    terminal.write("printed\n")
+    watcher.above(terminal.write, "printed\n")
     assert terminal.words()[-2:] == ["working [1]", "printed"]
     assert HOME + "printed\n" in terminal.getvalue()
     watcher.show()
-    watcher.hide()
+    watcher.above(terminal.write, "")
     assert terminal.getvalue().endswith(HOME)
+
+
+def test_a_watcher_leaves_a_question_and_its_answer_alone() -> None:
+    terminal = Terminal()
+    watcher = Watcher(terminal, lambda: "working")
+    for text in ("how many? ", "2", "", "1"):
+        watcher.above(terminal.write, text)
+        watcher.show()
+    assert terminal.getvalue() == "how many? 21"
+    watcher.above(terminal.write, "\n")
+    watcher.show()
+    assert terminal.words()[-1] == "working"
+    watcher.above(terminal.write, "")
 
 
 def test_its_thread_writes_by_itself_and_ends_when_told(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -107,7 +119,7 @@ def test_a_line_that_is_too_long_is_cut_and_not_broken() -> None:
     watcher = Watcher(terminal, lambda: "a word " * 30)
     watcher.show()
     assert terminal.words()[0] == ("a word " * 30)[:79] + "…"
-    watcher.hide()
+    watcher.above(terminal.write, "")
 
 
 def test_a_watcher_that_is_stopped_at_once_writes_nothing() -> None:
