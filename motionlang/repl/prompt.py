@@ -57,6 +57,7 @@ def converse(session: Session) -> int:
 
 def _answer(begun: str) -> str | None:
     """The line that is typed behind a question; the program itself shows both, as it shows what `[[answer]]` says."""
+    print(end="\r", flush=True)  # the question is written over itself
     try:
         line = PromptSession[str](erase_when_done=True).prompt(ANSI(begun))
     except EOFError:

@@ -114,21 +114,22 @@ class Runner:
                 return work()
             finally:
                 self._pass_on(source)
-        except (Interrupted, KeyboardInterrupt):
-            self._tell_at(source, "interrupted", "the command was ended from the keyboard")
+        except (Interrupted, KeyboardInterrupt) as error:
+            at = self._scheduler.parent.at_error(error)
+            self._tell_at(source, at, "interrupted", "the command was ended from the keyboard")
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, and nothing can end the wait"
             hint = "stop the axis that jogs" if moving(self.machine) else "start a move first"
             hint = self.dialect.what_ends(stuck.wait.why) or hint
-            self._tell_at(source, "never", message, hint)
+            self._tell_at(source, self._scheduler.parent.at, "never", message, hint)
         except Exception as error:
             self._drop_if_broken(error)
             self._explain(error, self._scheduler.current, source)
         return False
 
-    def _tell_at(self, source: Source, code: str, message: str, hint: str = "") -> None:
-        """Tell of trouble where the command stands."""
-        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, self._scheduler.parent.at)
+    def _tell_at(self, source: Source, at: int, code: str, message: str, hint: str = "") -> None:
+        """Tell of trouble where the command stands, or stood."""
+        place = (0, 0, 1) if source is NOWHERE else self.dialect.locate(source, at)
         self._tell([Diagnostic(code, message, *place[:2], length=place[2], hint=hint)], source)
 
     def _drop_if_broken(self, error: Exception) -> None:

@@ -66,6 +66,19 @@ def test_an_input_is_answered_by_whoever_is_asked() -> None:
     assert all(time < 1e-3 for _, time in asked)
 
 
+def test_ctrl_c_instead_of_an_answer_ends_the_command_at_the_input() -> None:
+    session = Session(dialect("mint"))
+
+    def leave(begun: str) -> str:
+        raise KeyboardInterrupt
+
+    session.feed("Dim n As Integer")
+    session.ask = leave
+    answer = session.feed("n = 3 : INPUT n")
+    assert "error[interrupted]: the command was ended from the keyboard\n --> input:2:9\n" in answer
+    assert session.feed("PRINT n") == "3\n"
+
+
 def test_an_input_that_nobody_answers_ends_the_command() -> None:
     session = Session(dialect("mint"))
     answer = session.feed("Dim n As Integer\nINPUT n")
