@@ -99,7 +99,7 @@ class Watcher:
         self._stop.release()
         self._ended.acquire()
 
-    def above(self, write: Callable[[str], None], text: str) -> None:
+    def above(self, write: Callable[[str], object], text: str) -> None:
         """Let `write` write `text` where the line is, which goes away for that."""
         with self._line:
             self._erase()
