@@ -17,15 +17,15 @@ from statistics import median
 from parse_program import program
 from timing import seconds
 
-from motionlang.mint.compiler import compile_source
-from motionlang.mint.parser import parse
+from motionlang.mint.program import compile_source
+from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mint.runtime import MintProgram
+    from motionlang.mint.program import MintProgram
 
 ROUNDS = 11
 LINES = (10_000, 40_000)
@@ -33,7 +33,7 @@ LINES = (10_000, 40_000)
 
 def runnable(source: Source) -> MintProgram:
     """A program that can be started."""
-    return compile_source(source)[0]
+    return compile_source(source)
 
 
 def whole(source: Source) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from statistics import median
 from time import process_time
 
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
 from motionlang.mint import DIALECT
 from motionlang.source import Source

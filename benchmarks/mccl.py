@@ -6,8 +6,8 @@ import gc
 from time import process_time
 
 from motionlang.execution import run
-from motionlang.lang.machine import Machine
-from motionlang.mccl.console import Console
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
 from motionlang.source import Source
 
 SHIFT = 8 * 3600.0

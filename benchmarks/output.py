@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang import report
-from motionlang.execution import Run
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
+from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
 from motionlang.views.csv import Formatter

@@ -16,9 +16,9 @@ from statistics import median
 from parse_program import program
 from timing import seconds
 
-from motionlang.lang.grammar import build_lark
-from motionlang.mint.parser import parse
-from motionlang.mint.tables import TABLES
+from motionlang.lang.parsing.generate import build_lark
+from motionlang.mint.syntax.parser import parse
+from motionlang.mint.syntax.tables import TABLES
 from motionlang.source import Source
 
 ROUNDS = 5

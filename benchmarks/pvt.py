@@ -18,9 +18,9 @@ from motionlang.copley.drive import Drive
 from motionlang.copley.master import Master
 from motionlang.copley.point import to_wire
 from motionlang.profile import Profile, plan_sinusoidal
-from motionlang.profile.pvt_fit import fit_track
-from motionlang.profile.pvt_points import points_from
-from motionlang.profile.pvt_velocities import smooth_velocities
+from motionlang.profile.pvt.fit import fit_track
+from motionlang.profile.pvt.points import points_from
+from motionlang.profile.pvt.velocities import smooth_velocities
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.execution import Run, run
+    from motionlang.execution import run
+    from motionlang.result import Run
 
 __version__ = "0.1.0"
 __all__ = ["Run", "__version__", "run"]

@@ -7,17 +7,15 @@ import os
 import sys
 
 from motionlang.lang.dialect import dialect, dialects
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.result import Run
 from motionlang.source import STDIN, Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from motionlang.controller.controller import Controller
-    from motionlang.controller.trace import Trace
-    from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
@@ -48,49 +46,6 @@ def machine_of(program: str | os.PathLike[str] | Source | None, given: str | Non
         return given
     path = os.path.splitext(program)[0] + MACHINE_SUFFIX
     return path if os.path.isfile(path) else None
-
-
-class Run:
-    """What a run left behind.
-
-    `status` is "ended", "until" (virtual time was up), "fault" (the program is wrong or went wrong) or
-    "interrupted"; `time` is the machine time at its end, in seconds.
-    """
-
-    __slots__ = ("diagnostics", "dialect", "machine", "not_counted", "source", "status", "time")
-
-    def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
-        self.source, self.dialect, self.machine = source, dialect, machine
-        self.status = "ended"
-        self.time = 0.0
-        self.diagnostics: list[Diagnostic] = []
-        self.not_counted: list[str] = []
-
-    @property
-    def controller(self) -> Controller:
-        return self.machine.controller
-
-    @property
-    def output(self) -> list[str]:
-        """Every line the program printed."""
-        return self.machine.terminal.lines
-
-    @property
-    def terminals(self) -> dict[str, list[str]]:
-        """Every line that the program printed elsewhere, by "terminal 2", "serial 1"."""
-        return {label: terminal.lines for label, terminal in self.machine.terminals.items() if terminal.lines}
-
-    @property
-    def trace(self) -> Trace:
-        """The motion, to be sampled at any rate."""
-        return self.controller.trace
-
-    @property
-    def report(self) -> dict[str, object]:
-        """The run as `motionlang.report/1`."""
-        from motionlang.report import build
-
-        return build(self)
 
 
 def run(
@@ -142,7 +97,7 @@ def run(
         _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         result.diagnostics[:0] = result.machine.diagnostics
         if result.machine.has_motors:
-            from motionlang.controller.history import notes
+            from motionlang.controller.record.history import notes
 
             result.not_counted += notes(result.controller)
         result.not_counted += result.machine.notes
@@ -173,7 +128,7 @@ def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, obje
     path = machine_of(program)
     if path is None:
         return {}
-    from motionlang.lang.machine_file import read_machine
+    from motionlang.lang.machine.file import read_machine
 
     return read_machine(Source.read(path))
 
@@ -181,7 +136,7 @@ def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, obje
 def _checked(machine: Mapping[str, object]) -> dict[str, object]:
     """The settings that a caller gives, held to what a machine file may say."""
     if machine:
-        from motionlang.lang.machine_file import first_mistake
+        from motionlang.lang.machine.file import first_mistake
 
         mistake = first_mistake(machine)
         if mistake:
@@ -281,7 +236,7 @@ def _execute(
 
         tell_stuck(result, stuck, until)
     except Exception as error:
-        from motionlang.lang.trouble import explain
+        from motionlang.lang.run_errors import explain
 
         diagnostic = explain(result.dialect, result.source, scheduler.current if scheduler else None, error)
         if diagnostic is None:

@@ -10,9 +10,9 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from motionlang.errors import Diagnostic
-    from motionlang.execution import Run
     from motionlang.lang.scheduler import Scheduler, Stuck
     from motionlang.lang.task import Task
+    from motionlang.result import Run
 
 # Of a word that changes nothing, so many lines are named.
 MOST_LINES = 5
@@ -41,7 +41,7 @@ def _in_lines(lines: list[int]) -> str:
 
 def open_kept(result: Run, path: str) -> bool:
     """Read the file of nv data; false where it cannot be read, and the program is not run."""
-    from motionlang.lang.nonvolatile import NonVolatile
+    from motionlang.lang.machine.nonvolatile import NonVolatile
 
     try:
         result.machine.nv = NonVolatile(path)

@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
-    from motionlang.controller.history import MoveFigures
+    from motionlang.controller.record.history import MoveFigures
     from motionlang.errors import Diagnostic
-    from motionlang.execution import Run
+    from motionlang.result import Run
 
     Row = dict[str, object]
 
@@ -90,7 +90,7 @@ def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:
     """What simulated motors made of the moves; nothing, and no time spent, where there are none."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}
-    from motionlang.controller.history import figures
+    from motionlang.controller.record.history import figures
 
     return figures(controller)
 

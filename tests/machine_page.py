@@ -7,7 +7,7 @@ from pathlib import Path
 from motionlang.controller.servo.settings import PLANT as PLANT_KEYS
 from motionlang.controller.servo.settings import SERVO as SERVO_KEYS
 from motionlang.controller.servo.settings import Key
-from motionlang.lang.machine_keys import KEYS, REQUIRED, TABLES
+from motionlang.lang.machine.keys import KEYS, REQUIRED, TABLES
 
 PAGE = Path(__file__).parent.parent / "docs" / "machine-file.md"
 FROM = "## Keys\n"

@@ -15,33 +15,72 @@ PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 
 # From the top down; a package may import its own level's name and anything below it.
 LEVELS: dict[str, int] = {
-    "cli": 12,
-    "__main__": 13,
-    "repl": 11,
-    "client": 10,
-    "serve": 9,
-    "views": 8,
-    "execution": 7,
-    "report": 7,
+    "__main__": 14,
+    "cli": 13,
+    "repl": 12,
+    "client": 11,
+    "serve": 10,
+    "views": 9,
+    "execution": 8,
     "remarks": 7,
-    "mint": 6,
-    "mccl": 6,
-    "copley": 6,
-    "lang": 5,
-    "controller": 4,
-    "profile": 3,
+    "report": 6,
+    "result": 6,
+    "mint": 5,
+    "mccl": 5,
+    "copley": 5,
+    "lang": 4,
+    "controller": 3,
+    "profile": 2,
     "errors": 1,
     "files": 1,
     "source": 1,
-    "units": 1,
     "": 0,
     "_wheel": 0,
 }
-# The run with what it leaves behind.
-BESIDE: tuple[set[str], ...] = ({"execution", "report"}, {"execution", "remarks"})
+# What a run left behind, and the same as data: `Run.report` is built when somebody asks for it.
+BESIDE: tuple[set[str], ...] = ({"report", "result"},)
+# The floors inside a package, from the ground up: what runs on one may import those below it. What stands on one floor
+# under two names does not know each other. The rows of the keywords are on the ground, what keywords do is higher up.
+FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "lang": (
+        ("keyword", "program", "task", "lint", "cache", "run_errors", "dialect"),
+        ("parsing", "machine", "recurrence"),
+        ("scheduler",),
+    ),
+    "controller": (
+        ("clock", "scale", "faults", "move"),
+        ("axis",),
+        ("triggers",),
+        ("servo",),
+        ("io",),
+        ("motion",),
+        ("moves", "readings"),
+        ("core",),
+        ("axis_verbs", "record"),
+        ("controller", "verbs"),
+    ),
+    "mint": (
+        ("models", "keywords"),
+        ("syntax", "runtime"),
+        ("operations",),
+        ("resolve",),
+        ("compile",),
+        ("program",),
+        ("interactive", "lint"),
+    ),
+    "mccl": (
+        ("codes", "keywords"),
+        ("models", "syntax", "axis"),
+        ("motion",),
+        ("operations",),
+        ("resolve",),
+        ("runtime",),
+        ("hosts", "lint"),
+    ),
+}
 # A library, and the only places that may import it.
 HOMES: dict[str, tuple[str, ...]] = {
-    "lark": ("lang/grammar", "mint/parser", "mccl/parser"),
+    "lark": ("lang/parsing",),
     "rich": ("views",),
     "prompt_toolkit": ("repl",),
     "matplotlib": ("views",),
@@ -51,7 +90,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "canopen": ("copley",),
 }
 # Files whose sums are of whole numbers, though their text does not say so.
-WHOLE_SUMS = {"mint/counting.py", "mint/lint_brackets.py", "mint/lint_buffer.py", "views/grid.py"}
+WHOLE_SUMS = {"mint/compile/for_loops.py", "mint/lint/brackets.py", "mint/lint/buffer.py", "views/grid.py"}
 # A function with fewer lines needs no sentence about it.
 SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
@@ -70,11 +109,41 @@ def imports(path: Path) -> set[str]:
     return found
 
 
+def at_run_time(path: Path) -> set[str]:
+    """Every module of the package that a file imports for use: what stands under TYPE_CHECKING is for types alone."""
+    found: set[str] = set()
+
+    def look(node: ast.AST) -> None:
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            return
+        if isinstance(node, ast.Import):
+            found.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found.update(f"{node.module}.{alias.name}" for alias in node.names)
+        for child in ast.iter_child_nodes(node):
+            look(child)
+
+    look(ast.parse(path.read_text(encoding="utf-8")))
+    return {name for name in found if name.startswith("motionlang.")}
+
+
+def inner(package: str, parts: list[str]) -> str:
+    """The name that stands in `FLOORS` for a module, by its parts below the package.
+
+    `keywords/homing.py` holds the rows of a subject, `homing_operations.py` and the like beside it what they do.
+    """
+    if parts[0] != "keywords" or len(parts) != 2:
+        return parts[0]
+    subject = "_".join(parts[1].split("_")[:-1])
+    folder = PACKAGE / package / "keywords"
+    beside = any((folder / f"{name}.py").exists() for name in (subject, subject.rpartition("_")[0]) if name)
+    return "operations" if beside or parts[1] == "operations" else "keywords"
+
+
 def layer(module: str) -> str:
-    """The first name below `motionlang`; `cli_pvt` and the like belong to `cli`."""
+    """The first name below `motionlang`."""
     parts = module.split(".")
-    name = parts[1] if len(parts) > 1 else ""
-    return "cli" if name.startswith("cli") else name
+    return parts[1] if len(parts) > 1 else ""
 
 
 def own_layer(path: Path) -> str:
@@ -102,6 +171,46 @@ def test_imports_point_down(path: Path) -> None:
         )
 
 
+def module_parts(name: str) -> list[str]:
+    """The parts of a module's name below its package; of a name in a module, those of the module."""
+    parts = name.split(".")[1:]
+    while len(parts) > 1 and not (
+        (there := PACKAGE.joinpath(*parts)).is_dir() or there.with_suffix(".py").exists()
+    ):
+        parts.pop()
+    return parts[1:]
+
+
+@pytest.mark.parametrize("package", FLOORS)
+def test_floors_inside_a_package(package: str) -> None:
+    level = {name: height for height, names in enumerate(FLOORS[package]) for name in names}
+    for path in sorted((PACKAGE / package).rglob("*.py")):
+        own = list(path.relative_to(PACKAGE / package).with_suffix("").parts)
+        if own == ["__init__"]:
+            continue  # the face of the package
+        here = inner(package, own)
+        for name in sorted(at_run_time(path)):
+            below = module_parts(name)
+            if name.split(".")[1] != package or not below:
+                continue
+            there = inner(package, below)
+            assert here == there or level[there] < level[here], f"{'/'.join(own)} imports {name}"
+
+
+def test_what_is_named_here_exists() -> None:
+    for name in LEVELS:
+        assert not name or (PACKAGE / name).is_dir() or (PACKAGE / f"{name}.py").exists(), name
+    for package, floors in FLOORS.items():
+        for name in (each for floor in floors for each in floor if each != "operations"):
+            assert (PACKAGE / package / name).is_dir() or (PACKAGE / package / f"{name}.py").exists(), name
+        for path in (PACKAGE / package).iterdir():
+            assert path.name in ("__init__.py", "__pycache__") or path.stem in {
+                n for f in floors for n in f
+            }, path
+    for home in (each for homes in HOMES.values() for each in homes):
+        assert (PACKAGE / home).exists(), home
+
+
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
 def test_heavy_libraries_stay_at_home(path: Path) -> None:
     relative = path.relative_to(PACKAGE).as_posix()
@@ -120,7 +229,7 @@ def test_files_keep_one_reason(path: Path) -> None:
 
 @pytest.mark.parametrize("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", PAGE))))
 def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None:
-    roots = (ROOT, PACKAGE, *(path for path in PACKAGE.iterdir() if path.is_dir()))
+    roots = (ROOT, ROOT / "tests", PACKAGE, *(path for path in PACKAGE.rglob("*") if path.is_dir()))
     assert any((root / named).exists() for root in roots), f"docs/architecture.md names {named}"
 
 

@@ -19,7 +19,7 @@ from _pytest.mark import ParameterSet
 
 from motionlang.cli import main
 from motionlang.execution import run
-from motionlang.lang.machine_file import read_machine
+from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 
 ROOT = Path(__file__).parent.parent

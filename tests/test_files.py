@@ -15,14 +15,14 @@ from motionlang.files import replacing, unwritable
 
 
 def test_two_who_write_at_once_do_not_meet(tmp_path: Path) -> None:
-    path = tmp_path / "kept.json"
+    path = tmp_path / "no_effect.json"
     with replacing(str(path)) as one:
         one.write(b"one")
         with replacing(str(path)) as two:
             two.write(b"two")
         assert path.read_bytes() == b"two"
     assert path.read_bytes() == b"one"
-    assert os.listdir(tmp_path) == ["kept.json"]
+    assert os.listdir(tmp_path) == ["no_effect.json"]
 
 
 def test_what_another_left_behind_is_not_in_the_way(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from motionlang.client.wire import Wire
-    from motionlang.mccl.console import Console
+    from motionlang.mccl.hosts.console import Console
 
 TIMEOUT = 5.0
 # Seconds of silence after which a board without a prompt has said all, and a line has been drained.
@@ -76,9 +76,9 @@ class Client:
         that makes no sense.
         """
         from motionlang.client.virtual import VirtualWire
-        from motionlang.lang.machine import Machine
-        from motionlang.lang.machine_file import first_mistake
-        from motionlang.mccl.console import Console
+        from motionlang.lang.machine.file import first_mistake
+        from motionlang.lang.machine.machine import Machine
+        from motionlang.mccl.hosts.console import Console
 
         if isinstance(board, Console):
             console = board
@@ -146,7 +146,7 @@ class Client:
 
     def download(self, text: str, timeout: float | None = None) -> list[str]:
         """Send the lines of a file without its comments; all that they were answered."""
-        from motionlang.mccl.split import without_comment
+        from motionlang.mccl.syntax.split import without_comment
 
         answer: list[str] = []
         for number, line in enumerate(text.splitlines(), 1):

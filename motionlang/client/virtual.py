@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from motionlang.serve.pace import LockStep
 
 if TYPE_CHECKING:
-    from motionlang.mccl.console import Console
+    from motionlang.mccl.hosts.console import Console
 
 
 class VirtualWire:

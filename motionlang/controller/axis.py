@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
-    from motionlang.controller.feedback import Feedback
-    from motionlang.controller.limit import Limit
     from motionlang.controller.move import Move
-    from motionlang.controller.watch import Watch
+    from motionlang.controller.servo.feedback import Feedback
+    from motionlang.controller.triggers.limit import Limit
+    from motionlang.controller.triggers.watch import Watch
     from motionlang.profile import Profile, State
 
 # What an axis starts with; a dialect's table may say otherwise (Mint's SPEED is 40000).

@@ -6,10 +6,11 @@ stand with the life of a move in `core`).
 
 from __future__ import annotations
 
-from motionlang.controller import buffer, feedrate, halt
 from motionlang.controller.core import Core
 from motionlang.controller.faults import Refusal
+from motionlang.controller.motion import feedrate, halt
 from motionlang.controller.move import Move
+from motionlang.controller.moves import buffer
 from motionlang.profile import hold
 
 TYPE_CHECKING = False
@@ -100,7 +101,7 @@ class AxisVerbs(Core):
     def disable(self, axis: int) -> None:
         """Switch an axis off: its demand stands where it is, and so does the axis unless a simulated motor coasts."""
         a = self.axes[axis]
-        self._freeze(a, "fault" if a.faults else "cancel")
+        self.freeze(a, "fault" if a.faults else "cancel")
         a.enabled = False
         if a.feedback is not None:
             a.feedback.open(0.0)
@@ -126,7 +127,7 @@ class AxisVerbs(Core):
             a.move.action.shift(self, a, shift)
         a.datum += shift
         a.target += shift
-        self._follow(a, rest.shifted(shift))
+        self.extend_track(a, rest.shifted(shift))
         if a.move is not None:
             a.move.offset += shift
             a.move.target += shift
@@ -140,42 +141,42 @@ class AxisVerbs(Core):
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Put a move to `position` into the buffer."""
-        buffer.put(self._ready(axis), Move(axis, command, line, position))
+        buffer.put(self.movable(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Put a move by `distance` into the buffer, counted from the end of the move before it."""
-        a = self._ready(axis)
+        a = self.movable(axis)
         buffer.put(a, Move(axis, command, line, buffer.known_end(a) + distance))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
         """Put a rest of `duration` seconds into the buffer."""
-        buffer.put_action(self._ready(axis), buffer.Dwell(duration), command, line)
+        buffer.put_action(self.movable(axis), buffer.Dwell(duration), command, line)
 
     def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
         """Put a change of outputs, channel to value, into the buffer; it takes no time."""
-        buffer.put_action(self._ready(axis), buffer.Outputs(dict(values)), command, line)
+        buffer.put_action(self.movable(axis), buffer.Outputs(dict(values)), command, line)
 
     def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
         """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
-        buffer.put_action(self._ready(axis), buffer.Pulse(channel, duration), command, line)
+        buffer.put_action(self.movable(axis), buffer.Pulse(channel, duration), command, line)
 
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
         for axis in axes:
-            a = self._ready(axis)
+            a = self.movable(axis)
             for move in a.buffer:
                 if move.action is None:
                     move.released = True
                 else:
                     move.action.release(move)
             if a.move is None:
-                self._next(a)
+                self.start_next(a)
             elif a.move.action is not None:
                 a.move.action.more(self, a)
 
     def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Let the move in progress end at `position`; an axis at rest starts at once."""
-        halt.retarget(self, self._ready(axis), position, command, line)
+        halt.retarget(self, self.movable(axis), position, command, line)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Let the move in progress end `distance` further on; an axis at rest starts at once."""
@@ -191,27 +192,27 @@ class AxisVerbs(Core):
         ends: bool = False,
     ) -> None:
         """Ramp to `velocity`, counts/s, and keep it; with `ends` a jog to 0 is over when the axis stands."""
-        from motionlang.controller.jog import jog
+        from motionlang.controller.motion.jog import jog
 
-        jog(self, self._ready(axis), velocity, command, line, rates, ends)
+        jog(self, self.movable(axis), velocity, command, line, rates, ends)
 
     def play(
         self, axis: int, profile: Profile, command: str = "", line: int = 0, on_path: bool = False
     ) -> None:
         """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it."""
-        from motionlang.controller.played import Played
+        from motionlang.controller.motion.profile_playback import Played
 
-        a = self._ready(axis)
+        a = self.movable(axis)
         move = Move(axis, command, line, profile.end)
         move.action = Played(on_path)
-        self._end_move(a, "retarget")
-        self._run(a, move, profile)
+        self.end_move(a, "retarget")
+        self.run_profile(a, move, profile)
 
     def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
         """Replace the rest of the present move by a ready-made profile, such as a path that grew or was stopped."""
         a = self.axes[axis]
         if a.move is not None:
-            self._continue(a, profile, ended)
+            self.continue_with(a, profile, ended)
             a.target = a.move.target = profile.end
 
     def stop(self, axis: int, ended: str = "stop") -> None:
@@ -238,7 +239,7 @@ class AxisVerbs(Core):
     def abort(self, axis: int, ended: str = "cancel") -> None:
         """Come to rest at once and empty the buffer."""
         a = self.axes[axis]
-        self._freeze(a, ended)
+        self.freeze(a, ended)
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:

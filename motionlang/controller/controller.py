@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from motionlang.controller.axis import Axis
-    from motionlang.controller.entries import Make, Table
-    from motionlang.controller.latch import Compare, Latch
-    from motionlang.controller.trace import Trace
-    from motionlang.controller.track import Track
+    from motionlang.controller.motion.sampled_velocity import Track
+    from motionlang.controller.moves.entries import Make, Table
+    from motionlang.controller.record.trace import Trace
+    from motionlang.controller.triggers.latch import Compare, Latch
     from motionlang.profile.reference import Slope
 
 
@@ -34,7 +34,7 @@ class Controller(AxisVerbs):
         self, axes: Sequence[int], targets: Sequence[float], command: str = "", line: int = 0
     ) -> None:
         """Put a straight line of several axes to `targets` into their buffers; the first axis is the master."""
-        from motionlang.controller import path
+        from motionlang.controller.moves import path
 
         path.load_line(self, axes, targets, command, line)
 
@@ -42,7 +42,7 @@ class Controller(AxisVerbs):
         self, axes: Sequence[int], distances: Sequence[float], command: str = "", line: int = 0
     ) -> None:
         """Put a straight line of several axes by `distances` into their buffers."""
-        from motionlang.controller import path
+        from motionlang.controller.moves import path
 
         path.load_line_by(self, axes, distances, command, line)
 
@@ -57,13 +57,13 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Put an arc by `angle` degrees into the buffers of its axes, a helix where further axes go to `rest`."""
-        from motionlang.controller import path
+        from motionlang.controller.moves import path
 
         path.load_arc(self, axes, centre, angle, rest, relative, command, line)
 
     def blend(self, axis: int) -> None:
         """Begin the next path of the axis now, on top of what remains of the present one."""
-        from motionlang.controller.path import run_of
+        from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
         if run is not None:
@@ -71,14 +71,14 @@ class Controller(AxisVerbs):
 
     def path_speed(self, axis: int) -> float:
         """The speed along the path that the axis is on, user units/s."""
-        from motionlang.controller.path import run_of
+        from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
         return run.speed if run is not None else 0.0
 
     def path_remaining(self, axis: int) -> float:
         """The distance along the path that the axis is on still to go, user units."""
-        from motionlang.controller.path import run_of
+        from motionlang.controller.moves.path import run_of
 
         run = run_of(self.axes[axis])
         return run.remaining if run is not None else 0.0
@@ -95,23 +95,23 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Ramp to a speed reference, counts/s, by `slopes`, up and down; an error brakes at `error_rate`."""
-        from motionlang.controller.reference import refer_speed
+        from motionlang.controller.motion.reference import refer_speed
 
-        refer_speed(self, self._ready(axis), velocity, slopes, error_rate, command, line)
+        refer_speed(self, self.movable(axis), velocity, slopes, error_rate, command, line)
 
     def refer_position(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Follow a position reference: be there within a period of the profiler."""
-        from motionlang.controller.reference import refer_position
+        from motionlang.controller.motion.reference import refer_position
 
-        refer_position(self, self._ready(axis), position, command, line)
+        refer_position(self, self.movable(axis), position, command, line)
 
     def track(
         self, axis: int, decide: Callable[[], tuple[float, bool]], command: str = "", line: int = 0
     ) -> Track:
         """Have the velocity of an axis, counts/s, decided anew at every tick of the profiler."""
-        from motionlang.controller.track import track
+        from motionlang.controller.motion.sampled_velocity import track
 
-        return track(self, self._ready(axis), decide, command, line)
+        return track(self, self.movable(axis), decide, command, line)
 
     # -------------------------------------------------------------------------------------- following a master
 
@@ -126,9 +126,9 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Follow a master, an axis or an encoder channel, at `ratio` counts a count; with `ramp` not at once."""
-        from motionlang.controller.follow import gear
+        from motionlang.controller.motion.follow import gear
 
-        gear(self, self._ready(axis), self._master(master, encoder), ratio, ramp, command, line)
+        gear(self, self.movable(axis), self._master(master, encoder), ratio, ramp, command, line)
 
     def cam(
         self,
@@ -147,11 +147,11 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Follow a table of `values` over a master's `places`, both in counts, from where both are now."""
-        from motionlang.controller.cam import start_cam
+        from motionlang.controller.moves.cam import start_cam
 
         start_cam(
             self,
-            self._ready(axis),
+            self.movable(axis),
             self._master(master, encoder),
             places,
             values,
@@ -166,7 +166,7 @@ class Controller(AxisVerbs):
 
     def cam_index(self, axis: int) -> int:
         """The segment of its table that a cam is in; -1 where there is no cam."""
-        from motionlang.controller.cam import Cam
+        from motionlang.controller.moves.cam import Cam
 
         move = self.axes[axis].move
         return move.action.index if move is not None and isinstance(move.action, Cam) else -1
@@ -182,9 +182,9 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Put a segment into the buffer: `distance` while the master goes `over` counts."""
-        from motionlang.controller.cam import load_fly
+        from motionlang.controller.moves.cam import load_fly
 
-        load_fly(self, self._ready(axis), self._master(master, encoder), distance, over, command, line)
+        load_fly(self, self.movable(axis), self._master(master, encoder), distance, over, command, line)
 
     def offset(
         self,
@@ -196,9 +196,9 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Add a distance on top of following, in one of the modes of OFFSETMODE; at rest move by it."""
-        from motionlang.controller.offset import offset
+        from motionlang.controller.motion.offset import offset
 
-        offset(self, self._ready(axis), distance, mode, over, command, line)
+        offset(self, self.movable(axis), distance, mode, over, command, line)
 
     def load_cam(
         self,
@@ -212,9 +212,9 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Put a cam into the buffer; `table` gives its points for where the slave then is, anew for every cycle."""
-        from motionlang.controller.entries import load_cam
+        from motionlang.controller.moves.entries import load_cam
 
-        load_cam(self, self._ready(axis), self._master(master, encoder), table, cyclic, first, command, line)
+        load_cam(self, self.movable(axis), self._master(master, encoder), table, cyclic, first, command, line)
 
     def load_offset(
         self,
@@ -226,21 +226,21 @@ class Controller(AxisVerbs):
         line: int = 0,
     ) -> None:
         """Put an offset on top of following into the buffer; GO begins it while the axis goes on following."""
-        from motionlang.controller.entries import load_offset
+        from motionlang.controller.moves.entries import load_offset
 
-        load_offset(self, self._ready(axis), distance, mode, over, command, line)
+        load_offset(self, self.movable(axis), distance, mode, over, command, line)
 
     def load_profile(
         self, axis: int, make: Make, again: Make | None = None, command: str = "", line: int = 0
     ) -> None:
         """Put a ready-made profile into the buffer, made from where the axis then is; `again` follows it for ever."""
-        from motionlang.controller.entries import load_profile
+        from motionlang.controller.moves.entries import load_profile
 
-        load_profile(self, self._ready(axis), make, again, command, line)
+        load_profile(self, self.movable(axis), make, again, command, line)
 
     def offset_remaining(self, axis: int) -> float:
         """What the offset under way still has to do, counts."""
-        from motionlang.controller.follow import tie_of
+        from motionlang.controller.motion.follow import tie_of
 
         tie = tie_of(self.axes[axis])
         return tie.offset_left()[0] if tie is not None else 0.0
@@ -251,14 +251,14 @@ class Controller(AxisVerbs):
 
     def master_of(self, axis: int) -> int | None:
         """The axis or encoder channel that an axis follows; None while it follows none."""
-        from motionlang.controller.follow import tie_of
+        from motionlang.controller.motion.follow import tie_of
 
         tie = tie_of(self.axes[axis])
         return tie.master.index if tie is not None else None
 
     def drive_encoder(self, channel: int, velocity: float, accel: float = 0.0) -> None:
         """Let the world turn an encoder channel: to `velocity`, counts/s, at `accel`, or at once where that is 0."""
-        from motionlang.controller.encoder import turn
+        from motionlang.controller.io.encoder import turn
 
         turn(self, self.encoder(channel), velocity, accel)
 
@@ -273,7 +273,7 @@ class Controller(AxisVerbs):
 
     def latch(self, number: int) -> Latch:
         """A latch channel."""
-        from motionlang.controller.latch import Latch
+        from motionlang.controller.triggers.latch import Latch
 
         found = self.latches.get(number)
         if found is None:
@@ -292,7 +292,7 @@ class Controller(AxisVerbs):
 
     def compare(self, axis: int, output: int, low: float, high: float) -> Compare:
         """Keep a digital output on while an axis is between two positions."""
-        from motionlang.controller.latch import Compare
+        from motionlang.controller.triggers.latch import Compare
 
         return Compare(self, axis, output, low, high)
 
@@ -338,7 +338,7 @@ class Controller(AxisVerbs):
         a = self.axes[axis]
         if a.feedback is None:
             return [a.position(time) if quantity == "actual" else 0.0 for time in times]
-        from motionlang.controller.history import recall
+        from motionlang.controller.record.history import recall
 
         return recall(a, self.clock.now, quantity, times)
 
@@ -352,8 +352,8 @@ class Controller(AxisVerbs):
                 f"the machine file gives it one with [axis.{axis}.plant]",
             )
         if a.feedback.closed:
-            self._ready(axis)
-        self._freeze(a, "cancel")
+            self.movable(axis)
+        self.freeze(a, "cancel")
         a.feedback.open(volts)
 
     def close_loop(self, axis: int) -> None:
@@ -365,7 +365,7 @@ class Controller(AxisVerbs):
     @property
     def trace(self) -> Trace:
         """The motion so far, to be sampled; brings in numpy."""
-        from motionlang.controller.trace import Trace
+        from motionlang.controller.record.trace import Trace
 
         return Trace(self)
 

@@ -1,17 +1,18 @@
 """The life of a move, from the axis's buffer (or at once, `move_to`) to its end.
 
-`_start` plans a `Profile` from the axis's state and settings, appends it to the axis's track and sets one event for its
-end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has released it.
+`start_move` plans a `Profile` from the axis's state and settings, appends it to the axis's track and sets one event for
+its end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`) has released it.
 """
 
 from __future__ import annotations
 
-from motionlang.controller import buffer, halt
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal, names
+from motionlang.controller.motion import halt
 from motionlang.controller.move import Move
+from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
-from motionlang.controller.watch import arm
+from motionlang.controller.triggers.watch import arm
 from motionlang.profile import hold, plan
 
 TYPE_CHECKING = False
@@ -28,11 +29,11 @@ class Core(Readings):
 
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from whatever the axis is doing."""
-        a = self._ready(axis)
+        a = self.movable(axis)
         move = buffer.stamped(a, Move(axis, command, line, position))
-        profile = self._plan(a, move)
-        self._end_move(a, "retarget")
-        self._run(a, move, profile)
+        profile = self.plan_move(a, move)
+        self.end_move(a, "retarget")
+        self.run_profile(a, move, profile)
 
     def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Move by `distance` from the present target now, from where the axis is where it has none."""
@@ -40,7 +41,7 @@ class Core(Readings):
         base = a.target if abs(a.target) < INFINITY else a.position(self.clock.now)
         self.move_to(axis, base + distance, command, line)
 
-    def _ready(self, axis: int) -> Axis:
+    def movable(self, axis: int) -> Axis:
         """An axis that may move: Refusal while it is off, has an error that locks it, or its brake is set."""
         a = self.axes[axis]
         if a.faults & a.locks:
@@ -74,7 +75,7 @@ class Core(Readings):
                 )
         return accel, decel
 
-    def _plan(self, a: Axis, move: Move) -> Profile:
+    def plan_move(self, a: Axis, move: Move) -> Profile:
         """From the state of the axis to the end of the move."""
         speed = a.speed if move.speed is None else move.speed
         if not speed > 0:
@@ -113,16 +114,16 @@ class Core(Readings):
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
 
-    def _start(self, a: Axis, move: Move) -> None:
-        self._run(a, move, self._plan(a, move))
+    def start_move(self, a: Axis, move: Move) -> None:
+        self.run_profile(a, move, self.plan_move(a, move))
 
-    def _run(self, a: Axis, move: Move, profile: Profile) -> None:
-        self._record(a, move, profile)
-        self._append(a, profile)
+    def run_profile(self, a: Axis, move: Move, profile: Profile) -> None:
+        self.log_move(a, move, profile)
+        self.append_profile(a, profile)
         if a.limits:
-            self._check_limits(a)
+            self.check_limits(a)
 
-    def _record(self, a: Axis, move: Move, profile: Profile) -> None:
+    def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
         """Write a move that begins into the log; it is the axis's own from now on."""
         if len(self.moves) >= MAX_MOVES:
             raise Refusal(
@@ -134,21 +135,22 @@ class Core(Readings):
         a.move = move
         a.target = move.target
 
-    def _check_limits(self, a: Axis) -> None:
+    def check_limits(self, a: Axis) -> None:
         """A move into a limit that is active already has passed it."""
         for limit in a.limits:
             if limit.active and self.heading(a.index) == limit.sign:
                 limit.trip()
 
-    def _append(self, a: Axis, profile: Profile) -> None:
+    def append_profile(self, a: Axis, profile: Profile) -> None:
         """Follow `profile` from now on, and be told when it is done."""
         if a.arrival is not None:
             a.arrival.cancel()
         end = self.clock.now + profile.duration
         a.arrival = self.clock.at(end, lambda: self._arrive(a)) if end < INFINITY else None
-        self._follow(a, profile)
+        self.extend_track(a, profile)
 
-    def _follow(self, a: Axis, profile: Profile) -> None:
+    def extend_track(self, a: Axis, profile: Profile) -> None:
+        """The axis does `profile` from now on: its watches are solved anew and its followers told."""
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
@@ -164,37 +166,37 @@ class Core(Readings):
     def _arrive(self, a: Axis) -> None:
         a.arrival = None
         a.move = None
-        self._follow(a, hold(a.profiles[-1].end))
+        self.extend_track(a, hold(a.profiles[-1].end))
         self.go_on(a)
 
     def go_on(self, a: Axis) -> None:
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
         while True:
             try:
-                self._next(a)
+                self.start_next(a)
                 break
             except Refusal as refusal:
                 self.mishap(refusal)
         if a.move is None:
             self.tell("idle", a.index)
 
-    def _next(self, a: Axis) -> None:
+    def start_next(self, a: Axis) -> None:
         """Start what the buffer holds next, as far as it is released."""
         while a.move is None and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
             if move.action is not None and not move.action.ready(self, a, move):
                 return
-            self._take(a)
+            self.take_entry(a)
             try:
                 if move.action is None:
-                    self._start(a, move)
+                    self.start_move(a, move)
                 else:
                     move.action.begin(self, a, move)
             except Refusal as refusal:
                 refusal.line = refusal.line or move.line
                 raise
 
-    def _take(self, a: Axis, place: int = 0) -> None:
+    def take_entry(self, a: Axis, place: int = 0) -> None:
         """An entry, the first one unless said otherwise, leaves the buffer."""
         a.last_id = a.buffer.pop(place).id
         if a.buffer_low >= 0:
@@ -207,20 +209,20 @@ class Core(Readings):
             if move.action is not None:
                 move.action.purge(a)
 
-    def _replan(self, a: Axis) -> None:
+    def replan_move(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""
         assert a.move is not None
         if a.move.action is None:
-            self._continue(a, self._plan(a, a.move), "")
+            self.continue_with(a, self.plan_move(a, a.move), "")
         else:
             a.move.action.replan(self, a)
 
-    def _continue(self, a: Axis, profile: Profile, ended: str) -> None:
+    def continue_with(self, a: Axis, profile: Profile, ended: str) -> None:
         """Replace what is left of the present move by `profile`."""
-        self._amend(a, profile, ended)
-        self._append(a, profile)
+        self.amend_log(a, profile, ended)
+        self.append_profile(a, profile)
 
-    def _amend(self, a: Axis, profile: Profile, ended: str) -> None:
+    def amend_log(self, a: Axis, profile: Profile, ended: str) -> None:
         """The same in the log only."""
         move = a.move
         assert move is not None
@@ -230,7 +232,7 @@ class Core(Readings):
         move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
         move.ended = ended or move.ended
 
-    def _end_move(self, a: Axis, ended: str) -> None:
+    def end_move(self, a: Axis, ended: str) -> None:
         """Close the log entry of a move that is about to be replaced; the motion itself goes on."""
         move = a.move
         if move is not None and move.profile is not None:
@@ -240,7 +242,7 @@ class Core(Readings):
             move.ended = ended
             a.move = None
 
-    def _freeze(self, a: Axis, ended: str) -> None:
+    def freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
         a.suspended = False
         self.empty(a)
@@ -249,7 +251,7 @@ class Core(Readings):
             a.arrival = None
         if a.move is None:
             return
-        self._end_move(a, ended)
+        self.end_move(a, ended)
         a.target = a.position(self.clock.now)
-        self._follow(a, hold(a.target))
+        self.extend_track(a, hold(a.target))
         self.tell("idle", a.index)

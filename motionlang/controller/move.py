@@ -63,6 +63,9 @@ class Action:
 
     __slots__ = ()
 
+    # Whether it begins on top of following, without waiting for that to end; then it has `begin_on_top`.
+    lies_on_top = False
+
     def release(self, move: Move) -> None:
         """GO was given to the axis of the entry."""
         move.released = True
@@ -78,13 +81,17 @@ class Action:
         """Begin; the entry has left the buffer."""
         raise NotImplementedError
 
+    def begin_on_top(self, controller: Core, a: Axis, move: Move) -> None:
+        """Begin while the axis follows a master; the entry has left the buffer."""
+        raise NotImplementedError
+
     def plan(self, controller: Core, a: Axis) -> Profile:
         """The way on with the settings as they are now: what remains, as long as nothing else is said."""
         return a.profiles[-1].after(controller.clock.now - a.starts[-1])
 
     def replan(self, controller: Core, a: Axis) -> None:
         """A setting has changed that acts at once."""
-        controller._continue(a, self.plan(controller, a), "")
+        controller.continue_with(a, self.plan(controller, a), "")
 
     def prolong(self, end: float) -> Profile | None:
         """What it would go on with, from `end`, where the profile before it does not come to rest."""

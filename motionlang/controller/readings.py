@@ -6,8 +6,8 @@ from math import atan2, degrees
 
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
-from motionlang.controller.inputs import Channels
-from motionlang.controller.watch import Watch, arm
+from motionlang.controller.io.inputs import Channels
+from motionlang.controller.triggers.watch import Watch, arm
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
-    from motionlang.controller.latch import Latch
     from motionlang.controller.move import Move
+    from motionlang.controller.triggers.latch import Latch
 
 
 class Readings:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Table
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.source import Source

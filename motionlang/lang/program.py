@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.errors import Diagnostic
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
 
 

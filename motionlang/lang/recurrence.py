@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.controller.controller import Controller
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
 
 # What ends later than this, in seconds, is no part of a period but its limit.

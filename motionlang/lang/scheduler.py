@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     from motionlang.controller.controller import Controller
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.recurrence import Recurrence
     from motionlang.lang.task import Task, Wait
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
 
 INFINITY = float("inf")
 # Times that are nearer to each other than this are one: it is not rounding that decides who comes first.

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Table
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Program
     from motionlang.source import Source
 
@@ -27,12 +27,12 @@ class Mccl(Dialect):
 
     def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
         """Never fails: a command that the board would answer with `?` is one that runs and is answered so."""
-        from motionlang.mccl.program import MacroFile
+        from motionlang.mccl.runtime.program import MacroFile
 
         return MacroFile(source)
 
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
-        from motionlang.mccl.check import check
+        from motionlang.mccl.lint.check import check
 
         return check(source, settings)
 
@@ -47,17 +47,17 @@ class Mccl(Dialect):
         return TABLE
 
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
-        from motionlang.mccl.program import locate
+        from motionlang.mccl.runtime.program import locate
 
         return locate(source, at)
 
     def interactive(self, machine: Machine) -> Interactive:
-        from motionlang.mccl.session import Session
+        from motionlang.mccl.runtime.session import Session
 
         return Session(machine)
 
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
-        from motionlang.mccl.tokens import tokens
+        from motionlang.mccl.syntax.tokens import tokens
 
         return tokens(text)
 

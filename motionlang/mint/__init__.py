@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Interactive
     from motionlang.lang.keyword import Table
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.program import Program
     from motionlang.source import Source
 
@@ -25,9 +25,9 @@ class Mint(Dialect):
     cached = True
 
     def compile(self, source: Source, settings: dict[str, object] | None = None) -> Program:
-        from motionlang.mint.compiler import compile_source
+        from motionlang.mint.program import compile_source
 
-        return compile_source(source, settings)[0]
+        return compile_source(source, settings)
 
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.mint.lint import check
@@ -45,17 +45,17 @@ class Mint(Dialect):
         return age(name) is not None
 
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
-        from motionlang.mint.told import problem
+        from motionlang.mint.keywords.machine_readings import problem
 
         return problem(key, value)
 
     def what_ends(self, why: str) -> str:
-        from motionlang.mint.ending import what_ends
+        from motionlang.mint.runtime.wait_sources import what_ends
 
         return what_ends(why)
 
     def load(self, payload: bytes) -> Program:
-        from motionlang.mint.runtime import load
+        from motionlang.mint.program import load
 
         return load(payload)
 
@@ -65,7 +65,7 @@ class Mint(Dialect):
         return table()
 
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
-        from motionlang.mint.parser import parse
+        from motionlang.mint.syntax.parser import parse
 
         module = parse(source)
         return module.line(at), module.column(at), module.length(at)
@@ -76,7 +76,7 @@ class Mint(Dialect):
         return MintInteractive(machine)
 
     def tokens(self, text: str) -> Iterator[tuple[str, str, int]]:
-        from motionlang.mint.parser import tokens
+        from motionlang.mint.syntax.parser import tokens
 
         return tokens(text)
 

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from motionlang.errors import ProgramError
 from motionlang.lang.dialect import Interactive
-from motionlang.mint.compiler import compile_line
-from motionlang.mint.environment import Environment
-from motionlang.mint.overriding import override_if_there
-from motionlang.mint.parser import is_complete, parse
-from motionlang.mint.symbols import Function, Scope
-from motionlang.mint.task import PARENT, MintTask
+from motionlang.mint.compile.compiler import compile_line
+from motionlang.mint.compile.overrides import override_if_there
+from motionlang.mint.resolve.symbols import Function, Scope
+from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.task import PARENT, MintTask
+from motionlang.mint.syntax.parser import is_complete, parse
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
     from motionlang.source import Source
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from os.path import expanduser
 
 from motionlang.errors import Diagnostic, nearest
-from motionlang.execution import ONE_SHIFT, Run, dialect_of
+from motionlang.execution import ONE_SHIFT, dialect_of
 from motionlang.files import reason
 from motionlang.repl import status
+from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.chart import velocity_chart
 from motionlang.views.keywords import page

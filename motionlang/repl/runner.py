@@ -9,10 +9,10 @@ from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import ONE_SHIFT
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.run_errors import explain
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait, wait_idle, wait_until
-from motionlang.lang.trouble import explain
 from motionlang.repl.status import moving
 from motionlang.source import Source
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 
 from motionlang.errors import Diagnostic
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
 from motionlang.repl.commands import is_command, obey, without_dot
 from motionlang.repl.runner import Interrupted, Runner
 from motionlang.repl.status import moving

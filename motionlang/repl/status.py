@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.axis import Axis
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
 
 
 def moving(machine: Machine) -> list[int]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.mccl.port import CR, CTRL_B, ESC, LF
+from motionlang.mccl.hosts.port import CR, CTRL_B, ESC, LF
 
 if TYPE_CHECKING:
-    from motionlang.mccl.port import Port
+    from motionlang.mccl.hosts.port import Port
     from motionlang.serve.channel import Channel
     from motionlang.serve.limits import Limits
     from motionlang.serve.pace import Pace

@@ -16,7 +16,7 @@ from motionlang.serve.outside import Closed
 if TYPE_CHECKING:
     from typing import Any
 
-    from motionlang.controller.host import HostMemory
+    from motionlang.controller.io.host_memory import HostMemory
     from motionlang.serve.outside import Outside
 
 REGISTER_FUNCTIONS = frozenset((3, 4, 6, 16, 22, 23))

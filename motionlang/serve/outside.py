@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Clock
-    from motionlang.lang.machine import Machine
+    from motionlang.lang.machine.machine import Machine
 
 INFINITY = float("inf")
 # Machine seconds by which lock step goes on for each request, as long as nothing else is said.

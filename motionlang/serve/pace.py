@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mccl.console import Console
+    from motionlang.mccl.hosts.console import Console
 
 INFINITY = float("inf")
 # Machine seconds between two looks at the hosts while the board is busy, and while it has more to do than it can.

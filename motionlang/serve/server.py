@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from types import TracebackType
 
-    from motionlang.mccl.console import Console
+    from motionlang.mccl.hosts.console import Console
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
 

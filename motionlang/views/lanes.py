@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
-    from motionlang.controller.inputs import Channels
+    from motionlang.controller.io.inputs import Channels
 
 # group -> (the Controller's name for it, how a lane is called, whether it is on or off)
 GROUPS = {

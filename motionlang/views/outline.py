@@ -16,7 +16,7 @@ from motionlang.profile.sample import ORDERS
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from motionlang.controller.trace import Trace
+    from motionlang.controller.record.trace import Trace
 
     Array = NDArray[np.float64]
 

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from motionlang.controller.servo.trace import ServoTrace
-    from motionlang.execution import Run
+    from motionlang.result import Run
 
 MOST_AXES, MOST_LANES, MOST_ANALOGUE = 8, 24, 4
 # Inches: the picture's width; a panel of one axis, of several, of a lane; what is above and below them all, and

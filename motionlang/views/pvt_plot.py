@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from motionlang.files import replacing
-from motionlang.profile.pvt_points import knots
+from motionlang.profile.pvt.points import knots
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

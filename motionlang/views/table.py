@@ -20,7 +20,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from motionlang.execution import Run
+    from motionlang.result import Run
 
     Row = dict[str, Any]
 

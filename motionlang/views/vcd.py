@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from motionlang.controller.trace import Column, Trace
+    from motionlang.controller.record.trace import Column, Trace
     from motionlang.views.lanes import Lane
 
     Report = Callable[[float], object]

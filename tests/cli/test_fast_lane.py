@@ -9,8 +9,8 @@ import sys
 import pytest
 
 from motionlang.cli import quick_options
-from motionlang.cli_options import build_parser
-from motionlang.cli_run_options import run_options
+from motionlang.cli.commands import build_parser
+from motionlang.cli.run_options import run_options
 
 PARTS = (
     ("pick.mnt",),

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.cli_options import FAMILIES, build_parser
+from motionlang.cli.commands import FAMILIES, build_parser
 
 PAGE = (Path(__file__).parents[2] / "docs" / "cli.md").read_text(encoding="utf-8")
 COMMANDS = {

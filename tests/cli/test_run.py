@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang import cli_files, cli_run
-from motionlang.cli_options import FAMILIES
+from motionlang.cli import output_files, run
+from motionlang.cli.commands import FAMILIES
 from tests.cli.programs import BALLSCREW, Cell
 
 TABLE = """\
@@ -173,7 +173,7 @@ def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
 
 
 def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cli_files, "find_spec", lambda name: None)
+    monkeypatch.setattr(output_files, "find_spec", lambda name: None)
     assert cell("run", "ballscrew.mcl", "--plot", "x.html", "--report", "none").err == ""
     assert "MR" in (cell.folder / "x.html").read_text(encoding="utf-8")
     for option, file, extra in (("--plot", "x.svg", "plot"), ("--trace", "x.parquet", "parquet")):
@@ -276,7 +276,7 @@ def test_realtime_needs_no_factor(cell: Cell, monkeypatch: pytest.MonkeyPatch) -
         factors.append(factor)
         return lambda now: None
 
-    monkeypatch.setattr(cli_run, "pacer", pacer)
+    monkeypatch.setattr(run, "pacer", pacer)
     for arguments in (
         ("--realtime", "ballscrew.mcl"),
         ("ballscrew.mcl", "--realtime"),
@@ -294,7 +294,7 @@ def test_ctrl_c_reports_what_ran_so_far(cell: Cell, monkeypatch: pytest.MonkeyPa
 
         return pace
 
-    monkeypatch.setattr(cli_run, "pacer", pacer)
+    monkeypatch.setattr(run, "pacer", pacer)
     ran = cell("run", "ballscrew.mcl", "--realtime", "--report", "json")
     report = json.loads(ran.out)
     assert (ran.status, report["status"]) == (130, "interrupted")

@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
-from motionlang.lang.machine import Machine
-from motionlang.mccl.console import Console
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
 from motionlang.serve import Limits, LockStep, RealTime, Server
 
 Open = Callable[[], Client]

@@ -7,7 +7,7 @@ import contextlib
 import io
 from dataclasses import dataclass
 
-from motionlang.cli_pvt import add_parser
+from motionlang.cli.pvt import add_parser
 
 
 @dataclass(frozen=True, slots=True)

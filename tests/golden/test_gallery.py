@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.cli_golden import differences, golden_files, programs, update
+from motionlang.cli.golden import differences, golden_files, programs, update
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]

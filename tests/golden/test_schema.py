@@ -10,10 +10,11 @@ from typing import Any
 
 import pytest
 
-from motionlang.cli_golden import programs
+from motionlang.cli.golden import programs
 from motionlang.controller.faults import NAMES
-from motionlang.execution import Run, run
+from motionlang.execution import run
 from motionlang.report import failure, text
+from motionlang.result import Run
 from motionlang.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 

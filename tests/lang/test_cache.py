@@ -112,7 +112,12 @@ def installed(place: Path) -> str:
 def test_a_change_in_any_module_of_the_compiler_is_another_key(tmp_path: Path) -> None:
     mint = installed(tmp_path)
     modules = compiler_modules()
-    assert {"mint/compiler.py", "mint/keywords/axis.py", "lang/tables.py", "errors.py"} <= set(modules)
+    assert {
+        "mint/compile/compiler.py",
+        "mint/keywords/axis.py",
+        "lang/parsing/parser.py",
+        "errors.py",
+    } <= set(modules)
     seen = {cache.fingerprint(mint)}
     for name in modules:
         with open(tmp_path / "motionlang" / name, "a", encoding="utf-8") as file:
@@ -125,7 +130,7 @@ def test_a_change_in_any_module_of_the_compiler_is_another_key(tmp_path: Path) -
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows keeps no time of the last change of a file")
 def test_a_module_of_the_same_size_and_time_is_another_key(tmp_path: Path) -> None:
     mint = installed(tmp_path)
-    module = tmp_path / "motionlang" / "mint" / "compiler.py"
+    module = tmp_path / "motionlang" / "mint" / "compile" / "compiler.py"
     before, status, text = cache.fingerprint(mint), module.stat(), module.read_text()
     while module.stat().st_ctime_ns == status.st_ctime_ns:  # the clock of a file system ticks slowly
         module.write_text(text.replace("e", "a", 1))
@@ -151,7 +156,7 @@ def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path)
         return subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path).stdout
 
     assert [ran(), ran()] == ["hello\n", "hello\n"]
-    printing = tmp_path / "motionlang" / "mint" / "terminal_use.py"
+    printing = tmp_path / "motionlang" / "mint" / "compile" / "terminal_use.py"
     printing.write_text(printing.read_text().replace("return found.text if", "return repr('bye') if"))
     assert ran() == "bye\n"
 

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.errors import Diagnostic
 from motionlang.mint.lint import check
-from motionlang.mint.parser import parse
+from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
 OPERANDS = (

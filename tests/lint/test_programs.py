@@ -12,7 +12,7 @@ import pytest
 from motionlang.errors import CODES
 from motionlang.execution import dialect_of
 from motionlang.lang.lint import WARNINGS
-from motionlang.lang.machine_file import read_machine
+from motionlang.lang.machine.file import read_machine
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
 

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from motionlang import run
 from motionlang.errors import Diagnostic
-from motionlang.execution import Run
 from motionlang.mint import DIALECT
+from motionlang.result import Run
 from motionlang.source import Source
 
 Lines = list[str]

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.mccl.keywords import TABLE
-from motionlang.mccl.line import Line, lines_of
+from motionlang.mccl.resolve.line import Line, lines_of
 
 SPEC = sorted((Path(__file__).parents[1] / "spec" / "mccl").glob("*.mcl"))
 

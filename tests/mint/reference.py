@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint import functions, nodes
-from motionlang.mint.printing import show_float, show_integer
+from motionlang.mint.runtime import functions
+from motionlang.mint.runtime.printing import show_float, show_integer
+from motionlang.mint.syntax import nodes
 
 LOW, HIGH = -(2**31), 2**31 - 1
 

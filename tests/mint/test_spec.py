@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
-from motionlang.lang.machine_file import read_machine
+from motionlang.lang.machine.file import read_machine
 from motionlang.mint.keywords import table
 from motionlang.source import Source
 from tests.mint_manual import CHAPTERS, FOLDER, INDEX, contents, heading, pages

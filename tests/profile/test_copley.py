@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from motionlang.profile import Profile
-from motionlang.profile.pvt import plan_pvt, pvt_segment
-from motionlang.profile.pvt_velocities import average_velocities, refined_velocities, smooth_velocities
+from motionlang.profile.pvt.motion import plan_pvt, pvt_segment
+from motionlang.profile.pvt.velocities import average_velocities, refined_velocities, smooth_velocities
 from motionlang.profile.verify import verify
 
 POINTS = [0.0, 100, 150, 200, 300, 240, 0, -100, -50, 40]

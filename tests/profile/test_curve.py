@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.profile import Profile, hold, on_line, path_length, plan_trapezoid, scaled
-from motionlang.profile.pvt import plan_pvt
+from motionlang.profile.pvt.motion import plan_pvt
 from motionlang.profile.verify import verify
 from tests.profile.cases import Move, moves, quick
 

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from motionlang.lang.machine import Machine
-from motionlang.mccl.console import Console
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
 from motionlang.serve import Limits, LockStep, RealTime, Server
 from motionlang.serve.pace import Pace
 

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from motionlang.lang.machine import Machine
-from motionlang.mccl.console import Console
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
 from motionlang.serve import LockStep, Server
 
 pytest.importorskip("pty")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.lang.machine import Machine
-from motionlang.mccl.console import Console
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
 from motionlang.serve import LockStep, RealTime
 from motionlang.serve.pace import BUDGET, LATEST, LEAD, SLICE
 from tests.serve.conftest import Serve

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from motionlang.controller.controller import Controller
-from motionlang.execution import Run
 from motionlang.lang.dialect import Dialect
-from motionlang.lang.machine import Machine
+from motionlang.lang.machine.machine import Machine
+from motionlang.result import Run
 from motionlang.source import Source
 
 

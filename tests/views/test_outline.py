@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.execution import Run
+from motionlang.result import Run
 from motionlang.views.outline import outline
 from tests.views.runs import ballscrew, pick, shift
 

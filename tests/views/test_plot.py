@@ -13,7 +13,7 @@ import pytest
 from motionlang.controller.servo import Loop, simulate
 from motionlang.controller.servo.settings import make_plant
 from motionlang.controller.servo.trace import ServoTrace
-from motionlang.execution import Run
+from motionlang.result import Run
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
 from motionlang.views.plot_panel import _ends_high

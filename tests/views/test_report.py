@@ -8,8 +8,8 @@ from collections.abc import Callable
 import pytest
 
 from motionlang.errors import Diagnostic
-from motionlang.execution import Run
 from motionlang.report import SCHEMA, build, failure, text
+from motionlang.result import Run
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 

@@ -14,7 +14,8 @@ import pytest
 
 from motionlang.controller.servo import Loop, simulate
 from motionlang.controller.servo.settings import make_plant
-from motionlang.execution import Run, run
+from motionlang.execution import run
+from motionlang.result import Run
 from motionlang.source import Source
 from motionlang.views.scope import page, write_scope
 from tests.views.runs import ballscrew, ended, new_run, pick, shift

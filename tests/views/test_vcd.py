@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.controller import trace as trace_module
-from motionlang.execution import Run
+from motionlang.controller.record import trace as trace_module
+from motionlang.result import Run
 from motionlang.views.export import write_trace
 from motionlang.views.lanes import lanes
 from tests.views.runs import ballscrew, ended, new_run, pick

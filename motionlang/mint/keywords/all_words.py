@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+
 from motionlang.lang.keyword import Keyword
 
 TYPE_CHECKING = False
@@ -27,64 +29,16 @@ def rows() -> list[Keyword]:
 
 def groups() -> tuple[ModuleType, ...]:
     """The modules of the groups, in their order."""
-    from motionlang.mint.keywords import (
-        axis,
-        buffer,
-        camboxes,
-        captures,
-        changing,
-        comms,
-        constants,
-        control,
-        correcting,
-        drives,
-        fastaux,
-        feedrate,
-        following,
-        functions,
-        holding,
-        homing,
-        identity,
-        io,
-        jogging,
-        kept,
-        language,
-        latches,
-        limits,
-        memory,
-        modbus,
-        monitoring,
-        motion,
-        network,
-        older,
-        paths,
-        pending,
-        presets,
-        profiles,
-        relays,
-        remote,
-        restoring,
-        sensing,
-        serial,
-        servo,
-        state,
-        steppers,
-        tasks,
-        terminal,
-        torque,
-        turns,
-        units,
-    )
-
-    return (
-        correcting, presets, holding, torque, jogging, drives,
-        axis, feedrate, motion, buffer, changing, paths, following, profiles, state, control, tasks, terminal,
-        camboxes, captures, fastaux, monitoring, pending, relays, steppers,
-        io, comms, modbus, remote, network, serial, limits, homing, latches, sensing, servo, functions, memory, turns,
-        kept, identity, older, restoring, units, constants, language,
-    )  # fmt: skip
+    return tuple(import_module(f"motionlang.mint.keywords.{name}") for name in _ORDER.split())
 
 
+_ORDER = """
+correction presets hold_to_analogue torque jogging drives
+axis feedrate motion buffer on_the_fly paths following table_motion state timing tasks terminal
+camboxes captures auxiliary_latches monitoring event_flags relays steppers
+io comms modbus remote network serial limits homing latches sensing servo functions nonvolatile encoder_wrap
+no_effect identity legacy factory_defaults units constants language
+"""
 _UNITS = {
     "int": "integer",
     "bool": "bool",
@@ -97,18 +51,22 @@ _UNITS = {
 
 def _not_simulated() -> Iterator[Keyword]:
     """The rest of the type library: recognised and explained, not simulated."""
-    from motionlang.mint.keywords import commands, kept, known, library_a_i, library_j_z
+    from motionlang.mint.keywords import no_effect, unsimulated
+    from motionlang.mint.keywords.type_library import commands, words_a_i, words_j_z
 
     source = "Mint ActiveX type library, build 5626"
-    for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines():
+    for line in (words_a_i.WORDS + words_j_z.WORDS).splitlines():
         name, short, index, kind, access, meaning = line.split("|")
         sense = "reading" if access == "R" else "setting"
-        verb = kept.VERB if name in kept.WORDS else known.verb(name)
+        verb = no_effect.VERB if name in no_effect.WORDS else unsimulated.verb(name)
         yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source, trust="code",
-                      group=known.GROUPS.get(verb, known.KEPT_GROUP), simulated=False)  # fmt: skip
-    for text, origin, trust in ((commands.WORDS, source, "code"), (known.COMMANDS, "Mint v4", "memory")):
+                      group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False)  # fmt: skip
+    for text, origin, trust in (
+        (commands.WORDS, source, "code"),
+        (unsimulated.COMMANDS, "Mint v4", "memory"),
+    ):
         for line in text.splitlines():
             name, short, index, meaning = line.split("|")
-            verb = known.verb(name)
+            verb = unsimulated.verb(name)
             yield Keyword(name, short, "command", "C", index, "", verb, meaning, source=origin, trust=trust,
-                          group=known.GROUPS[verb], simulated=False)  # fmt: skip
+                          group=unsimulated.GROUPS[verb], simulated=False)  # fmt: skip

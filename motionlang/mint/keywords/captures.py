@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.lang.keyword import Keyword
 
 _LIBRARY = "Mint type library"
-# The quantities in their order, `motionlang.mint.operations.quantities.NAMES` in few words.
+# The quantities in their order, `motionlang.mint.keywords.captures_quantities.NAMES` in few words.
 QUANTITIES = (
     "0 nothing, 1 measured position, 2 measured velocity, 3 demand position, 4 demand velocity, 5 demand acceleration, "
     "6 following error, 7 drive output in percent, 8 torque of the motor in N m, 9 encoder, 10 auxiliary encoder, "

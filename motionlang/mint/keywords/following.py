@@ -20,7 +20,7 @@ _OFFSET = (
 
 def _setting(name: str, short: str, unit: str, help: str, default: float, low: float, high: float,
              trust: str = "memory") -> Keyword:  # fmt: skip
-    return Keyword(name, short, "setting", "RW", "axis", unit, "masters.setting", help,
+    return Keyword(name, short, "setting", "RW", "axis", unit, "following.masters.setting", help,
                    f"{name}(1) = 1\nPRINT {name}(1)", default=default, low=low, high=high,
                    source=_MN1270 if trust == "manual" else _LIBRARY, trust=trust, group="following")  # fmt: skip
 
@@ -90,7 +90,7 @@ ROWS = (
             "Load a distance on top of following; an axis that follows nobody moves by it. Reading it gives the "
             "distance still to go, of a move too.",
             _OFFSET.format(""), source=_MN1270, trust="manual", group="motion"),
-    Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", "masters.setting",
+    Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", "following.masters.setting",
             "How OFFSET is done: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
             _OFFSET.format("OFFSETMODE(1) = _ofSPEED_MOD : OFFSETDISTANCE(1) = 50\n"),
             default=0.0, low=0, high=3, source=_MN1270, trust="manual", group="following"),
@@ -100,20 +100,20 @@ ROWS = (
             "How the last OFFSET went: the _os constants, 0 as wanted.",
             _OFFSET.format("") + "\nPRINT OFFSETSTATUS(1)",
             default=0.0, source=_MN1270, trust="manual", group="following"),
-    Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number", "auxiliary.position",
+    Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number", "following.auxiliary.position",
             "What an auxiliary encoder shows, in units of AUXENCODERSCALE.",
             "AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
             default=0.0, source=_LIBRARY, trust="code", group="encoders"),
-    Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number", "auxiliary.velocity",
+    Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number", "following.auxiliary.velocity",
             "Speed of an auxiliary encoder, in units of AUXENCODERSCALE a second.",
             "AUXENCODERSPEED(0) = 100\nPRINT AUXENCODERVEL(0)",
             default=0.0, source=_LIBRARY, trust="code", group="encoders"),
-    Keyword("AUXENCODERSPEED", "", "setting", "RW", "auxchannel", "number", "auxiliary.speed",
+    Keyword("AUXENCODERSPEED", "", "setting", "RW", "auxchannel", "number", "following.auxiliary.speed",
             "Lets an auxiliary encoder count by itself at a speed: a master without a machine.",
             "AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
             default=0.0, low=-_LARGEST, high=_LARGEST, source=_LIBRARY, trust="memory", group="encoders"),
     *(
-        Keyword(f"AUX{name}", "", "setting", "RW", "auxchannel", unit, "auxiliary.setting", help,
+        Keyword(f"AUX{name}", "", "setting", "RW", "auxchannel", unit, "following.auxiliary.setting", help,
                 f"AUX{name}(0) = 4\nPRINT AUX{name}(0)", default=default, low=low, high=_LARGEST, source=_LIBRARY,
                 trust="memory", group="encoders")
         for name, unit, help, default, low in (

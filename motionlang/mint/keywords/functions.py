@@ -1,4 +1,4 @@
-"""Functions of numbers and of text; `verb` names the one in `mint/functions.py`, `index` lists the arguments."""
+"""Functions of numbers and of text; `index` lists the arguments, `verb` names one in `runtime/functions.py`."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
+from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 
 _LIBRARY = "Mint type library"
 _MN1270 = "Baldor MN1270 p. 86"
@@ -52,11 +52,11 @@ ROWS = (
             "Where the homing is: 0 at its end, 1 search, 2 stopping on the switch, 3 leaving it, 4 looking for the "
             "index, 5 stopping behind the datum, 6 on the way to HOMEOFFSET.",
             _HOMED.format("HOMEPHASE"), default=0.0, source=_LIBRARY, trust="memory", group="homing"),
-    Keyword("HOMEINPUT", "hi", "setting", "RW", "axis", "integer", "switches.input",
+    Keyword("HOMEINPUT", "hi", "setting", "RW", "axis", "integer", "limits.switches.input",
             "The input that is the home switch of the axis; -1 for none.",
             "HOMEINPUT(0) = 2\nPRINT HOMEINPUT(0)",
             default=-1.0, low=-1, high=999, source=_LIBRARY, trust="code", group="homing"),
-    Keyword("HOMESWITCH", "hsw", "reading", "R", "axis", "bool", "switches.home_switch",
+    Keyword("HOMESWITCH", "hsw", "reading", "R", "axis", "bool", "limits.switches.home_switch",
             "1 while the axis is on its home switch.",
             "PRINT HOMESWITCH(0)", default=0.0, source=_LIBRARY, trust="code", group="homing"),
     *(

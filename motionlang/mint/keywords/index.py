@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 GROUPS = {
-    "correcting": """
+    "correction": """
 movecorrection timescale
 """,
     "presets": """
@@ -11,7 +11,7 @@ presetmovetype presetmoveposition presetmovespeed presetaccel presetdecel preset
 presetmovehometype presetmoveparameter presetindex presetindexmode presetindexsource presetdwelltime
 presetselectorinput presetinputsmax presetinputstate presettriggerinput presetmoveenable
 """,
-    "holding": """
+    "hold_to_analogue": """
 hta htachannel htakprop htadamping htakint htadeadband htafilter
 """,
     "torque": """
@@ -42,7 +42,7 @@ mover mr movea ma go jog jg cancel cn cancelall cna
 _trauto _trgo _trinput _trposition movebufferid movebufferidlast movebufferlow triggermode triggerinput
 triggersource triggerchannel triggervalue movedwell moveout moveoutx movepulseoutx
 """,
-    "changing": """
+    "on_the_fly": """
 incr inca suspend
 """,
     "paths": """
@@ -55,7 +55,7 @@ _osmaxaccel _osmaxdecel _osprofileerror _oszeroaccel mastersource masterchannel 
 follow fl follownumerator followdenom gearing gr gearingmode grm fly offset offsetmode offsetdistance
 offsetstatus ofs auxencoder auxencodervel auxencoderspeed auxencoderscale auxencoderprescale auxencoderwrap
 """,
-    "profiles": """
+    "table_motion": """
 _spspline_1 _spabsolute _spt_absolute _spcontinuous _spspline_2 camtable cam camstart camend camamplitude
 camindex camsegment camphase camphasestatus splinetable spline spl splinestart splineend splinetime
 splinesuspendtime splineindex splinesegment
@@ -63,7 +63,7 @@ splinesuspendtime splineindex splinesegment
     "state": """
 idle id pos ps vel vl posremaining folerror fe movebufferfree
 """,
-    "control": """
+    "timing": """
 time wait wt
 """,
     "tasks": """
@@ -82,7 +82,7 @@ captureperiod cpp captureduration cpr capturepretriggerduration capturetriggermo
 capturetriggerchannel capturetriggervalue capturetriggerabsolute capturetrigger capture capturecommand
 capturestatus captureprogress capturepoint
 """,
-    "fastaux": """
+    "auxiliary_latches": """
 fastauxselect fastauxenable fastauxlatchedge fastauxlatchmode fastauxlatchdistance fastauxlatch fastauxencoder
 encoderzlatch auxencoderzlatch aez auxencoderzeroenable auxencoderzerolatchmode auxencoderzeroposition
 """,
@@ -91,7 +91,7 @@ adcmax adcmin adcmonitor adcerror adcerrormode adcoffsettrim folerrorwarning axi
 errormask errormaskcode asyncerrorpresent driveenableswitch des enableswitch driveerror dre drivefault
 miscerror miscerrordisable
 """,
-    "pending": """
+    "event_flags": """
 eventpend eventunpend
 """,
     "relays": """
@@ -157,23 +157,23 @@ kprop kp kint ki kintlimit kil kintmode kim kderiv kd kvel kvelff kaccel looptim
     "functions": """
 abs sgn int min max sqrt sqr exp log sin cos tan asin acos atan rnd len asc chr str val left right mid iif
 """,
-    "memory": """
+    "nonvolatile": """
 nvlong nvfloat
 """,
-    "turns": """
+    "encoder_wrap": """
 posrolloverdemand posrollovertarget posrollovertargetlast datum freq
 """,
-    "kept": """
+    "no_effect": """
 _cfoff _cfservo _cfstepper _cfvirtual _bloff _lsoff _lsdual_table
 """,
     "identity": """
 platformname firmwareversion numberof no _noaxes _egcontroller axisbus axisnode mintexecuting supportsmint
 phasesearchstatus initerror initwarning averagevel oktoloadmove realtimeclock nop tron troff beepon beepoff
 """,
-    "older": """
+    "legacy": """
 err erl erraxis mode holdtoanalog contouron contouroff
 """,
-    "restoring": """
+    "factory_defaults": """
 systemdefaults sdf factorydefaults fdf
 """,
     "units": """

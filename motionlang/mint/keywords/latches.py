@@ -23,7 +23,7 @@ def _reading(name: str, index: str, unit: str, verb: str, help: str, example: st
 
 
 def _compare(name: str, help: str, low: float, high: float, default: float) -> Keyword:
-    return Keyword(name, "", "setting", "RW", "axis", "integer", "comparing.setting", help,
+    return Keyword(name, "", "setting", "RW", "axis", "integer", "latches.position_compare.setting", help,
                    f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, source=_LIBRARY,
                    trust="memory", group="latches")  # fmt: skip
 
@@ -64,14 +64,14 @@ ROWS = (
     _compare("COMPAREMODE", "0: the output comes on at position 0 and stays on; 1: it is on between positions 0 and 1.",
              0, 1, 0.0),
     _compare("COMPAREOUTPUT", "The output that the position compare of the axis switches; -1 for none.", -1, 999, -1.0),
-    Keyword("COMPAREPOS", "", "setting", "RW", "axis, register", "uu", "comparing.position",
+    Keyword("COMPAREPOS", "", "setting", "RW", "axis, register", "uu", "latches.position_compare.position",
             "The positions with which the axis is compared: registers 0 and 1.",
             "COMPAREPOS(0, 1) = 25\nPRINT COMPAREPOS(0, 1)",
             default=0.0, low=-8388607.0, high=8388607.0, source=_LIBRARY, trust="memory", group="latches"),
-    Keyword("COMPAREENABLE", "", "setting", "RW", "output", "bool", "comparing.enable",
+    Keyword("COMPAREENABLE", "", "setting", "RW", "output", "bool", "latches.position_compare.enable",
             "Whether the position compare switches an output.",
             "COMPAREOUTPUT(0) = 2\nCOMPAREENABLE(2) = 1\nPRINT COMPAREENABLE(2)",
             default=0.0, low=0, high=1, source=_LIBRARY, trust="memory", group="latches"),
-    _reading("COMPARELATCH", "axis", "bool", "comparing.passed",
+    _reading("COMPARELATCH", "axis", "bool", "latches.position_compare.passed",
              "1 when the axis has been at a compare position since the compare was enabled.", "PRINT {}(0)"),
 )  # fmt: skip

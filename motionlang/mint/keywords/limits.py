@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.defaults import MODES, STOP_INPUT_MODE
+from motionlang.mint.keywords.defaults import MODES, STOP_INPUT_MODE
 
 _LIBRARY = "Mint type library"
 _CLEAR = "JOG(0) = 100\nWAIT = 100\nABORT\nPRINT AXISERROR(0)\nCANCEL(0)\nPRINT AXISERROR(0)"
@@ -18,7 +18,7 @@ def _mode(name: str, help: str) -> Keyword:
 
 
 def _input(name: str, short: str, help: str) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", "integer", "switches.input", f"{help}; -1 for none.",
+    return Keyword(name, short, "setting", "RW", "axis", "integer", "limits.switches.input", f"{help}; -1 for none.",
                    f"{name}(0) = 3\nPRINT {name}(0)", default=-1.0, low=-1, high=999, source=_LIBRARY,
                    trust="memory", group="limits")  # fmt: skip
 
@@ -62,16 +62,16 @@ ROWS = (
     _mode("FOLERRORMODE", "What the axis does when its following error is fatal"),
     _input("ERRORINPUT", "ei", "The input that tells of an error of the axis"),
     _mode("ERRORINPUTMODE", "What the axis does when its error input becomes active"),
-    _switch("ERRORSWITCH", "es", "switches.switch", "1 while the error input of the axis is active."),
+    _switch("ERRORSWITCH", "es", "limits.switches.switch", "1 while the error input of the axis is active."),
     _input("STOPINPUT", "", "The input that stops the axis"),
-    Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", "switches.stop_input_mode",
+    Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", "limits.switches.stop_input_mode",
             "What the axis does when its stop input becomes active: _emIGNORE only the event STOP, _emCRASH_STOP "
             "a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",
             default=float(STOP_INPUT_MODE), low=0, high=3, source=_LIBRARY, trust="memory", group="limits"),
-    _switch("STOPSWITCH", "", "switches.switch", "1 while the stop input of the axis is active."),
+    _switch("STOPSWITCH", "", "limits.switches.switch", "1 while the stop input of the axis is active."),
     _input("SUSPENDINPUT", "", "The input that suspends the axis for as long as it is active"),
-    _switch("SUSPENDSWITCH", "", "switches.switch", "1 while the suspend input of the axis is active."),
+    _switch("SUSPENDSWITCH", "", "limits.switches.switch", "1 while the suspend input of the axis is active."),
     _input("RESETINPUT", "rsi", "The input that resets the axis when it becomes active"),
     Keyword("AXISERROR", "", "setting", "RW", "axis", "bits", "limits.error",
             "Errors of the axis: bit 0 abort, 1 error input, 2 forward limit, 3 reverse limit, 4 forward soft limit, "
@@ -86,28 +86,28 @@ ROWS = (
     Keyword("ABORT", "", "command", "C", "none", "", "limits.abort",
             "Stop every axis as its ABORTMODE says, and note the error on it.",
             _CLEAR, source=_LIBRARY, trust="memory", group="stopping"),
-    Keyword("STOP", "ST", "command", "C", "axes", "", "resetting.stop",
+    Keyword("STOP", "ST", "command", "C", "axes", "", "limits.resetting.stop",
             "Decelerate the axes to rest as their STOPMODE says, and empty their buffers.",
             "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)",
             source=_LIBRARY, trust="memory", group="stopping"),
-    Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", "resetting.stop_mode",
+    Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", "limits.resetting.stop_mode",
             "How STOP ends motion: 0 at DECEL, 1 at ERRORDECEL, 2 at once.",
             "STOPMODE(0) = 1\nPRINT STOPMODE(0)",
             default=0.0, low=0, high=2, source=_LIBRARY, trust="memory", group="stopping"),
-    Keyword("RESET", "", "command", "C", "axes", "", "resetting.reset",
+    Keyword("RESET", "", "command", "C", "axes", "", "limits.resetting.reset",
             "Stop the axis at once, empty its buffer, clear its errors, make its position 0 and switch its drive on.",
             "POS(0) = 5\nRESET(0)\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping"),
-    Keyword("RESETALL", "", "command", "C", "none", "", "resetting.reset_all",
+    Keyword("RESETALL", "", "command", "C", "none", "", "limits.resetting.reset_all",
             "RESET for every axis.",
             "POS(0) = 5\nRESETALL\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping"),
-    Keyword("DEFAULT", "", "command", "C", "axes", "", "resetting.default",
+    Keyword("DEFAULT", "", "command", "C", "axes", "", "limits.resetting.default",
             "Give every setting of an axis at rest its default again.",
             "SPEED(0) = 5\nDEFAULT(0)\nPRINT SPEED(0)", source=_LIBRARY, trust="memory", group="axis"),
-    Keyword("DEFAULTALL", "", "command", "C", "none", "", "resetting.default_all",
+    Keyword("DEFAULTALL", "", "command", "C", "none", "", "limits.resetting.default_all",
             "DEFAULT for every axis.",
             "SPEED(1) = 5\nDEFAULTALL\nPRINT SPEED(1)", source=_LIBRARY, trust="memory", group="axis"),
 )  # fmt: skip
-# What `motionlang.mint.marking` puts before a line at which the machine file lets a fault happen.
+# What `motionlang.mint.compile.line_triggers` puts before a line at which the machine file lets a fault happen.
 HIDDEN = (
     Keyword("(line)", "", "command", "C", "line", "", "limits.line", "The program has come to a line.",
             source="", trust="memory", group="limits"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.defaults import FATAL_ERROR, MODES
+from motionlang.mint.keywords.defaults import FATAL_ERROR, MODES
 
 _LIBRARY = "Mint type library"
 _ADC = "ADCMIN(2) = 10\nADCMAX(2) = 90\nADCMONITOR(0) = 4\nPRINT {}"

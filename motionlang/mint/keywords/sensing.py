@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.defaults import IDLE
+from motionlang.mint.keywords.defaults import IDLE
 
 _LIBRARY = "Mint type library"
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"

@@ -7,7 +7,7 @@ that they had no effect.
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
-from motionlang.mint.defaults import FATAL_ERROR, GAINS, LOOP_TIME
+from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME
 
 _LIBRARY = "Mint type library"
 _LOOP = "Baldor MN1957, MN1903, MN1902"

@@ -27,9 +27,9 @@ from motionlang.views.words import dialect_name, outcome
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from motionlang.controller.record.trace import Array, Trace
     from motionlang.controller.servo.trace import ServoTrace
-    from motionlang.controller.trace import Array, Trace
-    from motionlang.execution import Run
+    from motionlang.result import Run
     from motionlang.views.panels import Curve
 
     Row = dict[str, Any]

@@ -1,0 +1,110 @@
+"""The command line: which command is meant, and what becomes of a closed pipe or Ctrl-C.
+
+The commonest lines, `run FILE` with at most a report, a dialect and `--no-cache`, are understood here without
+argparse, whose import alone takes as long as such a run; a test holds both readings equal.
+"""
+
+from __future__ import annotations
+
+import gc
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.cli.options import Options
+
+# The exit status of a program that a signal ended is 128 and the signal's number, as shells have it.
+INTERRUPTED, PIPE_CLOSED = 130, 141
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; the exit status is 0, 1 (the program is wrong or faulted) or 2 (the command line is wrong)."""
+    given = sys.argv[1:] if arguments is None else list(arguments)
+    _open_closed()
+    try:
+        _forgive_letters()
+        status = _command(given)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _silence()
+        return PIPE_CLOSED
+    except OSError as error:
+        # Every file has answered for itself by now: what is left is standard output, on a full disk for one.
+        sys.stderr.write(
+            f"motionlang: the output cannot be written: {(error.strerror or str(error)).lower()}\n"
+        )
+        _silence()
+        return 1
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return status
+
+
+def quick_options(given: Sequence[str]) -> Options | None:
+    """The options of a plain `run` line; None for every line that argparse must read."""
+    if not given or given[0] != "run":
+        return None
+    from motionlang.cli.options import REPORTS, Options
+
+    options = Options("")
+    rest = iter(given[1:])
+    for word in rest:
+        if word == "--no-cache":
+            options.cache = False
+        elif word == "--report":
+            options.report = next(rest, "")
+            if options.report not in REPORTS:
+                return None
+        elif word == "--dialect":
+            options.dialect = next(rest, "")
+            if options.dialect not in ("mint", "mccl"):
+                return None
+        elif (word[:1] == "-" and word != "-") or options.file:
+            return None
+        else:
+            options.file = word
+    return options if options.file else None
+
+
+def _command(given: Sequence[str]) -> int:
+    gc.disable()  # what is loaded stays, and the collector would look at it; a run collects for itself
+    try:
+        options = quick_options(given)
+        if options is not None:
+            from motionlang.cli.run import run_command
+
+            return run_command(options)
+    finally:
+        gc.enable()
+    from motionlang.cli.commands import parse
+
+    return parse(given)
+
+
+def _open_closed() -> None:
+    """A stream that was closed before we began is empty, and swallows what is written to it."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            import os
+
+            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: SIM115 - for as long as we run
+
+
+def _forgive_letters() -> None:
+    """A letter that the terminal's encoding lacks is shown by its number; it never ends the run."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="backslashreplace")
+
+
+def _silence() -> None:
+    """Nothing can be written any more: let Python's own last flush go nowhere, instead of complaining."""
+    import os
+
+    try:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (OSError, ValueError, AttributeError):
+        pass

@@ -1,0 +1,91 @@
+"""`motionlang check`: every mistake and every warning of every file, nothing run."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.input_files import read_source
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect, dialect_of, machine_of
+from motionlang.lang.machine.axes import missing_axes
+from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.machine import DEFAULT_AXES
+from motionlang.source import STDIN, STDIN_NAME, Source, name_of
+from motionlang.views.diagnostics import tally
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.errors import Diagnostic
+
+SCHEMA = "motionlang.check/1"
+
+
+class CheckOptions:
+    """What the command line asks of a check: `strict` counts warnings as mistakes."""
+
+    __slots__ = ("as_json", "dialect", "machine", "model", "strict")
+
+    def __init__(
+        self,
+        dialect: str | None = None,
+        *,
+        as_json: bool = False,
+        machine: str | None = None,
+        model: str | None = None,
+        strict: bool = False,
+    ) -> None:
+        self.dialect, self.as_json, self.machine = dialect, as_json, machine
+        self.model, self.strict = model, strict
+
+
+def check_command(files: Sequence[str], options: CheckOptions) -> int:
+    """Check files; diagnostics go to standard error, a line a file to standard output; 1 if any has an error."""
+    rows: list[dict[str, object]] = []
+    wrong = False
+    for file in files:
+        language, source, diagnostics = _check(file, options)
+        wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
+        name = STDIN_NAME if file == STDIN else file
+        complain(
+            diagnostics, source, source.name if source is not None and source.name != name_of(file) else name
+        )
+        found = [each.as_dict() for each in diagnostics]
+        rows.append({"program": name, "dialect": language, "diagnostics": found})
+        if not options.as_json:
+            sys.stdout.write(f"{name}: {tally(diagnostics) or 'no mistakes'}\n")
+    if options.as_json:
+        sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
+    return 1 if wrong else 0
+
+
+def _check(file: str, options: CheckOptions) -> tuple[str, Source | None, list[Diagnostic]]:
+    """The language, the source that the diagnostics are about (the program or its machine file), the diagnostics."""
+    language = dialect(options.dialect) if options.dialect is not None else dialect_of(file)
+    if language is None:
+        return "", None, [no_dialect(file)]
+    try:
+        source = read_source(file)
+    except OSError as error:
+        return language.name, None, [unreadable(file, error)]
+    path = machine_of(file, options.machine)
+    settings: dict[str, object] = {}
+    if path is not None:
+        try:
+            machine = Source.read(path)
+        except OSError as error:
+            return language.name, None, [unreadable(path, error)]
+        try:
+            settings = read_machine(machine)
+        except ProgramError as error:
+            return language.name, machine, error.diagnostics
+        axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+        wrong = missing_axes(settings, axes, language.first_axis)
+        if wrong:
+            return language.name, machine, wrong
+    if options.model is not None:
+        settings["controller.model"] = options.model
+    return language.name, source, language.check(source, settings)

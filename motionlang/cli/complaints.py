@@ -1,0 +1,69 @@
+"""What went wrong, told on standard error: diagnostics, and why nothing was run."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from motionlang.source import STDIN, STDIN_NAME, name_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.cli.options import Options
+    from motionlang.errors import Diagnostic
+    from motionlang.source import Source
+
+
+def unreadable(file: str, error: OSError) -> Diagnostic:
+    """The diagnostic of a file that cannot be read."""
+    from motionlang.errors import Diagnostic
+    from motionlang.files import reason
+
+    return Diagnostic("file", f"{file} cannot be read: {reason(error)}")
+
+
+def unwritten(file: str, error: OSError) -> Diagnostic:
+    """The diagnostic of a file that cannot be written."""
+    from motionlang.errors import Diagnostic
+    from motionlang.files import reason
+
+    return Diagnostic("file", f"{file} cannot be written: {reason(error)}")
+
+
+def no_dialect(file: str) -> Diagnostic:
+    """The diagnostic of a file whose name does not say its language."""
+    from motionlang.errors import Diagnostic
+
+    name = "standard input" if file == STDIN else file
+    suffix = os.path.splitext(file)[1]
+    what = f"its suffix {suffix} belongs to no dialect" if suffix else "it has no suffix"
+    if file == STDIN:
+        what = "it has no name"
+    hint = "say --dialect mint or --dialect mccl; .mnt .mntx .prg are Mint, .mcl .mccl MCCL"
+    return Diagnostic("file", f"the language of {name} is unknown: {what}", hint=hint)
+
+
+def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str) -> None:
+    """Show diagnostics on standard error, after everything that standard output has so far."""
+    if not diagnostics:
+        return
+    from motionlang.views.diagnostics import render_all
+    from motionlang.views.terminal import wants_colour, width_of
+
+    sys.stdout.flush()
+    name = STDIN_NAME if file == STDIN else file
+    colour, width = wants_colour(sys.stderr), width_of(sys.stderr)
+    sys.stderr.write(render_all(diagnostics, source, name=name, colour=colour, width=width))
+    sys.stderr.flush()
+
+
+def refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source | None, status: int) -> int:
+    """Say why nothing was run, in JSON too where that was asked for."""
+    if options.report == "json":
+        from motionlang.report import failure
+
+        sys.stdout.write(failure(name_of(options.file), options.dialect or "", diagnostics))
+    complain(diagnostics, source, source.name if source is not None else options.file)
+    return status

@@ -1,0 +1,109 @@
+"""Golden files: what a program is known to do, kept beside it.
+
+`pick.mnt` has its report in `pick.golden.json` and what it prints in `pick.golden.txt`. Texts must be equal to the
+letter; figures agree when they differ by no more than a billionth, so that another mathematical library is no fault.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import TYPE_CHECKING
+
+from motionlang.execution import dialect, dialects
+from motionlang.files import replacing
+from motionlang.report import text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.result import Run
+
+TOLERANCE = 1e-9
+# A figure this small is rounding, whatever it is compared with.
+NOTHING = 1e-12
+MOST_DIFFERENCES = 8
+
+
+def programs(paths: Sequence[str]) -> list[str]:
+    """The programs that the paths name, those of a folder by their suffixes, in order."""
+    found: list[str] = []
+    suffixes = tuple(suffix for name in dialects() for suffix in dialect(name).suffixes)
+    for path in paths:
+        if not os.path.isdir(path):
+            found.append(path)
+            continue
+        for folder, folders, files in os.walk(path):
+            folders.sort()
+            found += [os.path.join(folder, name) for name in sorted(files) if name.lower().endswith(suffixes)]
+    return found
+
+
+def golden_files(program: str) -> tuple[str, str]:
+    """Where the report and the printed output of a program are kept."""
+    stem = os.path.splitext(program)[0]
+    return f"{stem}.golden.json", f"{stem}.golden.txt"
+
+
+def differences(program: str, result: Run) -> list[str]:
+    """How a program's run differs from its golden files; OSError where one cannot be read, ValueError for no JSON."""
+    report, printed = golden_files(program)
+    with open(report, encoding="utf-8") as file:
+        expected = json.load(file)
+    found = list(_compare("", expected, json.loads(text(result))))
+    if os.path.exists(printed) or result.output:
+        with open(printed, encoding="utf-8", newline="") as file:
+            lines = file.read()
+        if lines != _printed(result):
+            found.append(f"the printed output is not that of {os.path.basename(printed)}")
+    return found
+
+
+def update(program: str, result: Run) -> bool:
+    """Write the golden files of a program anew where its run differs; whether it did. OSError names the file."""
+    try:
+        if not differences(program, result):
+            return False
+    except (OSError, ValueError):
+        pass  # one is missing, or is no JSON
+    report, printed = golden_files(program)
+    _write(report, text(result))
+    if result.output:
+        _write(printed, _printed(result))
+    elif os.path.exists(printed):
+        os.remove(printed)
+    return True
+
+
+def _printed(result: Run) -> str:
+    return "".join(line + "\n" for line in result.output)
+
+
+def _write(path: str, content: str) -> None:
+    with replacing(path) as file:
+        file.write(content.encode())
+
+
+def _compare(place: str, expected: object, found: object) -> Iterator[str]:
+    """Every difference between two JSON values, by the place in the document at which it is."""
+    if isinstance(expected, dict) and isinstance(found, dict):
+        for name in sorted(expected.keys() | found.keys()):
+            inner = f"{place}.{name}" if place else name
+            if name not in expected or name not in found:
+                yield f"{inner} is {'new' if name not in expected else 'missing'}"
+            else:
+                yield from _compare(inner, expected[name], found[name])
+    elif isinstance(expected, list) and isinstance(found, list):
+        if len(expected) != len(found):
+            yield f"{place} has {len(found)} entries instead of {len(expected)}"
+        for i, (one, other) in enumerate(zip(expected, found, strict=False)):
+            yield from _compare(f"{place}[{i}]", one, other)
+    elif not _same(expected, found):
+        yield f"{place} is {json.dumps(found)} instead of {json.dumps(expected)}"
+
+
+def _same(expected: object, found: object) -> bool:
+    if isinstance(expected, float) and isinstance(found, float):
+        size = max(abs(expected), abs(found))
+        return expected == found or abs(expected - found) <= max(TOLERANCE * size, NOTHING)
+    return expected == found and type(expected) is type(found)

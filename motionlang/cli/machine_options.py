@@ -1,0 +1,78 @@
+"""The options about the machine and its language, which several commands have."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.execution import dialects
+from motionlang.lang.machine.file import check_setting
+from motionlang.lang.machine.keys import KEYS
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Sequence
+
+
+def add_machine(parser: argparse.ArgumentParser) -> None:
+    """What `run`, `repl` and `serve` need to know about the machine."""
+    add_dialect(parser)
+    parser.add_argument(
+        "--machine",
+        metavar="M.toml",
+        help="the machine the program is to run on; without it pick.machine.toml beside pick.mnt, if there "
+        "is one",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="give a value to a name of the program, or, by a dotted name, to a key of the machine file: "
+        f"{', '.join(KEYS)}; may be repeated",
+    )
+
+
+def add_dialect(
+    parser: argparse.ArgumentParser, what: str = "the language, where the suffix does not say it"
+) -> None:
+    parser.add_argument("--dialect", choices=dialects(), help=what)
+
+
+def set_values(
+    pairs: Sequence[str],
+    settings: dict[str, object],
+    overrides: dict[str, float | str],
+    parser: argparse.ArgumentParser,
+) -> None:
+    """Sort NAME=VALUE pairs into settings (a dot in the name) and variables; a wrong one: status 2."""
+    for pair in pairs:
+        name, equals, text = pair.partition("=")
+        name = name.strip()
+        if not equals or not name:
+            parser.error(f"--set needs NAME=VALUE, not {pair!r}")
+        if "." not in name:
+            overrides[name] = _value(text)
+            continue
+        value = _setting(text)
+        problem = check_setting(name, value)
+        if problem is not None:
+            parser.error(f"--set {pair}: {problem[0]}; {problem[1]}")
+        settings[name] = value
+
+
+def _setting(text: str) -> object:
+    """A machine key's value as the machine file would have it; a bare word is a text."""
+    import tomllib
+
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return text
+
+
+def _value(text: str) -> float | str:
+    """A number where it reads as one."""
+    try:
+        return float(text)
+    except ValueError:
+        return text

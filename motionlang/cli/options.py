@@ -1,0 +1,56 @@
+"""What the command line asks of a run, and what may be asked: reports, formats of files, rates."""
+
+from __future__ import annotations
+
+REPORTS = ("table", "json", "none")
+TRACES = (".csv", ".npz", ".parquet", ".vcd")
+PLOTS = (".png", ".svg", ".html")
+RATE = 1000.0
+# TN1069: trajectory points a second, and samples of the loop that goes from one to the next in a straight line.
+TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
+
+
+class Options:
+    """What the command line asks of a run."""
+
+    __slots__ = (
+        "cache",
+        "dialect",
+        "file",
+        "machine",
+        "nv",
+        "overrides",
+        "plot",
+        "points",
+        "rate",
+        "realtime",
+        "report",
+        "settings",
+        "trace",
+        "until",
+    )
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.dialect: str | None = None
+        self.machine: str | None = None
+        self.report = "table"
+        self.until: float | None = None
+        self.realtime: float | None = None
+        self.trace: str | None = None
+        self.rate = RATE
+        # Trajectory points a second where the trace is to be as the controller computes it.
+        self.points: float | None = None
+        self.plot: str | None = None
+        # `--set` by what it names: keys of the machine file, and names of the program.
+        self.settings: dict[str, object] = {}
+        self.overrides: dict[str, float | str] = {}
+        self.nv: str | None = None
+        self.cache = True
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Options) and all(
+            getattr(self, name) == getattr(other, name) for name in Options.__slots__
+        )
+
+    __hash__ = None  # type: ignore[assignment]

@@ -1,0 +1,103 @@
+"""`--trace` and `--plot`: checked before the run, so that eight hours are not run for nothing, and written after it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib.util import find_spec
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain, unwritten
+from motionlang.cli.options import PLOTS, TRACES
+from motionlang.errors import Diagnostic
+from motionlang.files import unwritable
+from motionlang.views.progress import Progress
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.cli.options import Options
+    from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.result import Run
+
+# What a format is written by, and the extra that brings it.
+NEEDED = {
+    ".png": ("matplotlib", "plot"),
+    ".svg": ("matplotlib", "plot"),
+    ".parquet": ("pyarrow", "parquet"),
+}
+
+
+def wrong_target(option: str, path: str) -> str | None:
+    """What is wrong with the file that `option` names, as far as it can be told before the run."""
+    formats = TRACES if option == "--trace" else PLOTS
+    suffix = os.path.splitext(path)[1].lower()
+    known = f"{', '.join(formats[:-1])} and {formats[-1]}"
+    if suffix not in formats:
+        what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
+        return f"{option} writes {known}, {what}"
+    needed = NEEDED.get(suffix)
+    if needed is not None and find_spec(needed[0]) is None:
+        return f"{option} {suffix} needs {needed[0]}: pip install 'motionlang[{needed[1]}]'"
+    return None
+
+
+def write_files(result: Run, options: Options) -> int:
+    """Write what was asked for; 1 when one of the files could not be written."""
+    status = 0
+    if options.trace is not None:
+        status = _write(options.trace, lambda: _write_trace(result, options))
+    if options.plot is not None:
+        status = max(status, _write(options.plot, lambda: _write_plot(result, options)))
+    return status
+
+
+def refused(path: str) -> Diagnostic | None:
+    """The diagnostic of a file that cannot be written, as far as it can be told beforehand."""
+    problem = unwritable(path)
+    return None if problem is None else Diagnostic("file", problem)
+
+
+def _write(path: str, write: Callable[[], None]) -> int:
+    try:
+        write()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        complain([unwritten(path, error)], None, path)
+        return 1
+    return 0
+
+
+def _write_trace(result: Run, options: Options) -> None:
+    from motionlang.views.export import write_trace
+
+    assert options.trace is not None
+    trace = result.trace if options.points is None else result.trace.as_controller(options.points)
+    progress = Progress(sys.stderr, options.trace)
+    try:
+        write_trace(trace, options.trace, options.rate, progress)
+    finally:
+        progress.done()
+
+
+def _write_plot(result: Run, options: Options) -> None:
+    assert options.plot is not None
+    servos = _motors(result)
+    if options.plot.lower().endswith(".html"):
+        from motionlang.views.scope import write_scope
+
+        write_scope(result, options.plot, servos)
+    else:
+        from motionlang.views.plot import write_plot
+
+        write_plot(result, options.plot, servos)
+
+
+def _motors(result: Run) -> dict[int, ServoTrace]:
+    """What the simulated motors of a run did, by axis."""
+    if all(axis.feedback is None for axis in result.controller.axes.values()):
+        return {}
+    from motionlang.controller.record.history import servo_traces
+
+    return servo_traces(result.controller)

@@ -1,0 +1,244 @@
+"""`motionlang pvt`: points to motion, velocities for points, exports for a drive, and a stream to a simulated one.
+
+`add_parser` registers the commands; each handler takes the parsed arguments and returns the exit status.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
+from motionlang.cli.pvt_options import OPTIONS, add_input
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.profile.pvt.points import absolute, plan_points, relative, until_end
+from motionlang.profile.pvt.velocities import compare_velocities, knot_accelerations
+from motionlang.profile.total import total
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Callable, Sequence
+
+    from motionlang.profile.curve import Profile
+    from motionlang.profile.pvt.points import Point
+    from motionlang.source import Source
+
+    Handler = Callable[[argparse.Namespace], int]
+
+OK, WRONG, USAGE = 0, 1, 2
+SCHEMA = "motionlang.pvt/1"
+NOISE = 1e-6
+"""Counts below which a difference is the arithmetic's."""
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Register `pvt` and its commands; the chosen handler is `args.handler`."""
+    pvt = subparsers.add_parser("pvt", help="position-velocity-time moves for Copley drives")
+    commands = pvt.add_subparsers(
+        dest="pvt_command", required=True, metavar="plot | refine | export | stream"
+    )
+    for name, help_text, handler in (
+        ("plot", "what a drive makes of points, segment by segment, and as a picture", plot),
+        ("refine", "velocities for positions, and the acceleration jumps they leave", refine),
+        ("export", "a move, or the motion of a program, as CSV, serial words or CAN frames", export),
+        ("stream", "send a move to a simulated drive over CANopen and compare the motion", stream),
+    ):
+        parser = commands.add_parser(name, help=help_text, description=help_text)
+        add_input(parser)
+        OPTIONS[name](parser)
+        parser.set_defaults(handler=_guarded(handler))
+
+
+def plot(args: argparse.Namespace) -> int:
+    """Print the segments of the motion that a drive makes of the points, and draw it."""
+    from motionlang.views.pvt import segment_lines
+
+    move = _checked(args, strict=False)
+    profile = _planned(move.points, args.start)
+    if args.report == "json":
+        _print_json({"move": move.name, **_motion_json(move.points, args.start)})
+    elif args.report == "table":
+        _print(segment_lines(profile))
+    if args.plot:
+        _draw([profile], [move.name], args.plot)
+    return OK
+
+
+def refine(args: argparse.Namespace) -> int:
+    """Print the ways to choose velocities side by side; write the points with the chosen ones."""
+    from motionlang.copley.table import write_points
+    from motionlang.views.pvt import comparison_lines
+
+    move = _checked(args, strict=False)
+    moving = until_end(absolute(move.points, args.start or 0.0))
+    positions, spans = [p.position for p in moving], spans_of(moving)
+    try:
+        rows = compare_velocities(positions, spans, args.compare)
+    except (ValueError, OverflowError) as problem:
+        raise ProgramError([Diagnostic("range", str(problem))]) from None
+    if args.report == "json":
+        table = [{"velocities": name, "largest_jump": jump, "values": v} for name, v, jump in rows]
+        _print_json({"move": move.name, "methods": table})
+    elif args.report == "table":
+        sides = knot_accelerations(positions, rows[0][1], spans)
+        _print(comparison_lines(rows, [a for pair in sides for a in pair]))
+    if args.output:
+        _write(args.output, write_points(moving))
+    if args.plot:
+        _draw(
+            [plan_points(_replaced(moving, v)) for _, v, _ in rows], [name for name, _, _ in rows], args.plot
+        )
+    return OK
+
+
+def export(args: argparse.Namespace) -> int:
+    """Write the move in a format for a drive, with the error that the format's rounding leaves."""
+    from motionlang.copley.export import Unwritable
+    from motionlang.copley.export import export as written
+    from motionlang.copley.point import from_wire, to_wire
+
+    move = _checked(args, strict=True)
+    points = relative(move.points, args.start or 0.0) if args.relative else move.points
+    try:
+        made = written(to_wire(points), args.format, args.node)
+    except Unwritable as problem:
+        raise ProgramError([Diagnostic("range", str(problem))]) from None
+    error, when = _error(move, from_wire(made.read_back), args.start or 0.0)
+    span = total(p.time for p in points)
+    worst = f"largest error {error:.3g} counts at {when:.3f} s" if error > NOISE else "no error"
+    head = f"# {move.name}: {len(points) - 1} segments, {span:.3f} s, {worst}"
+    _write(args.output, [head, *made.lines])
+    if args.plot:
+        _draw([_planned(from_wire(made.read_back), args.start)], [move.name], args.plot)
+    return OK
+
+
+def stream(args: argparse.Namespace) -> int:
+    """Stream the move to a drive and print what came of it."""
+    from motionlang.cli.pvt_stream import run_stream
+
+    move = _checked(args, strict=True)
+    status = run_stream(args, move)
+    if args.plot:
+        _draw([_planned(move.points, args.start)], [move.name], args.plot)
+    return status
+
+
+# ------------------------------------------------------------------------------------------------ in and out
+
+
+def _guarded(handler: Handler) -> Handler:
+    """The handler with every mistake of a user answered as a diagnostic."""
+
+    def run(args: argparse.Namespace) -> int:
+        try:
+            return handler(args)
+        except UsageError as problem:
+            hint = "motionlang pvt --help explains the command line"
+            print(f"motionlang pvt: error: {problem}\n  hint: {hint}", file=sys.stderr)
+            return USAGE
+        except SourceError as error:
+            _complain(error.diagnostics, error.source)
+        except ProgramError as error:
+            _complain(error.diagnostics, None)
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            _complain([Diagnostic("file", f"{error.filename or args.file}: {error.strerror or error}")], None)
+        except ImportError as error:
+            extra = "plot" if "matplotlib" in str(error) else "can"
+            hint = f"install motionlang with the extra {extra}"
+            _complain([Diagnostic("file", f"{error.name} is not installed", hint=hint)], None)
+        return WRONG
+
+    return run
+
+
+def _checked(args: argparse.Namespace, *, strict: bool) -> Move:
+    """The move, its troubles told; `ProgramError` where they do not allow to go on."""
+    move = read_move(args)
+    found = diagnose(move, args.start, strict=strict)
+    if any(d.severity == "error" for d in found):
+        raise SourceError(move.source, found) if move.source else ProgramError(found)
+    _complain(found, move.source)
+    return move
+
+
+def _planned(points: Sequence[Point], start: float | None) -> Profile:
+    try:
+        return plan_points(points, start or 0.0)
+    except (ValueError, OverflowError) as problem:
+        raise ProgramError([Diagnostic("range", str(problem))]) from None
+
+
+def _replaced(points: Sequence[Point], velocities: Sequence[float]) -> list[Point]:
+    from dataclasses import replace
+
+    return [replace(p, velocity=v) for p, v in zip(points, velocities, strict=True)]
+
+
+def _error(move: Move, sent: Sequence[Point], start: float) -> tuple[float, float]:
+    """How far the motion that is sent departs from the one that was meant, counts, and when."""
+    from motionlang.profile.pvt.fit import motion_error
+
+    if move.track is not None:
+        track = move.track
+        return motion_error(track.starts, track.profiles, sent, track.begin, start)
+    return motion_error([0.0], [_planned(move.points, start)], sent, 0.0, start)
+
+
+def _motion_json(points: Sequence[Point], start: float | None) -> dict[str, object]:
+    from motionlang.profile.pvt.points import knots, segments
+
+    profile = _planned(points, start)
+    return {
+        "duration": profile.duration,
+        "knots": [
+            {
+                "time": k.time,
+                "position": k.position,
+                "velocity": k.velocity,
+                "acceleration_before": k.acceleration,
+                "acceleration_after": k.next_acceleration,
+                "jump": k.jump,
+            }
+            for k in knots(profile)
+        ],
+        "segments": [
+            {"time": s.duration, "jerk": s.jerk, "acceleration": s.acceleration, "to": s.end_acceleration}
+            for s in segments(profile)
+        ],
+    }
+
+
+def _draw(profiles: Sequence[Profile], titles: Sequence[str], path: str) -> None:
+    from motionlang.views.pvt_plot import write_pvt_plot
+
+    write_pvt_plot(profiles, titles, path)
+
+
+def _complain(diagnostics: Sequence[Diagnostic], source: Source | None) -> None:
+    from motionlang.views.diagnostics import render
+
+    for diagnostic in diagnostics:
+        sys.stderr.write(render(diagnostic, source if diagnostic.line else None))
+
+
+def _write(path: str | None, lines: Sequence[str]) -> None:
+    text = "\n".join(lines) + "\n"
+    if path is None or path == "-":
+        sys.stdout.write(text)
+        return
+    from motionlang.files import replacing
+
+    with replacing(path) as file:
+        file.write(text.encode("utf-8"))
+
+
+def _print(lines: Sequence[str]) -> None:
+    _write(None, lines)
+
+
+def _print_json(content: dict[str, object]) -> None:
+    print(json.dumps({"schema": SCHEMA, **content}, indent=2))

@@ -1,0 +1,154 @@
+"""The options of `motionlang pvt`, and what each may be."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.profile.pvt.velocities import METHODS
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Callable
+    from typing import TypeVar
+
+    _N = TypeVar("_N", int, float)
+
+
+def add_input(parser: argparse.ArgumentParser) -> None:
+    """The options that say where points come from: a file, positions, an S-curve or a program."""
+    add = parser.add_argument
+    add(
+        "file", nargs="?", help="points (.csv: position, velocity, time), or a program whose motion is fitted"
+    )
+    add("--positions", type=_numbers, metavar="P,P,…", help="points instead of a file, counts")
+    add(
+        "--time",
+        type=_numbers,
+        metavar="MS[,MS…]",
+        help="milliseconds between two points, or of each segment",
+    )
+    add("--scurve", type=_number, metavar="COUNTS", help="an S-curve of this distance instead of a file")
+    add("--jerk", type=_positive, metavar="J", help="its jerk, counts/s3 (or --time, of its four segments)")
+    add("--accel", type=_positive, metavar="A", help="its largest acceleration, counts/s2")
+    add("--speed", type=_positive, metavar="V", help="its largest velocity, counts/s")
+    add("--velocities", choices=["given", *METHODS], help="choose the velocities anew")
+    add("--sweeps", type=_count, metavar="N", help="how often refine goes through the points")
+    add("--linear", action="store_true", help="leave out the velocities: linear interpolation")
+    add("--start", type=_number, metavar="COUNTS", help="where the motor stands before the move")
+    add("--axis", type=int, metavar="N", help="of a program: the axis to fit")
+    add(
+        "--tolerance",
+        type=_positive,
+        metavar="COUNTS",
+        help="of a program: how closely to fit it",
+    )
+    add("--dialect", choices=["mint", "mccl"], help="of a program: its language")
+    add(
+        "--plot", type=_picture, metavar="OUT", help="draw the motion with its knots into a .png or .svg file"
+    )
+
+
+def _add_plot(parser: argparse.ArgumentParser) -> None:
+    _add_report(parser)
+
+
+def _add_refine(parser: argparse.ArgumentParser) -> None:
+    _add_report(parser)
+    parser.add_argument(
+        "--compare", type=_counts, default=[1, 2], metavar="N,N…", help="numbers of sweeps to show"
+    )
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", help="write the points with their velocities as CSV"
+    )
+
+
+def _add_export(parser: argparse.ArgumentParser) -> None:
+    formats = ["csv", "serial", "pdo", "sdo", "record"]
+    parser.add_argument("--format", choices=formats, default="csv", help="what to write (csv)")
+    parser.add_argument("--relative", action="store_true", help="write distances instead of positions")
+    parser.add_argument("--node", type=_node, default=1, metavar="ID", help="CANopen node of the drive (1)")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to a file instead of standard output")
+
+
+def _add_stream(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    _add_report(parser)
+    add(
+        "--by",
+        default="pdo",
+        choices=["pdo", "sdo", "0", "-1", "-2", "-3"],
+        help="object 0x2010, or a sub-mode",
+    )
+    add("--node", type=_node, default=1, metavar="ID", help="CANopen node of the drive (1)")
+    add(
+        "--look",
+        type=_positive,
+        metavar="MS",
+        help="milliseconds between two looks of the master (1; with --by 0 the time between two points)",
+    )
+    add("--relative", action="store_true", help="send distances instead of positions")
+    add("--interface", default="virtual", metavar="NAME", help="python-can interface (virtual)")
+    add("--channel", default="", metavar="NAME", help="its channel, vcan0 for instance")
+    add("--real", action="store_true", help="a real drive answers on the bus: simulate none, move it")
+
+
+def _add_report(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--report", choices=["table", "json", "none"], default="table")
+
+
+OPTIONS: dict[str, Callable[[argparse.ArgumentParser], None]] = {
+    "plot": _add_plot,
+    "refine": _add_refine,
+    "export": _add_export,
+    "stream": _add_stream,
+}
+
+
+def _numbers(text: str) -> list[float]:
+    """Numbers with commas between them; what they may be is for the points to say, by index."""
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        raise _refused(text, "numbers with commas between them") from None
+
+
+def _number(text: str) -> float:
+    return _between(text, float, -1e300, 1e300)
+
+
+def _positive(text: str) -> float:
+    return _between(text, float, 1e-9, 1e300)
+
+
+def _picture(text: str) -> str:
+    if not text.lower().endswith((".png", ".svg")):
+        raise _refused(text, "a .png or an .svg file")
+    return text
+
+
+def _counts(text: str) -> list[int]:
+    return [_count(part) for part in text.split(",")]
+
+
+def _count(text: str) -> int:
+    return _between(text, int, 1, 1000)
+
+
+def _node(text: str) -> int:
+    return _between(text, int, 1, 127)
+
+
+def _between(text: str, kind: Callable[[str], _N], least: _N, most: _N) -> _N:
+    try:
+        value = kind(text)
+    except ValueError:
+        raise _refused(text, "a number") from None
+    if not least <= value <= most:
+        raise _refused(text, f"from {least:g} to {most:g}")
+    return value
+
+
+def _refused(text: str, wanted: str) -> Exception:
+    from argparse import ArgumentTypeError
+
+    return ArgumentTypeError(f"{text!r} is not {wanted}")

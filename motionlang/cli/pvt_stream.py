@@ -1,0 +1,164 @@
+"""`motionlang pvt stream`: a master on one end of a CAN bus, a simulated drive on the other, or a real one."""
+
+from __future__ import annotations
+
+import json
+import logging
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.copley.buffer import SIZE
+from motionlang.copley.bus import BusError, LockstepBus, RealBus
+from motionlang.copley.drive import Drive
+from motionlang.copley.master import WAYS, Master, StreamError
+from motionlang.copley.point import from_wire, to_wire
+from motionlang.errors import Diagnostic
+from motionlang.profile.pvt.fit import track_error
+from motionlang.profile.pvt.points import Point, absolute, plan_points, relative
+from motionlang.views.diagnostics import render
+from motionlang.views.pvt import figure, pairs_lines
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Sequence
+
+    from motionlang.cli.pvt_input import Move
+    from motionlang.copley.master import Streamed
+    from motionlang.copley.point import WirePoint
+
+SCHEMA = "motionlang.pvt/1"
+FIXED = ("0", "-1")
+LINEAR = (*FIXED, "-2")
+
+
+def run_stream(args: argparse.Namespace, move: Move) -> int:
+    """Stream, print what came of it, and answer the exit status."""
+    logging.getLogger("canopen").setLevel(logging.CRITICAL)  # what matters is told as a diagnostic
+    try:
+        return _stream_to_real(args, move) if args.real else _stream_to_simulated(args, move)
+    except BusError as problem:
+        hint = "python-can needs an interface that this machine has; virtual works everywhere"
+        sys.stderr.write(render(Diagnostic("file", str(problem), hint=hint)))
+        return 1
+
+
+def _stream_to_simulated(args: argparse.Namespace, move: Move) -> int:
+    start = _standing(args, move)
+    points = relative(move.points, start) if args.relative else move.points
+    wire = to_wire(points)
+    drive = Drive(start)
+    with LockstepBus(drive, args.node, _look(args, wire), args.interface, args.channel) as bus:
+        problem, done = "", None
+        try:
+            done = Master(bus, args.node).stream(wire, args.by)
+        except StreamError as error:
+            problem = str(error)
+        while drive.next_boundary is not None:
+            bus.wait()
+        frames = bus.frames
+    _report(args, move, drive, wire, done, frames)
+    if problem:
+        sys.stderr.write(render(Diagnostic("never", f"the stream failed: {problem}", hint=_hint(drive))))
+    return 1 if problem else 0
+
+
+def _look(args: argparse.Namespace, wire: Sequence[WirePoint]) -> int:
+    """Microseconds between two looks of the master; in sub-mode 0 it sends a point at each, so a period apart."""
+    usual = float(wire[0].time or 1) if args.by == "0" else 1.0
+    return max(1, round((usual if args.look is None else args.look) * 1000))
+
+
+def _stream_to_real(args: argparse.Namespace, move: Move) -> int:
+    points = relative(move.points, _standing(args, move)) if args.relative else move.points
+    wire = to_wire(points)
+    try:
+        with RealBus(args.node, args.interface, args.channel) as bus:
+            done = Master(bus, args.node).stream(wire, args.by)
+    except StreamError as error:
+        sys.stderr.write(render(Diagnostic("never", f"the stream failed: {error}")))
+        return 1
+    if args.report != "none":
+        print(f"{done.sent} points sent, {done.resent} of them again")
+    return 0
+
+
+def _standing(args: argparse.Namespace, move: Move) -> float:
+    """Where the simulated motor stands: as told, or where the move begins."""
+    if args.start is not None:
+        return float(args.start)
+    first = move.points[0]
+    return 0.0 if first.relative else float(round(first.position))
+
+
+def _report(
+    args: argparse.Namespace,
+    move: Move,
+    drive: Drive,
+    wire: Sequence[WirePoint],
+    done: Streamed | None,
+    frames: int,
+) -> None:
+    error = None if args.by == "0" else _departure(args, drive, wire)
+    if args.report == "json":
+        content = {
+            "schema": SCHEMA,
+            "move": move.name,
+            "by": args.by,
+            "points": len(wire),
+            "sent": done.sent if done else None,
+            "resent": done.resent if done else None,
+            "lowest_level": done.lowest if done else None,
+            "frames": frames,
+            "time": drive.now,
+            "position": drive.position,
+            "error": error,
+            "log": [{"time": time, "what": what} for time, what in drive.log],
+        }
+        print(json.dumps(content, indent=2))
+    elif args.report == "table":
+        sys.stdout.write("\n".join(_lines(args, move, drive, len(wire), done, frames, error)) + "\n")
+
+
+def _lines(
+    args: argparse.Namespace,
+    move: Move,
+    drive: Drive,
+    count: int,
+    done: Streamed | None,
+    frames: int,
+    error: float | None,
+) -> list[str]:
+    pairs = [
+        ("move", f"{move.name}, {count} points"),
+        ("sent by", WAYS[args.by]),
+        ("frames", f"{frames} on the bus"),
+        ("end", f"{figure(drive.position)} counts after {drive.now:.3f} s"),
+    ]
+    if done:
+        again = f", {done.resent} of them again" if done.resent else ""
+        level = (
+            f"; never fewer than {done.lowest} in the buffer"
+            if done.lowest < SIZE
+            else ", all before the start"
+        )
+        pairs.insert(2, ("points", f"{done.sent} sent{again}{level}"))
+    if error is not None:
+        shown = f"{error:.3g} counts" if error > 1e-6 else "none"
+        pairs.append(("departure", f"{shown}, of the drive's motion from the points sent"))
+    lines = pairs_lines(pairs)
+    return lines + [""] * bool(drive.log) + [f"{time:10.6f} s  {what}" for time, what in drive.log]
+
+
+def _departure(args: argparse.Namespace, drive: Drive, wire: Sequence[WirePoint]) -> float | None:
+    """The largest difference of what the drive did from what the points say; None where it never started."""
+    begin = next((time for time, what in drive.log if what.startswith("move started")), None)
+    if begin is None:
+        return None
+    points = absolute(from_wire(wire), drive.profiles[0].start)
+    if args.by in LINEAR:
+        points = [Point(p.position, None, p.time) for p in points]
+    return track_error([begin], [plan_points(points)], drive.starts, drive.profiles, begin, drive.now)
+
+
+def _hint(drive: Drive) -> str:
+    return drive.log[-1][1] if drive.log else ""

@@ -1,0 +1,159 @@
+"""`motionlang run`: a program from its file to its report, its trace and its picture."""
+
+from __future__ import annotations
+
+import sys
+
+from motionlang.cli.input_files import read_machine_file, read_source
+from motionlang.execution import dialect, dialect_of, machine_of, run
+from motionlang.source import STDIN, Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.cli.options import Options
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.scheduler import Outside
+    from motionlang.result import Run
+
+# The width of a table that goes into a file or a pipe: wide enough for every column.
+PIPED_WIDTH = 160
+
+
+def run_command(options: Options) -> int:
+    """Run a program and show what it did; answers with the exit status."""
+    try:
+        source = read_source(options.file)
+    except OSError as error:
+        from motionlang.cli.complaints import unreadable
+
+        return _refuse(options, [unreadable(options.file, error)], None, 1)
+    if options.dialect is None and dialect_of(options.file) is None:
+        from motionlang.cli.complaints import no_dialect
+
+        return _refuse(options, [no_dialect(options.file)], None, 2)
+    settings = dict(options.settings)
+    options.machine = machine_of(options.file, options.machine)
+    if options.machine is not None:
+        status = read_machine_file(options, settings)
+        if status:
+            return status
+    missing = _missing_axes(options, settings) if settings else []
+    if missing:
+        return _refuse(options, missing, Source(options.machine, "") if options.machine else None, 1)
+    if options.realtime is not None and options.file != STDIN and sys.stdin.isatty():
+        from motionlang.cli.keyboard import run_live
+
+        result = run_live(lambda keyboard: _run(options, source, settings, keyboard), options.realtime)
+    else:
+        result = _run(options, source, settings)
+    _report(result, options)
+    status = _write_files(result, options)
+    if result.diagnostics:
+        from motionlang.cli.complaints import complain
+
+        complain(result.diagnostics, result.source, options.file)
+    if result.status == "interrupted":
+        return 130
+    wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
+    return 1 if wrong else status
+
+
+def _refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source | None, status: int) -> int:
+    from motionlang.cli.complaints import refuse
+
+    return refuse(options, diagnostics, source, status)
+
+
+def _missing_axes(options: Options, settings: dict[str, object]) -> list[Diagnostic]:
+    from motionlang.lang.machine.axes import missing_axes
+    from motionlang.lang.machine.machine import DEFAULT_AXES
+
+    language = dialect(options.dialect) if options.dialect else dialect_of(options.file)
+    assert language is not None
+    axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
+    return missing_axes(settings, axes, language.first_axis)
+
+
+def _run(
+    options: Options, source: Source, settings: dict[str, object], outside: Outside | None = None
+) -> Run:
+    if sys.stderr.isatty():
+        from motionlang.cli.run_progress import watched
+
+        return watched(lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun))
+    return _run_unwatched(options, source, settings, outside, _show, None)
+
+
+def _run_unwatched(
+    options: Options,
+    source: Source,
+    settings: dict[str, object],
+    outside: Outside | None,
+    show: Callable[[str], None],
+    begun: Callable[[Machine], None] | None,
+) -> Run:
+    return run(
+        source,
+        dialect=options.dialect or dialect_of(options.file),
+        machine=settings,
+        until=options.until,
+        overrides=options.overrides,
+        show=None if options.report == "json" else show,
+        pace=None if options.realtime is None else pacer(options.realtime),
+        outside=outside,
+        begun=begun,
+        nv=options.nv,
+        cache=options.cache,
+    )
+
+
+def _show(text: str) -> None:
+    sys.stdout.write(text)
+
+
+def pacer(factor: float) -> Callable[[float], None]:
+    """What holds a run to the wall clock, `factor` machine seconds a second; output appears when it happens."""
+    from time import monotonic, sleep
+
+    began = monotonic()
+
+    def pace(time: float) -> None:
+        ahead = time / factor - (monotonic() - began)
+        if ahead > 0.0:
+            sys.stdout.flush()
+            sleep(ahead)
+
+    return pace
+
+
+def _report(result: Run, options: Options) -> None:
+    if options.report == "json":
+        from motionlang.report import text
+
+        sys.stdout.write(text(result))
+        return
+    began = result.status != "fault" or result.time or result.controller.moves
+    if options.report == "none" or not began:
+        return
+    from motionlang.views.table import render
+    from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+    seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
+    width = width_of(sys.stdout) if seen else PIPED_WIDTH
+    table = render(result, width=width, colour=wants_colour(sys.stdout), charts=seen and drawn)
+    if result.output:
+        table = "\n" + table
+    sys.stdout.write(table if drawn else plain(table))
+
+
+def _write_files(result: Run, options: Options) -> int:
+    """The trace and the picture, where they were asked for; 1 when one could not be written."""
+    if options.trace is None and options.plot is None:
+        return 0
+    from motionlang.cli.output_files import write_files
+
+    sys.stdout.flush()
+    return write_files(result, options)

@@ -1,0 +1,152 @@
+"""The options of `motionlang run`."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.machine_options import add_machine, set_values
+from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
+from motionlang.cli.parser import add_command, either
+from motionlang.execution import ONE_SHIFT
+
+if TYPE_CHECKING:
+    from motionlang.cli.parser import Commands
+
+HIGHEST_RATE = 10e6
+RUN_EPILOG = """\
+The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
+Time is the machine's own: an hour of it takes a moment, unless --realtime is given.
+
+exit status: 0 the program ran; 1 it is wrong or faulted (standard error says where); 2 the command line is wrong
+
+examples:
+  motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
+  motionlang run pick.mcl --trace pick.csv --as-controller
+  motionlang run pick.mnt --set controller.axes=2 --set pitch=5
+  generate-program | motionlang run - --dialect mint --report json
+"""
+
+
+def add_run(commands: Commands) -> None:
+    """`motionlang run` and its options."""
+    parser = add_command(
+        commands, "run", "run a program on the virtual machine and report what it did", _run, RUN_EPILOG
+    )
+    parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
+    add_machine(parser)
+    parser.add_argument(
+        "--report",
+        choices=REPORTS,
+        default="table",
+        help="what follows the program's own output: a table (the default), or nothing; "
+        "json prints one JSON document and nothing else",
+    )
+    parser.add_argument(
+        "--until",
+        type=_time,
+        metavar="S",
+        help="end the run after S seconds of machine time; without it the machine file says when, or it ends after "
+        f"one shift, {ONE_SHIFT:.0f} s = 8 h",
+    )
+    parser.add_argument(
+        "--realtime",
+        type=_factor,
+        nargs="?",
+        const=1.0,
+        metavar="FACTOR",
+        help="hold the run to the wall clock, FACTOR machine seconds a second (1 without a FACTOR)",
+    )
+    parser.add_argument("--trace", metavar="OUT", help=f"sample the motion into a file: {either(TRACES)}")
+    parser.add_argument(
+        "--rate",
+        type=_rate,
+        metavar="HZ",
+        help=f"samples a second of the trace ({RATE:g}; with --as-controller {SERVO_RATE:g})",
+    )
+    parser.add_argument(
+        "--as-controller",
+        action="store_true",
+        help="trace the points that the trajectory generator computes and the straight lines between them, "
+        "which is what the servo loop is told, instead of the exact curve",
+    )
+    parser.add_argument(
+        "--trajectory-rate",
+        type=_rate,
+        metavar="HZ",
+        help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
+    )
+    parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
+    parser.add_argument(
+        "--nv",
+        metavar="FILE",
+        help="keep what the program declares nv, and NVLONG and NVFLOAT, in FILE from one run to the next",
+    )
+    parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
+
+
+def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
+    """The options of a `run` line."""
+    options = Options(arguments.file)
+    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot", "nv"):
+        setattr(options, name, getattr(arguments, name))
+    options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
+    options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
+    options.cache = not arguments.no_cache
+    set_values(arguments.set, options.settings, options.overrides, parser)
+    return options
+
+
+def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    from motionlang.cli.complaints import refuse
+    from motionlang.cli.output_files import refused, wrong_target
+    from motionlang.cli.run import run_command
+
+    _check_sampling(arguments, parser)
+    options = run_options(arguments, parser)
+    for option, path in (("--trace", options.trace), ("--plot", options.plot)):
+        if path is not None:
+            problem = wrong_target(option, path)
+            if problem is not None:
+                parser.error(problem)
+            diagnostic = refused(path)
+            if diagnostic is not None:
+                return refuse(options, [diagnostic], None, 1)
+    return run_command(options)
+
+
+def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
+    """Options that would say something about nothing."""
+    if arguments.trace is None:
+        for name in ("rate", "as_controller"):
+            if getattr(arguments, name):
+                parser.error(f"--{name.replace('_', '-')} is about a trace: give --trace OUT")
+    if arguments.trajectory_rate and not arguments.as_controller:
+        parser.error("--trajectory-rate is about --as-controller, which is missing")
+
+
+def _number(text: str, low: float, high: float, what: str, *, open_low: bool = False) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (low < value <= high or (value == low and not open_low)):
+        raise argparse.ArgumentTypeError(f"{text!r} is not {what}")
+    return value
+
+
+def _time(text: str) -> float:
+    return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
+
+
+def _rate(text: str) -> float:
+    what = f"a number of samples a second above 0, {HIGHEST_RATE:,.0f} at most"
+    return _number(text, 0.0, HIGHEST_RATE, what, open_low=True)
+
+
+def _factor(text: str) -> float:
+    return _number(
+        text, 0.0, sys.float_info.max, "a factor above 0: --realtime 10 is ten times as fast", open_low=True
+    )

@@ -1,0 +1,57 @@
+"""A person before a run that takes a while is shown how far it has come, below what the program prints."""
+
+from __future__ import annotations
+
+import sys
+from time import monotonic
+
+from motionlang.views.progress import Watcher, is_shown, run_line
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.result import Run
+
+
+def watched(run: Callable[[Callable[[str], None], Callable[[Machine], None] | None], Run]) -> Run:
+    """The outcome of `run(show, begun)`, looked on at from when the program begins until it ends in whatever way."""
+    if not is_shown(sys.stderr):
+        return run(_write, None)
+    watcher: Watcher | None = None
+
+    def show(text: str) -> None:
+        if watcher is not None:
+            watcher.above(_write, text)
+        else:
+            _write(text)
+
+    def begun(machine: Machine) -> None:
+        nonlocal watcher
+        watcher = Watcher(sys.stderr, _describer(machine))
+        watcher.start()
+
+    try:
+        return run(show, begun)
+    finally:
+        if watcher is not None:
+            watcher.stop()
+
+
+def _write(text: str) -> None:
+    sys.stdout.write(text)
+
+
+def _describer(machine: Machine) -> Callable[[], str]:
+    """What makes the line: the clock stands while the program computes without a wait, which is said."""
+    began, before = monotonic(), -1.0
+
+    def describe() -> str:
+        nonlocal before
+        now = machine.clock.now
+        line = run_line(now, monotonic() - began, machine.moves_made, stands=now == before)
+        before = now
+        return line
+
+    return describe

@@ -1,0 +1,129 @@
+"""A served MCCL board from the command line: what is printed, what ends it."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
+from motionlang.mccl.models import written_for
+from motionlang.serve import Limits, LockStep, RealTime, Server
+from motionlang.serve.address import is_loopback, shown
+from motionlang.serve.pace import STEP
+from motionlang.serve.spy import Spy
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    import argparse
+    from types import FrameType
+    from typing import TextIO
+
+    from motionlang.serve.pace import Pace
+
+
+def serve_board(
+    args: argparse.Namespace,
+    source: Source | None,
+    settings: dict[str, object],
+    overrides: dict[str, float | str],
+) -> int:
+    """Serve until a signal; 1 where the board or its ways in cannot be made."""
+    if source is not None:
+        settings.setdefault("controller.model", written_for(source.name))
+    try:
+        console = Console(Machine(settings, first_axis=1, overrides=overrides))
+        download = console.download(
+            source or Source("", ""), _say, lambda diagnostic: complain([diagnostic], source, args.file or "")
+        )
+        download.override(overrides)
+    except Refusal as refusal:
+        complain([Diagnostic(refusal.code, refusal.message, hint=refusal.hint)], None, "")
+        return 1
+    spy = Spy(_remark) if args.log else None
+    with Server(
+        console, _pace(args, console), limits=Limits(hosts=args.hosts), spy=spy, complain=_complain
+    ) as server:
+        if not _open(server, args, console):
+            return 1
+        _until_signal(server)
+    _say(f"served {server.served} hosts; machine time {console.now:.3f} s\n")
+    return 0
+
+
+def _pace(args: argparse.Namespace, console: Console) -> Pace:
+    if args.clock == "lockstep":
+        return LockStep(console, STEP if args.step is None else args.step)
+    return RealTime(console, args.factor or 1.0)
+
+
+def _open(server: Server, args: argparse.Namespace, console: Console) -> bool:
+    """Open the ways in and print them; False when one of them cannot be opened."""
+    board = console.board
+    time = "in lock step" if args.clock == "lockstep" else "in real time"
+    if args.factor:
+        time += f", {args.factor:g} machine seconds a second"
+    _say(f"{board.model.title}, {len(board.numbers)} axes, {time}; Ctrl-C ends it\n")
+    for host, port in args.tcp:
+        try:
+            found, port = server.listen(host, port, echo=bool(args.echo))
+        except (OSError, UnicodeError) as error:
+            return _cannot(f"nobody can connect at {shown(host, port)}", error)
+        if not is_loopback(found):
+            _complain(
+                f"warning: whoever reaches this computer can connect to {shown(found, port)}; there is no password"
+            )
+        _say(f"listening on {shown(found, port)}\n")
+    if args.pty:
+        try:
+            _say(f"serial device {server.device(echo=args.echo)}\n")
+        except ImportError as error:
+            return _cannot("there are no pseudo-terminals on this system, use --tcp", error)
+        except OSError as error:
+            return _cannot("a serial device cannot be made", error)
+    return True
+
+
+def _until_signal(server: Server) -> None:
+    """Serve until Ctrl-C or SIGTERM, which both are its ordinary end."""
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        server.stop()
+
+    before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        server.run()
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _cannot(what: str, error: Exception) -> bool:
+    reason = getattr(error, "strerror", None) or str(error)
+    complain([Diagnostic("address", f"{what}: {reason.lower()}")], None, "")
+    return False
+
+
+def _say(text: str) -> None:
+    _write(sys.stdout, text)
+
+
+def _remark(text: str) -> None:
+    _write(sys.stderr, text)
+
+
+def _write(stream: TextIO, text: str) -> None:
+    """Show something at once; nobody looking any more is no reason to end."""
+    try:
+        stream.write(text)
+        stream.flush()
+    except (OSError, ValueError):
+        pass
+
+
+def _complain(text: str) -> None:
+    _remark(f"motionlang serve: {text}\n")

@@ -1,0 +1,99 @@
+"""`motionlang serve FILE --modbus`: a Mint program whose comms memory a Modbus client reads and writes."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain
+from motionlang.controller.io.host_memory import PRODUCTS, product
+from motionlang.errors import Diagnostic
+from motionlang.execution import end_of, run
+from motionlang.serve.address import is_loopback, shown
+from motionlang.serve.outside import STEP, LockStep, RealTime
+
+if TYPE_CHECKING:
+    import argparse
+
+    from motionlang.result import Run
+    from motionlang.serve.modbus import ModbusServer
+    from motionlang.serve.outside import Outside
+    from motionlang.source import Source
+
+
+def serve_modbus(
+    args: argparse.Namespace,
+    source: Source,
+    settings: dict[str, object],
+    overrides: dict[str, float | str],
+) -> int:
+    """Run the program until it ends or a signal comes; 1 where it is wrong or the address cannot be had."""
+    from motionlang.serve.modbus import ModbusServer
+
+    host, port = args.modbus
+    outside = _outside(args)
+    server = ModbusServer(outside, host, port)
+    try:
+        server.start()
+    except ImportError:
+        return _refuse("Modbus needs the pymodbus library", "pip install motionlang[modbus]")
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")
+    _greet(server, source, str(settings.get("controller.model", "")))
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # as good an end as Ctrl-C
+    try:
+        result = run(
+            source,
+            dialect="mint",
+            machine=settings,
+            until=end_of(settings) if "run.until" in settings else float("inf"),
+            overrides=overrides,
+            show=_show,
+            outside=outside,
+        )
+    finally:
+        signal.signal(signal.SIGTERM, before)
+        outside.close()
+        server.stop()
+    return _farewell(result, server, args.file)
+
+
+def _outside(args: argparse.Namespace) -> Outside:
+    if args.clock == "lockstep":
+        return LockStep(STEP if args.step is None else args.step)
+    return RealTime(args.factor or 1.0)
+
+
+def _greet(server: ModbusServer, source: Source, model: str) -> None:
+    where = shown(server.host, server.port)
+    _say(f"listening on {where} (Modbus TCP); Ctrl-C ends it\n")
+    if PRODUCTS[product(model)] == "netdata" and "modbusparameter" not in source.text.lower():
+        mapping = "MODBUSPARAMETER(_busETHERNET, _mpREGISTER_MAPPING) = _rmCOMMS_ARRAY"
+        _say(f"clients see NETINTEGER and NETFLOAT; {mapping} in the program shows them COMMS\n")
+    if not is_loopback(server.host):
+        _say(f"warning: whoever reaches this computer can write through {where}; there is no password\n")
+
+
+def _farewell(result: Run, server: ModbusServer, file: str) -> int:
+    sys.stdout.flush()
+    troubles = [each for each in result.diagnostics if each.code != "interrupted"]
+    complain(troubles, result.source, file)
+    _say(f"answered {server.requests} requests; machine time {result.time:.3f} s\n")
+    return int(any(each.severity == "error" for each in troubles))
+
+
+def _refuse(message: str, hint: str) -> int:
+    complain([Diagnostic("address", message, hint=hint)], None, "")
+    return 1
+
+
+def _show(text: str) -> None:
+    sys.stdout.write(text)
+    sys.stdout.flush()
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(text)
+    sys.stderr.flush()

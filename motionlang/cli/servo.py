@@ -1,0 +1,363 @@
+"""`motionlang servo`: slip, DAC steps, profiles under servo, step responses, first gains, and chapter 12's figures.
+
+`add_parser` registers the commands; each handler takes the parsed arguments and returns the exit status.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from math import isfinite
+from typing import TYPE_CHECKING
+
+from motionlang.cli.servo_input import loop_of, machine_of, pairs, plant_of
+from motionlang.cli.servo_options import (
+    SECONDS,
+    compare_options,
+    dac_options,
+    figure_options,
+    listing_options,
+    run_options,
+    slip_options,
+    step_options,
+    tune_options,
+)
+from motionlang.profile import dissect
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Callable, Sequence
+
+    from motionlang.controller.servo.slip import Slip
+
+    Handler = Callable[[argparse.Namespace], int]
+
+OK, WRONG, USAGE = 0, 1, 2
+SCHEMA = "motionlang.servo/1"
+PLOTS = (".png", ".svg")
+
+
+def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Register `servo` and its commands; the chosen handler is `args.handler`."""
+    servo = subparsers.add_parser(
+        "servo", help="the servo behind the profile: slip, DAC steps, tuning, comparison"
+    )
+    commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
+    for name, (summary, handler, options) in _COMMANDS.items():
+        parser = commands.add_parser(name, help=summary, description=summary)
+        options(parser)
+        parser.add_argument("--report", choices=["table", "json", "none"], default="table")
+        parser.add_argument("--plot", metavar="OUT", help="draw it into a .png or .svg file")
+        parser.set_defaults(handler=_guarded(name, handler))
+
+
+# --------------------------------------------------------------------------------------------------- the commands
+
+
+def slip(args: argparse.Namespace) -> int:
+    """How fast a load may be accelerated that only friction holds, and whether a move keeps to it."""
+    from motionlang.views import servo as view
+
+    limit = dissect.slip_acceleration(args.friction, args.gravity)
+    per_second = args.speed / SECONDS[args.per]
+    figures = {
+        "weight": args.weight,
+        "friction_force": dissect.friction_force(args.weight, args.friction),
+        "limit": limit,
+        "speed": per_second,
+        "fastest_time": dissect.fastest_time(per_second, limit),
+    }
+    checked = _moves_to_check(args)
+    if args.report == "json":
+        _print_json({**figures, "moves": [{"move": name, **_slip_json(found)} for name, found in checked]})
+    elif args.report == "table":
+        _print(view.slip_lines(args, figures))
+        for name, found in checked:
+            _print(["", *view.slip_check_lines(name, found, args.unit)])
+    if args.plot:
+        from motionlang.views.chapter12_plot import draw_figure
+
+        draw_figure("12.3", args.plot)
+    return WRONG if any(found.slips for _, found in checked) else OK
+
+
+def dac(args: argparse.Namespace) -> int:
+    """What a DAC step asks of the motor, and what holding it back gains."""
+    from motionlang.controller.servo.override import demonstrate
+    from motionlang.views import servo as view
+
+    limit = dissect.slip_acceleration(args.friction, args.gravity)
+    speed = args.speed / SECONDS[args.per]
+    timings = [dissect.dac_timing(speed, limit, bits) for bits in args.bits or (12, 16)]
+    runs = demonstrate(speed, limit, args.friction, args.gravity, args.share, args.gain)
+    if args.report == "json":
+        _print_json(
+            {
+                "limit": limit,
+                "timings": [_plain(t) for t in timings],
+                "runs": [_plain(r, "trace") for r in runs],
+            }
+        )
+    elif args.report == "table":
+        _print(view.dac_lines(timings, args))
+        _print(["", *view.override_lines(runs, args.unit)])
+    if args.plot:
+        from motionlang.views.servo_plot import plot_override
+
+        plot_override(runs, limit, args.unit, args.plot)
+    return OK
+
+
+def compare(args: argparse.Namespace) -> int:
+    """The four profiles of TN1069 on one simulated axis."""
+    from motionlang.controller.servo.compare import BASES
+    from motionlang.controller.servo.compare import compare as compared
+    from motionlang.views import servo as view
+
+    plant = plant_of(args)
+    loop = loop_of(args, plant)
+    bases = (args.equal,) if args.equal else BASES
+    tables = {
+        basis: compared(loop, plant, args.distance, args.speed, args.accel, basis, args.window, args.ramp)
+        for basis in bases
+    }
+    if args.report == "json":
+        _print_json({basis: [_plain(row, "trace") for row in rows] for basis, rows in tables.items()})
+    elif args.report == "table":
+        for i, (basis, rows) in enumerate(tables.items()):
+            _print([*([""] if i else []), *view.compare_lines(basis, rows, args.window)])
+    if args.plot:
+        from motionlang.views.servo_plot import plot_comparison
+
+        plot_comparison(tables, args.plot)
+    return OK
+
+
+def step(args: argparse.Namespace) -> int:
+    """The answer of an axis to a step: rise, overshoot, settling."""
+    from motionlang.controller.servo.response import loop_figures, step_figures, step_response
+    from motionlang.views import servo as view
+
+    plant = plant_of(args)
+    loop = loop_of(args, plant)
+    trace = step_response(loop, plant, args.size, args.time)
+    figures = step_figures(trace, args.size)
+    linear = None
+    if loop.is_linear and plant.is_linear and loop.derivative_every == 1:
+        linear = loop_figures(loop, plant)
+    if args.report == "json":
+        _print_json({**_plain(figures), "linear": None if linear is None else _plain(linear)})
+    elif args.report == "table":
+        _print(view.step_lines(figures, linear))
+    if args.plot:
+        from motionlang.views.servo_plot import plot_trace
+
+        plot_trace(trace, f"a step of {args.size:g} counts", args.plot)
+    return OK
+
+
+def tune(args: argparse.Namespace) -> int:
+    """First gains for a motor and a bandwidth, as Mint and as MCCL have them."""
+    from motionlang.controller.servo.gains import mccl_values, mint_values
+    from motionlang.controller.servo.response import step_figures, step_response
+    from motionlang.controller.servo.settings import SERVO, make_loop
+    from motionlang.controller.servo.tuning import suggest
+    from motionlang.views import servo as view
+
+    plant = plant_of(args)
+    base = make_loop(pairs(args.loop, SERVO))
+    made = suggest(plant, args.bandwidth, base, integral=not args.no_integral)
+    trace = step_response(made.loop, plant, args.size, max(0.05, 20.0 / args.bandwidth))
+    figures = step_figures(trace, args.size)
+    mint, mccl = mint_values(made.loop), mccl_values(made.loop, args.scale)
+    if args.report == "json":
+        gains = {"loop": _plain(made.loop), "mint": mint, "mccl": mccl, "warnings": list(made.warnings)}
+        _print_json({**gains, "linear": _plain(made.figures), "step": _plain(figures)})
+    elif args.report == "table":
+        _print(view.tune_lines(made, figures, mint, mccl))
+    if args.plot:
+        from motionlang.views.servo_plot import plot_trace
+
+        plot_trace(trace, f"a step of {args.size:g} counts, tuned for {args.bandwidth:g} Hz", args.plot)
+    return OK
+
+
+def figure(args: argparse.Namespace) -> int:
+    """The figures of chapter 12: what they show in numbers, and as a picture."""
+    from motionlang.views.chapter12 import FIGURES, figure_lines
+
+    if args.report == "json":
+        _print_json(
+            {"figure": args.number, "title": FIGURES[args.number].title, "lines": figure_lines(args.number)}
+        )
+    elif args.report == "table":
+        _print(figure_lines(args.number))
+    if args.plot:
+        from motionlang.views.chapter12_plot import draw_figure
+
+        draw_figure(args.number, args.plot)
+    return OK
+
+
+def listing(args: argparse.Namespace) -> int:
+    """Chapter 12's C program, run on its own drive."""
+    from motionlang.controller.servo.chapter12 import NOTES, Settings, run_listing
+    from motionlang.views import servo as view
+
+    settings = Settings(
+        args.distance,
+        args.speed,
+        args.accel,
+        args.kp,
+        args.ki,
+        args.kd,
+        hold=args.hold,
+        max_steps=args.steps,
+        bits=args.bits,
+    )
+    made = run_listing(settings, args.full_speed, args.time_constant, args.updates)
+    if args.report == "json":
+        columns = {name: list(getattr(made, name)) for name in ("demand", "position", "velocity", "dac")}
+        _print_json(
+            {"peak_onset": made.peak_onset, "peak_mean": made.peak_mean, **columns, "notes": list(NOTES)}
+        )
+    elif args.report == "table":
+        _print(view.listing_lines(settings, made))
+    if args.plot:
+        from motionlang.views.servo_plot import plot_listing
+
+        plot_listing(made, args.plot)
+    return OK
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run a program on its machine and show what the motors made of it: the machine's own, or those of the options."""
+    from motionlang import run as run_program
+    from motionlang.controller.record.history import servo_trace
+    from motionlang.controller.servo import simulate
+    from motionlang.views import servo as view
+
+    settings = machine_of(args)
+    result = run_program(args.file, dialect=args.dialect, until=args.until, machine=settings)
+    if any(found.severity == "error" for found in result.diagnostics):
+        return _complain("run", f"{args.file} does not run: {result.diagnostics[0].message}", WRONG)
+    rows = []
+    for args.axis, axis in result.controller.axes.items():
+        if len(axis.starts) > 1:
+            end = min(result.time + args.rest, args.until)
+            trace = servo_trace(axis, end)
+            if trace is None:
+                plant = plant_of(args)
+                trace = simulate(axis, loop_of(args, plant, axis.scale.counts), plant, until=end)
+            rows.append((args.axis, trace, trace.settled_at(args.window, axis.end_of_motion())))
+    if args.report == "json":
+        _print_json({"axes": [view.run_figures(*row) for row in rows], "time": result.time})
+    elif args.report == "table":
+        _print(view.run_lines(rows, args.window) if rows else ["no axis was moved"])
+    if args.plot and rows:
+        from motionlang.views.servo_plot import plot_trace
+
+        plot_trace(rows[0][1], f"{args.file}, axis {rows[0][0]}", args.plot)
+    return OK
+
+
+_COMMANDS: dict[str, tuple[str, Handler, Callable[[argparse.ArgumentParser], None]]] = {
+    "slip": (
+        "how fast a load held by friction may be accelerated, and whether a move keeps to it",
+        slip,
+        slip_options,
+    ),
+    "dac": ("what one DAC step asks of a motor, and the override that holds it back", dac, dac_options),
+    "compare": (
+        "the four profiles of TN1069 under servo, at equal acceleration and equal time",
+        compare,
+        compare_options,
+    ),
+    "step": ("the answer of a simulated axis to a step", step, step_options),
+    "tune": ("first gains for a motor and a bandwidth, as Mint and as MCCL have them", tune, tune_options),
+    "run": ("a program's motion through a servo and a motor", run, run_options),
+    "listing": ("the C program that closes chapter 12, run", listing, listing_options),
+    "figure": ("the figures of chapter 12, in numbers and drawn", figure, figure_options),
+}
+
+
+# ---------------------------------------------------------------------------------------------------- in and out
+
+
+def _moves_to_check(args: argparse.Namespace) -> list[tuple[str, Slip]]:
+    from motionlang.controller.servo.compare import SHAPES
+    from motionlang.controller.servo.slip import check_profile
+    from motionlang.profile import plan
+
+    if args.distance is None:
+        if args.accel is not None or args.profile is not None:
+            raise ValueError("to check a move give its --distance and its --accel")
+        return []
+    if args.accel is None:
+        raise ValueError("to check a move give its --accel as well")
+    speed = args.move_speed or args.speed / SECONDS[args.per]
+    found = []
+    for shape in (args.profile,) if args.profile else SHAPES:
+        profile = plan(shape, 0.0, args.distance, speed, args.accel, args.accel, ramp=args.ramp)
+        found.append((shape, check_profile(profile, args.friction, args.gravity)))
+    return found
+
+
+def _slip_json(found: Slip) -> dict[str, object]:
+    return {**_plain(found), "slips": found.slips, "margin": found.margin}
+
+
+def _plain(value: object, *without: str) -> dict[str, object]:
+    """The fields of a dataclass; what has no number in JSON is null."""
+    from dataclasses import fields
+
+    found: dict[str, object] = {}
+    for field in fields(value):  # type: ignore[arg-type]
+        if field.name not in without:
+            item = getattr(value, field.name)
+            found[field.name] = None if isinstance(item, float) and not isfinite(item) else item
+    return found
+
+
+def _print(lines: Sequence[str]) -> None:
+    sys.stdout.write("\n".join(lines) + "\n")
+
+
+def _print_json(body: dict[str, object]) -> None:
+    text = json.dumps({"schema": SCHEMA, **body}, indent=2, allow_nan=False, default=_as_json)
+    sys.stdout.write(text + "\n")
+
+
+def _as_json(value: object) -> object:
+    from dataclasses import is_dataclass
+
+    return _plain(value) if is_dataclass(value) else str(value)
+
+
+def _guarded(name: str, handler: Handler) -> Handler:
+    """A handler whose troubles are messages: 2 where the command line is wrong, 1 where a file is."""
+
+    def call(args: argparse.Namespace) -> int:
+        try:
+            _check_plot(args.plot)
+            return handler(args)
+        except OSError as problem:
+            return _complain(name, f"{problem.filename or 'a file'}: {problem.strerror or problem}", WRONG)
+        except (ValueError, OverflowError) as problem:
+            return _complain(name, str(problem), USAGE)
+
+    return call
+
+
+def _check_plot(path: str | None) -> None:
+    from importlib.util import find_spec
+
+    if path is not None and not path.lower().endswith(PLOTS):
+        raise ValueError(f"--plot writes {' and '.join(PLOTS)} files, not {path}")
+    if path is not None and find_spec("matplotlib") is None:
+        raise ValueError("a plot needs matplotlib: pip install 'motionlang[plot]'")
+
+
+def _complain(name: str, message: str, status: int) -> int:
+    sys.stderr.write(f"motionlang servo {name}: error: {message}\n")
+    return status

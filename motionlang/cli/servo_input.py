@@ -1,0 +1,172 @@
+"""The loop and the plant of a `servo` command: from a machine file, from single values, from a language's gains."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.controller.servo.gains import MCCL, MINT, MODELS, mccl_loop, mint_loop
+from motionlang.controller.servo.loop import Loop
+from motionlang.controller.servo.plant import Drive, Motor
+from motionlang.controller.servo.settings import PLANT, SERVO, make_loop, make_plant
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Mapping
+
+    from motionlang.controller.servo.settings import Key
+
+EXAMPLE = Motor(load_inertia=4e-5, viscous=2e-5)
+"""The motor of the examples, when nothing is said about one."""
+
+
+def add_plant(parser: argparse.ArgumentParser) -> None:
+    """The options that say which motor."""
+    add = parser.add_argument
+    add("--machine", metavar="M.toml", help="take [axis.N.plant] and [axis.N.servo] from a machine file")
+    add("--axis", type=int, default=0, metavar="N", help="the axis of the machine file (0)")
+    add(
+        "--plant",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help=f"one thing about the motor: {', '.join(PLANT)}; may be repeated",
+    )
+
+
+def add_loop(parser: argparse.ArgumentParser) -> None:
+    """The options that say which loop."""
+    add = parser.add_argument
+    add(
+        "--loop",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help=f"one thing about the loop: {', '.join(SERVO)}; may be repeated",
+    )
+    add(
+        "--mint",
+        action="append",
+        default=[],
+        metavar="WORD=VALUE",
+        help=f"a gain as Mint has it: {', '.join(MINT)}",
+    )
+    add(
+        "--mccl",
+        action="append",
+        default=[],
+        metavar="WORD=VALUE",
+        help=f"a gain as MCCL has it: {', '.join(MCCL)}",
+    )
+    add("--model", choices=MODELS, default="multiflex", help="whose MCCL gains (multiflex)")
+    add("--bandwidth", type=float, metavar="HZ", help="no gains given: tune for this bandwidth (50)")
+
+
+def plant_of(args: argparse.Namespace) -> Motor | Drive:
+    """The motor that the options describe; ValueError names what is wrong."""
+    section = _section(args, "plant")
+    given = section | pairs(args.plant, PLANT)
+    return make_plant(given) if given else EXAMPLE
+
+
+def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) -> Loop:
+    """The loop that the options describe; without any gain a loop tuned for the plant, without feed-forward.
+
+    `scale` is counts per user unit, which MCCL's feed-forward gains are written in.
+    """
+    from dataclasses import replace
+
+    if args.mint and args.mccl:
+        raise ValueError("gains are Mint's or MCCL's, not both")
+    section = _section(args, "servo") | pairs(args.loop, SERVO)
+    if args.mint:
+        return make_loop(section, mint_loop(numbers(args.mint)))
+    if args.mccl:
+        return make_loop(section, mccl_loop(numbers(args.mccl), args.model, scale))
+    loop = make_loop(section)
+    if any((loop.proportional, loop.integral, loop.derivative, loop.velocity_feedback)):
+        return loop
+    from motionlang.controller.servo.tuning import suggest
+
+    tuned = suggest(plant, args.bandwidth or 50.0, loop).loop
+    kept = {
+        name: getattr(loop, name) for name in ("velocity_ff", "accel_ff", "decel_ff", "dac_bits", "override")
+    }
+    return replace(tuned, **kept)
+
+
+def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
+    """The settings of --machine, or of the machine file beside the program; without motors where options describe one.
+
+    None where there is no file. ValueError names what is wrong in it.
+    """
+    from motionlang import execution
+    from motionlang.errors import ProgramError
+    from motionlang.lang.machine.file import read_machine
+    from motionlang.source import Source
+
+    path = execution.machine_of(args.file, args.machine)
+    if path is None:
+        return None
+    try:
+        settings = read_machine(Source.read(path))
+    except ProgramError as error:
+        first = error.diagnostics[0]
+        raise ValueError(f"{path}:{first.line}: {first.message}; {first.hint}") from None
+    if args.plant or args.loop or args.mint or args.mccl or args.bandwidth:
+        return {key: value for key, value in settings.items() if ".plant." not in key}
+    return settings
+
+
+def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
+    """NAME=VALUE texts as values of the kinds that the keys ask for."""
+    found: dict[str, object] = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise ValueError(f"{text!r} is not NAME=VALUE")
+        found[name.strip()] = _value(value.strip(), keys.get(name.strip()))
+    return found
+
+
+def numbers(texts: list[str]) -> dict[str, float]:
+    """WORD=VALUE texts as numbers by upper-case word."""
+    found: dict[str, float] = {}
+    for text in texts:
+        word, equals, value = text.partition("=")
+        try:
+            found[word.strip().upper()] = float(value)
+        except ValueError:
+            raise ValueError(
+                f"{text!r} is not WORD=VALUE with a number" if equals else f"{text!r} is not WORD=VALUE"
+            ) from None
+    return found
+
+
+def _value(text: str, key: Key | None) -> object:
+    if key is not None and key.kind == "flag":
+        return {"true": True, "false": False, "1": True, "0": False}.get(text.lower(), text)
+    if key is not None and key.kind == "text":
+        return text
+    try:
+        return int(text) if key is not None and key.kind == "count" else float(text)
+    except ValueError:
+        return text
+
+
+def _section(args: argparse.Namespace, name: str) -> dict[str, object]:
+    """`[axis.N.plant]` or `[axis.N.servo]` of the machine file; empty without one."""
+    if not args.machine:
+        return {}
+    import tomllib
+
+    with open(args.machine, "rb") as file:
+        try:
+            tree = tomllib.load(file)
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
+            raise ValueError(f"{args.machine}: {problem}") from None
+    found: object = tree
+    for part in ("axis", str(args.axis), name):
+        found = found.get(part, {}) if isinstance(found, dict) else {}
+    if not isinstance(found, dict):
+        raise ValueError(f"{args.machine}: axis.{args.axis}.{name} must be a table")
+    return dict(found)

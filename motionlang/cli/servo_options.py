@@ -1,0 +1,174 @@
+"""The options of the `servo` commands, and the kinds of value that they take."""
+
+from __future__ import annotations
+
+from argparse import ArgumentTypeError
+from math import inf
+from typing import TYPE_CHECKING
+
+from motionlang.cli.servo_input import add_loop, add_plant
+from motionlang.profile import dissect
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Callable
+
+SECONDS = {"second": 1.0, "minute": 60.0}
+
+
+def slip_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo slip`: friction, the load, and a move to be checked."""
+    add = parser.add_argument
+    _add_friction(parser)
+    add("--weight", type=_positive, default=dissect.WEIGHT_LB, metavar="W", help="weight of the load (5 lb)")
+    add("--distance", type=_positive, metavar="D", help="check a move of this distance")
+    add("--move-speed", type=_positive, metavar="V", help="its speed, units a second (the --speed)")
+    add("--accel", type=_positive, metavar="A", help="its acceleration, units/s²")
+    add("--profile", choices=["trapezoid", "sinusoidal", "scurve", "parabolic"], help="its shape (all four)")
+    add("--ramp", type=_positive, default=0.1, metavar="N", help="the ramp of the S-curve (0.1)")
+
+
+def dac_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo dac`: bits, the share of full scale, the gain."""
+    add = parser.add_argument
+    _add_friction(parser)
+    add(
+        "--bits",
+        type=_bits,
+        action="append",
+        metavar="N",
+        help="bits of the DAC; may be repeated (12 and 16)",
+    )
+    add("--share", type=_positive, default=0.25, metavar="X", help="demanded share of the limit (0.25)")
+    add("--gain", type=_count, default=60, metavar="KP", help="proportional gain of the loop (60)")
+
+
+def _add_friction(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add(
+        "--friction",
+        type=_positive,
+        default=dissect.FRICTION,
+        metavar="MU",
+        help="coefficient of friction (0.1)",
+    )
+    add("--gravity", type=_positive, default=dissect.GRAVITY_FT, metavar="G", help="32.2, for ft; 9.81 for m")
+    add("--speed", type=_positive, default=dissect.SPEED_FT_MIN, metavar="V", help="speed to reach (100)")
+    add("--per", choices=list(SECONDS), default="minute", help="what the speed is per (minute)")
+    add("--unit", default="ft", help="the name of the length unit (ft)")
+
+
+def compare_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo compare`: motor, loop, the move in counts, and when it has settled."""
+    add = parser.add_argument
+    add_plant(parser)
+    add_loop(parser)
+    add("--distance", type=_positive, default=40_000.0, metavar="D", help="counts (40000, as in TN1069)")
+    add("--speed", type=_positive, default=40_000.0, metavar="V", help="counts/s (40000)")
+    add("--accel", type=_positive, default=100_000.0, metavar="A", help="counts/s² (100000)")
+    add("--equal", choices=["acceleration", "time"], help="only this comparison")
+    add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
+    add("--ramp", type=_positive, default=0.1, metavar="N", help="the ramp of the trapezoidal S-curve (0.1)")
+
+
+def step_options(parser: argparse.ArgumentParser) -> None:
+    add_plant(parser)
+    add_loop(parser)
+    parser.add_argument("--size", type=_positive, default=100.0, metavar="C", help="counts (100)")
+    parser.add_argument("--time", type=_positive, default=0.5, metavar="S", help="seconds to watch (0.5)")
+
+
+def tune_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo tune`: motor, rates, the bandwidth in Hz and the step that is shown."""
+    add = parser.add_argument
+    add_plant(parser)
+    add("--loop", action="append", default=[], metavar="NAME=VALUE", help="rates and limits of the loop")
+    add("--bandwidth", type=_positive, default=50.0, metavar="HZ", help="wanted closed-loop bandwidth (50)")
+    add("--no-integral", action="store_true", help="leave the integral out")
+    add("--size", type=_positive, default=100.0, metavar="C", help="counts of the step shown (100)")
+    add(
+        "--scale",
+        type=_positive,
+        default=1.0,
+        metavar="C",
+        help="counts per user unit, for VG, AG and DG (1)",
+    )
+
+
+def figure_options(parser: argparse.ArgumentParser) -> None:
+    numbers = [f"12.{k}" for k in range(1, 12)]
+    parser.add_argument("number", choices=numbers, metavar="N", help="12.1 to 12.11")
+
+
+def listing_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo listing`, all of them per update as in the listing itself."""
+    add = parser.add_argument
+    add("--distance", type=_count, default=20_000, metavar="D", help="counts (20000)")
+    add("--speed", type=_count, default=50, metavar="V", help="MxVel, counts per update (50)")
+    add("--accel", type=_count, default=1, metavar="A", help="what the velocity changes by (1)")
+    add("--hold", type=_count, default=4, metavar="N", help="RegCnt: updates a DAC value is held (4)")
+    add("--steps", type=_whole, default=32, metavar="N", help="MxDAC_Stps; 0: no override (32)")
+    add("--kp", type=_whole, default=40, metavar="K", help="proportional gain (40)")
+    add("--ki", type=_whole, default=0, metavar="K", help="integral gain (0)")
+    add("--kd", type=_whole, default=80, metavar="K", help="differential gain (80)")
+    add("--bits", type=_bits, default=12, metavar="N", help="bits of the DAC (12)")
+    add(
+        "--full-speed",
+        type=_positive,
+        default=100.0,
+        metavar="V",
+        help="counts per update at full scale (100)",
+    )
+    add("--time-constant", type=_positive, default=2.0, metavar="T", help="of the drive, in updates (2)")
+    add("--updates", type=_count, default=1000, metavar="N", help="updates to run (1000)")
+
+
+def run_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `servo run`: a program, how long it may take, motor and loop."""
+    add = parser.add_argument
+    add("file", metavar="FILE", help="the program")
+    add("--dialect", choices=["mint", "mccl"], help="the language, where the suffix does not say it")
+    add("--until", type=_positive, default=600.0, metavar="S", help="end after this machine time (600)")
+    add("--rest", type=_positive, default=0.5, metavar="S", help="seconds to watch after the program (0.5)")
+    add("--window", type=_positive, default=1.0, metavar="C", help="settled within this many counts (1)")
+    add_plant(parser)
+    add_loop(parser)
+
+
+def _positive(text: str) -> float:
+    value = _number(text, float)
+    if not 0.0 < value < inf:
+        raise _refused(text, "a number greater than zero")
+    return value
+
+
+def _count(text: str) -> int:
+    value = _number(text, int)
+    if not 1 <= value <= 10**9:
+        raise _refused(text, "a whole number from 1 on")
+    return int(value)
+
+
+def _whole(text: str) -> int:
+    value = _number(text, int)
+    if not 0 <= value <= 32767:
+        raise _refused(text, "a whole number from 0 to 32767")
+    return int(value)
+
+
+def _bits(text: str) -> int:
+    value = _number(text, int)
+    if not 8 <= value <= 16:
+        raise _refused(text, "a whole number from 8 to 16")
+    return int(value)
+
+
+def _number(text: str, kind: Callable[[str], float]) -> float:
+    try:
+        return kind(text)
+    except ValueError:
+        raise _refused(text, "a whole number" if kind is int else "a number") from None
+
+
+def _refused(text: str, wanted: str) -> Exception:
+    return ArgumentTypeError(f"{text!r} is not {wanted}")

@@ -1,0 +1,39 @@
+"""Encoder channels that the world turns: a conveyor, a hand wheel, the web of a printing machine."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.profile import hold, plan_velocity
+from motionlang.profile.stop import running
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+
+# Auxiliary encoders are the channels from here on.
+AUXILIARY = 1000
+
+
+def turn(controller: Core, encoder: Axis, velocity: float, accel: float) -> None:
+    """Let an encoder run at `velocity` from now on, counts/s, ramping at `accel`; 0: at once."""
+    if not (abs(velocity) < 1e300 and 0.0 <= accel < 1e300):
+        raise Refusal("range", f"an encoder cannot be turned at {velocity:g} counts/s, ramping at {accel:g}")
+    state = encoder.at(controller.clock.now)
+    if state.velocity == velocity == encoder.profiles[-1].end_velocity and not state.acceleration:
+        return
+    if accel:
+        profile = plan_velocity("trapezoid", state.position, state.velocity, velocity, accel, accel)
+    else:
+        profile = running(state.position, velocity) if velocity else hold(state.position)
+    controller.extend_track(encoder, profile)
+
+
+def wrapped(position: float, wrap: float) -> float:
+    """A position as a register shows it that counts from 0 up to `wrap` and begins again; 0: it never does."""
+    return position % wrap if wrap > 0.0 else position
+
+
+def turns(position: float, wrap: float) -> int:
+    """How often the register has begun again."""
+    return int(position // wrap) if wrap > 0.0 else 0

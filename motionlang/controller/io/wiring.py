@@ -1,0 +1,303 @@
+"""The world the controller is wired to: switches on the axes, inputs and faults by time, position or program line.
+
+Lengths here are user units, as the machine file has them; they become counts with the scale that the program sets,
+and are placed anew when it sets another one.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.controller.io.sensor import Sensor
+from motionlang.controller.triggers.limit import Limit
+from motionlang.controller.triggers.region import Region
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping, Sequence
+
+    from motionlang.controller.controller import Controller
+
+    Entry = Mapping[str, object]
+    Settings = Mapping[str, object]
+    Pair = Sequence[float]
+
+INFINITY = float("inf")
+# What a machine file may inject, and the fault bit and action that it makes.
+FAULTS: dict[str, tuple[int, str]] = {
+    "following-error": (FOLLOWING_ERROR, "off"),
+    "error-input": (ERROR_INPUT, "error-stop"),
+    "forward-limit": (LIMIT_FORWARD, "abort"),
+    "reverse-limit": (LIMIT_REVERSE, "abort"),
+    "drive": (DRIVE, "off"),
+}
+CONTROLLER = "controller"
+
+
+class World:
+    """Everything that happens to a controller from outside.
+
+    `driven` are the digital inputs that something in the world sets: a wait on another one can never end. `actions`
+    says what an axis does about a fault, by (axis, bit), where the program wants it otherwise than `FAULTS`. `lines`
+    are the faults that happen when the program comes to a line for the first time. `drive_errors` are the bits of the
+    errors of drives by axis, `misc` those of errors of the controller itself.
+    """
+
+    def __init__(self, controller: Controller, settings: Settings) -> None:
+        self._controller = controller
+        self._settings = settings
+        # Regions in user units: (region, low, high), placed again whenever the scale changes.
+        self._regions: list[tuple[Region, float, float]] = []
+        self._limits: list[tuple[Limit, float]] = []
+        self.driven: set[int] = set()
+        self.actions: dict[tuple[int, int], str] = {}
+        self.lines: dict[int, list[Callable[[], None]]] = {}
+        self.drive_errors: dict[int, int] = {}
+        self.misc = 0
+        for axis in controller.axes:
+            self._wire_axis(axis)
+        for entry in _entries(settings, "input"):
+            if "output" in entry:
+                self._wire_output(entry)
+                continue
+            for each in _again(entry) if "every" in entry else (entry,):
+                self._wire_channel(each, controller.inputs.__setitem__)
+        for entry in _entries(settings, "analogue"):
+            self._wire_channel(entry, controller.analogue_inputs.__setitem__)
+        for entry in _entries(settings, "fault"):
+            self._wire_fault(entry)
+        for entry in _entries(settings, "encoder"):
+            self._wire_encoder(entry)
+        for axis in controller.axes:
+            self._wire_interlock(axis)
+        controller.listeners.append(self._heard)
+
+    def _wire_axis(self, axis: int) -> None:
+        """Travel limits and the home switch, each with the input channel that shows it, if it has one."""
+        get = self._settings.get
+        self._fit_motor(axis)
+        self._controller.axes[axis].index_every = get(f"axis.{axis}.index_every", 0.0)  # type: ignore[assignment]
+        self._controller.axes[axis].index_origin = -self._start(axis) * self._scale(axis)
+        travel: Pair | None = get(f"axis.{axis}.travel")  # type: ignore[assignment]
+        if travel is not None:
+            low, high = travel
+            self._wire_limit(axis, -1, LIMIT_REVERSE, low, get(f"axis.{axis}.reverse_input"))
+            self._wire_limit(axis, +1, LIMIT_FORWARD, high, get(f"axis.{axis}.forward_input"))
+        switch: Pair | None = get(f"axis.{axis}.home_switch")  # type: ignore[assignment]
+        if switch is not None:
+            low, high = switch
+            channel = get(f"axis.{axis}.home_input")
+            self._wire_region(axis, low, high, self._home_change(axis, channel))
+
+    def _wire_interlock(self, axis: int) -> None:
+        """The enable input: the drive is off while it is off."""
+        channel: int | None = self._settings.get(f"axis.{axis}.enable_input")  # type: ignore[assignment]
+        if channel is None:
+            return
+        controller = self._controller
+        controller.interlocks[axis] = channel
+        self.driven.add(channel)
+
+        def changed(number: int, _: float) -> None:
+            if number == channel and not controller.may_enable(axis) and controller.is_enabled(axis):
+                controller.disable(axis)
+
+        controller.inputs.listeners.append(changed)
+        changed(channel, 0.0)
+
+    def _fit_motor(self, axis: int) -> None:
+        """The simulated motor of an axis whose machine file describes one; it trips as its axis says."""
+        start = f"axis.{axis}.plant."
+        plant = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
+        if not plant:
+            return
+        from motionlang.controller.servo.feedback import Feedback
+
+        start = f"axis.{axis}.servo."
+        servo = {key[len(start) :]: value for key, value in self._settings.items() if key.startswith(start)}
+        a, bit = self._controller.axes[axis], FOLLOWING_ERROR
+        a.feedback = Feedback(a, self._controller.clock, plant, servo)
+        a.feedback.tripped = lambda: self._controller.fault(axis, bit, self.actions.get((axis, bit), "off"))
+
+    def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
+        def change(inside: bool) -> None:
+            self._controller.axes[axis].home = inside
+            self._controller.tell("home", axis)
+            if channel is not None:
+                self._controller.inputs[channel] = int(inside)  # type: ignore[index]
+
+        if channel is not None:
+            self.driven.add(channel)  # type: ignore[arg-type]
+        return change
+
+    def _wire_limit(self, axis: int, sign: int, bit: int, position: float, channel: object) -> None:
+        limit = Limit(self._controller, axis, sign, bit, "abort", physical=True)
+        self._controller.axes[axis].limits.append(limit)
+        position -= self._start(axis)
+        self._limits.append((limit, position))
+        limit.place(position * self._scale(axis))
+        if channel is not None:
+            position += self._start(axis)
+            low, high = (position, INFINITY) if sign > 0 else (-INFINITY, position)
+            self.driven.add(channel)  # type: ignore[arg-type]
+            self._wire_region(axis, low, high, self._channel_change(channel))
+
+    def _channel_change(self, channel: object) -> Callable[[bool], None]:
+        def change(inside: bool) -> None:
+            self._controller.inputs[channel] = int(inside)  # type: ignore[index]
+
+        return change
+
+    def _wire_channel(self, entry: Entry, put: Callable[[int, float], None]) -> None:
+        """One `[[input]]` or `[[analogue]]`: by time, with an optional length, or by position."""
+        channel, value = _number(entry, "channel"), entry.get("value", 1)
+        self.driven.add(int(channel))
+
+        def change(active: bool) -> None:
+            put(int(channel), value if active else 0)  # type: ignore[arg-type]
+
+        if "axis" in entry:
+            axis, (low, high) = int(_number(entry, "axis")), _span(entry)
+            if "per_unit" in entry:
+                origin = (low if low > -INFINITY else high) - self._start(axis)
+                rise = _number(entry, "per_unit")
+                change = Sensor(
+                    self._controller,
+                    axis,
+                    origin,
+                    float(value),  # type: ignore[arg-type]
+                    rise,
+                    lambda now: put(int(channel), now),
+                ).switch
+            self._wire_region(axis, low, high, change)
+            return
+        at = _number(entry, "at", 0.0)
+        self._at(at, lambda: change(True))
+        if "for" in entry:
+            self._at(at + _number(entry, "for"), lambda: change(False))
+
+    def _wire_output(self, entry: Entry) -> None:
+        """An `[[input]]` that follows the level of an output, a delay later: a valve and the sensor that sees it."""
+        controller = self._controller
+        channel, output = int(_number(entry, "channel")), int(_number(entry, "output"))
+        delay, on = _number(entry, "delay", 0.0), int(_number(entry, "value", 1))
+        self.driven.add(channel)
+
+        def follow(level: bool) -> None:
+            controller.inputs[channel] = on if level else 1 - on
+
+        def changed(number: int, _: float) -> None:
+            if number == output:
+                level = controller.outputs.inverted(output)
+                self._at(controller.clock.now + delay, lambda: follow(level))
+
+        controller.outputs.listeners.append(changed)
+        follow(controller.outputs.inverted(output))
+
+    def _wire_encoder(self, entry: Entry) -> None:
+        """An `[[encoder]]`: from some time on it turns at a velocity, counts/s."""
+        controller = self._controller
+        number = (
+            int(_number(entry, "channel")) if "channel" in entry else AUXILIARY + int(_number(entry, "aux"))
+        )
+        velocity, accel = _number(entry, "velocity"), _number(entry, "accel", 0.0)
+        encoder = controller.encoder(number)
+        encoder.index_every = _number(entry, "index_every", encoder.index_every)
+        self._at(_number(entry, "at", 0.0), lambda: controller.drive_encoder(number, velocity, accel))
+
+    def _wire_fault(self, entry: Entry) -> None:
+        axis, kind, value = (
+            int(_number(entry, "axis", 0)),
+            str(entry["kind"]),
+            int(_number(entry, "value", 1)),
+        )
+        bit, action = FAULTS.get(kind, (0, ""))
+
+        def happen(active: bool = True) -> None:
+            if not active:
+                return
+            if kind == CONTROLLER:
+                self.misc |= value
+                self._controller.tell("misc", value)
+                return
+            if bit == DRIVE:
+                self.drive_errors[axis] = self.drive_errors.get(axis, 0) | value
+            self._controller.fault(axis, bit, self.actions.get((axis, bit), action))
+
+        if "line" in entry:
+            self.lines.setdefault(int(_number(entry, "line")), []).append(happen)
+        elif "above" in entry or "below" in entry:
+            low, high = _span(entry)
+            self._wire_region(axis, low, high, happen)
+        else:
+            self._at(_number(entry, "at", 0.0), happen)
+
+    def reach(self, line: int) -> None:
+        """The program has come to a line."""
+        for happen in self.lines.pop(line, ()):
+            happen()
+
+    def _at(self, time: float, call: Callable[[], None]) -> None:
+        """Now, for what is true from the beginning; an event otherwise."""
+        if time <= self._controller.clock.now:
+            call()
+        else:
+            self._controller.clock.at(time, call)
+
+    def _wire_region(self, axis: int, low: float, high: float, change: Callable[[bool], None]) -> None:
+        scale = self._scale(axis)
+        low, high = low - self._start(axis), high - self._start(axis)
+        region = Region(self._controller, axis, low * scale, high * scale, change)
+        self._regions.append((region, low, high))
+
+    def _start(self, axis: int) -> float:
+        """Where the machine stood at power-up, which is where its counts begin."""
+        return self._settings.get(f"axis.{axis}.start", 0.0)  # type: ignore[return-value]
+
+    def _scale(self, axis: int) -> float:
+        return self._controller.axes[axis].scale.counts
+
+    def _heard(self, what: str, axis: int) -> None:
+        """A new scale puts every switch of the axis at its new count; a drive whose fault is cleared has no error."""
+        if what in ("cleared", "switched") and not self._controller.faults(axis) & DRIVE:
+            self.drive_errors.pop(axis, None)
+        if what != "scale":
+            return
+        scale = self._scale(axis)
+        self._controller.axes[axis].index_origin = -self._start(axis) * scale
+        for region, low, high in self._regions:
+            if region.axis == axis:
+                region.place(low * scale, high * scale)
+        for limit, position in self._limits:
+            if limit.axis == axis:
+                limit.place(position * scale)
+
+
+def _entries(settings: Settings, name: str) -> Sequence[Entry]:
+    return settings.get(name, ())  # type: ignore[return-value]
+
+
+def _again(entry: Entry) -> Iterator[Entry]:
+    """An entry as often as it happens: so many seconds later, or so much further on."""
+    for n in range(int(_number(entry, "times"))):
+        later = n * _number(entry, "every")
+        if "between" in entry:
+            yield {**entry, "between": [place + later for place in _span(entry)]}
+        else:
+            yield {**entry, "at": _number(entry, "at", 0.0) + later}
+
+
+def _number(entry: Entry, key: str, default: float | None = None) -> float:
+    value = entry.get(key, default)
+    assert value is not None, f"the machine file was read without its check of {key}"
+    return value  # type: ignore[return-value]
+
+
+def _span(entry: Entry) -> tuple[float, float]:
+    """The region that `above`, `below` or `between` names."""
+    if "between" in entry:
+        between: Pair = entry["between"]  # type: ignore[assignment]
+        return between[0], between[1]
+    if "above" in entry:
+        return _number(entry, "above"), INFINITY
+    return -INFINITY, _number(entry, "below")

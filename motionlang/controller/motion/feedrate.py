@@ -1,0 +1,71 @@
+"""Speeds that change while an axis moves: at once, for moves loaded from now on, or by a percentage.
+
+Mint's FEEDRATE page (MN1270 p. 79-81): in speed mode a new speed acts at once on the move in progress and on those
+loaded; in feed rate mode a move keeps the speed it was loaded with; the override multiplies either, at once.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+
+# Settings that may act on a move in progress.
+LIVE = frozenset({"speed", "accel", "decel", "accel_time", "decel_time", "override", "feedrate_mode"})
+_SPEEDS = frozenset({"speed", "override", "feedrate_mode"})
+
+
+def changed(controller: Core, a: Axis, name: str) -> None:
+    """One of `LIVE` was set while a move is in progress; an axis that is suspended hears of it later."""
+    move = a.move
+    assert move is not None
+    if name == "feedrate_mode":
+        move.overridden = a.feedrate_mode > 1
+    if a.suspended or not _concerns(a, name):
+        return
+    if name in _SPEEDS:
+        controller.replan_move(a)
+    elif move.speed is None:
+        _new_rates(controller, a)
+
+
+def unchanged(a: Axis, name: str, value: object) -> bool:
+    """Whether one of `LIVE` has its value already: a loop that writes it again and again changes no motion.
+
+    A speed or rate of 0 stands for no motion at all; it is refused as often as it is written.
+    """
+    if getattr(a, name) != value or (not value and name in ("speed", "accel", "decel")):
+        return False
+    if name in ("accel", "decel"):
+        return getattr(a, f"{name}_time") is None
+    return name != "feedrate_mode" or (a.move is not None and a.move.overridden is (a.feedrate_mode > 1))
+
+
+def _concerns(a: Axis, name: str) -> bool:
+    """Whether the move in progress goes by the setting."""
+    move = a.move
+    assert move is not None
+    if move.action is not None and not move.action.live:
+        return False
+    if name == "speed":
+        return move.speed is None
+    return move.overridden if name == "override" else True
+
+
+def _new_rates(controller: Core, a: Axis) -> None:
+    """New rates hold for what the move still has to do, except where they would carry it past its target.
+
+    A braking that they come too late for goes on as it was planned; no source says what a controller does there.
+    """
+    move = a.move
+    assert move is not None
+    if move.action is not None:
+        controller.replan_move(a)
+        return
+    profile = controller.plan_move(a, move)
+    low, high = profile.extrema()
+    ends = sorted((profile.start, move.target))
+    slack = 1e-9 * (high - low) + 1e-9
+    if ends[0] - slack <= low and high <= ends[1] + slack:
+        controller.continue_with(a, profile, "")

@@ -1,0 +1,111 @@
+"""Jogging: an axis ramps to a velocity and keeps it until something else is said."""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action, Move
+from motionlang.profile import plan_velocity
+from motionlang.profile.curve import relabelled
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+    from motionlang.profile import Profile
+
+    Rates = tuple[float | None, float | None]
+
+
+class Jog(Action):
+    """Running at a velocity, counts/s; `ends`: a velocity of 0 is the end of it."""
+
+    __slots__ = ("_way", "ends", "velocity")
+
+    def __init__(self, velocity: float, ends: bool) -> None:
+        self.velocity, self.ends = velocity, ends
+        # The settings that the ramp to the velocity goes by.
+        self._way: tuple[object, ...] = ()
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        return self.planned(controller, a, a.move.rates if a.move is not None else None)
+
+    def replan(self, controller: Core, a: Axis) -> None:
+        super().replan(controller, a)
+        self.aim(a)
+
+    def aim(self, a: Axis) -> None:
+        """The end of a jog that ends is known."""
+        end = a.profiles[-1].end
+        if self.ends and abs(end) < INFINITY and a.move is not None:
+            a.target = a.move.target = end
+
+    def planned(self, controller: Core, a: Axis, own: Rates | None) -> Profile:
+        """From the state of the axis to the velocity."""
+        self._way = way = _way(controller, a, own)
+        accel, decel = way[0], way[1]
+        s = a.at(controller.clock.now)
+        try:
+            made = plan_velocity(
+                a.shape,
+                s.position,
+                s.velocity,
+                _wanted(a, self.velocity),
+                accel,
+                decel,
+                a.ramp,
+                a.accel_jerk,
+                a.decel_jerk,
+                s.acceleration if a.shape == "scurve" else 0.0,
+            )
+        except ValueError as problem:
+            raise Refusal("range", f"axis {a.index} cannot jog: {problem}") from None
+        if self.ends and not self.velocity and not a.suspended:
+            return relabelled(made.cut(made.knots[-2]), made.shape)
+        return made
+
+    def goes_on(self, controller: Core, a: Axis, velocity: float, own: Rates | None) -> bool:
+        """Whether a jog at a velocity is what the axis does already: at speed, or on the same ramp to it."""
+        if velocity != self.velocity:
+            return False
+        wanted, state = _wanted(a, velocity), a.at(controller.clock.now)
+        at_speed = state.velocity == wanted == a.profiles[-1].end_velocity and not state.acceleration
+        return at_speed or self._way == _way(controller, a, own)
+
+
+def jog(
+    controller: Core, a: Axis, velocity: float, command: str, line: int, own: Rates | None, ends: bool
+) -> None:
+    """Ramp to a velocity and keep it, at rates of its own where it has some.
+
+    To say it again, as the loop of a jog panel does, changes nothing: neither the profile nor the log.
+    """
+    present = a.move
+    if present is None:
+        if ends and not velocity:
+            return
+    elif isinstance(present.action, Jog) and present.command == command:
+        same = present.action.goes_on(controller, a, velocity, own)
+        if same:
+            return
+    move = Move(a.index, command, line, INFINITY)
+    move.rates = own
+    action = move.action = Jog(velocity, ends)
+    profile = action.planned(controller, a, own)
+    controller.end_move(a, "retarget")
+    controller.run_profile(a, move, profile)
+    action.aim(a)
+
+
+def _wanted(a: Axis, velocity: float) -> float:
+    return 0.0 if a.suspended else max(-a.max_speed, min(velocity, a.max_speed))
+
+
+def _way(controller: Core, a: Axis, own: Rates | None) -> tuple[float, float, object, object, object, object]:
+    """Acceleration and deceleration in force, and what else the ramps go by."""
+    accel, decel = own or (None, None)
+    if accel is None or decel is None:
+        rates = controller.rates(a, a.speed)
+        accel, decel = accel or rates[0], decel or rates[1]
+    ramps = (a.shape, a.ramp, (a.accel_jerk, a.decel_jerk))
+    return min(accel, a.max_accel), min(decel, a.max_decel), *ramps, _wanted(a, INFINITY)

@@ -1,0 +1,125 @@
+"""Following a ready-made profile: what suspends it is its own time, which runs slower and slower until it stands.
+
+So an axis stays on its profile, and axes that play together stay together, however often they are suspended.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action
+from motionlang.profile import halted, hold, plan_stop, plan_velocity
+from motionlang.profile.composed import Composed
+from motionlang.profile.stop import running
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+    from motionlang.profile import Profile
+
+
+class Played(Action):
+    """A profile that is played; with `on_path` stop too comes to rest on it, in the axis's `suspend_time`."""
+
+    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path")
+
+    def __init__(self, on_path: bool = False) -> None:
+        self.on_path = on_path
+        # The profile from where it was first slowed down, its time over the machine's, and what was made of both.
+        self._path: Profile | None = None
+        self._pace: Profile | None = None
+        self._shown: Profile | None = None
+        self._began = 0.0
+
+    def suspend(self, controller: Core, a: Axis) -> bool:
+        """Slow the profile's own time to a standstill within the axis's `suspend_time`."""
+        path, pace = self._on_the_way(controller, a)
+        if pace.end_velocity == 0.0:
+            pace = halted(pace, "suspend")
+        self._follow(controller, a, path, pace, "suspend", "")
+        self._aim(a, path)
+        return True
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        """The way on at full pace."""
+        path, place, rate = self.state(controller, a)
+        if a.suspend_time > 0.0 and rate < 1.0:
+            change = 1.0 / a.suspend_time
+            pace = plan_velocity("trapezoid", place, rate, 1.0, change, change)
+            path = self._long_enough(a, path, pace.position(pace.knots[-2]))
+            self._aim(a, path)
+        else:
+            pace = running(place, 1.0)
+        return self._made(controller, path, _to_the_end(path, pace), path.shape)
+
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+        """Come to rest on the profile, the buffer emptied; False for a fault, and where it is no path."""
+        if not self.on_path or ended == "fault":
+            return False
+        path, pace = self._on_the_way(controller, a)
+        controller.empty(a)
+        self._follow(controller, a, path, pace, path.shape, ended)
+        move = a.move
+        assert move is not None
+        a.target = move.target = a.profiles[-1].end
+        from motionlang.controller.motion.halt import Stopping
+
+        move.action = Stopping()
+        return True
+
+    def state(self, controller: Core, a: Axis) -> tuple[Profile, float, float]:
+        """The profile, how far its time has come, and how fast that runs."""
+        now, last = controller.clock.now, a.profiles[-1]
+        if self._path is not None and self._pace is not None and self._shown is last:
+            return self._path, self._pace.position(now - self._began), self._pace.velocity(now - self._began)
+        if not last.pieced:
+            raise Refusal("moving", f"axis {a.index} follows a profile that cannot be suspended")
+        return last.after(now - a.starts[-1]), 0.0, 1.0
+
+    # -- inside
+
+    def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
+        """The profile, with what goes on behind it, and its time coming to rest, or to the end where nothing does."""
+        path, place, rate = self.state(controller, a)
+        pace = self._slowing(a, place, rate)
+        path = self._long_enough(a, path, pace.end)
+        return path, _to_the_end(path, pace) if pace.end > path.duration else pace
+
+    def _long_enough(self, a: Axis, path: Profile, duration: float) -> Profile:
+        """The profile, and behind it what the next entry of the buffer goes on with, as far as one does."""
+        head = a.buffer[0] if a.buffer else None
+        while path.duration < duration and head is not None and head.released and head.action is not None:
+            more = head.action.prolong(path.end)
+            if more is None:
+                break
+            path = path.then(more)
+        return path
+
+    def _aim(self, a: Axis, path: Profile) -> None:
+        if a.move is not None:
+            a.target = a.move.target = path.end
+
+    def _slowing(self, a: Axis, place: float, rate: float) -> Profile:
+        """The time of the profile coming to rest."""
+        if a.suspend_time <= 0.0 or rate <= 0.0:
+            return hold(place).cut(0.0)
+        return plan_stop("trapezoid", place, rate, 1.0 / a.suspend_time)
+
+    def _follow(
+        self, controller: Core, a: Axis, path: Profile, pace: Profile, shape: str, ended: str
+    ) -> None:
+        controller.continue_with(a, self._made(controller, path, pace, shape), ended)
+
+    def _made(self, controller: Core, path: Profile, pace: Profile, shape: str) -> Profile:
+        self._path, self._pace, self._began = path, pace, controller.clock.now
+        self._shown = Composed(pace, path, shape)
+        return self._shown
+
+
+def _to_the_end(path: Profile, pace: Profile) -> Profile:
+    """A time of the profile that passes its end, up to there: to the last bit, so that it ends where it should."""
+    end = pace.crossing(path.duration)
+    assert end is not None, "a pace above zero comes to every end"
+    made = pace.cut(end)
+    made.end = path.duration
+    return made

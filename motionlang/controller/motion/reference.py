@@ -1,0 +1,170 @@
+"""References: an axis whose velocity, or position, is what somebody writes, again and again.
+
+A speed reference ramps to the new velocity; a position reference goes there in a straight line within one period of
+the profiler. All that is written until the axis moves otherwise is one entry of the log.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
+from motionlang.controller.motion import halt
+from motionlang.controller.motion.follow import FollowMove
+from motionlang.controller.move import Action
+from motionlang.profile import Profile, hold
+from motionlang.profile.curve import relabelled
+from motionlang.profile.reference import Slope, plan_reference
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+
+    Slopes = tuple[Slope, Slope]
+
+# The period of the profiler, seconds: a reference that does not ramp is reached within one.
+PERIOD = 1e-3
+
+
+class Reference(Action):
+    """What the axis does by its reference; a new one takes the place of the rest of its profile."""
+
+    __slots__ = ("move",)
+
+    def __init__(self, move: FollowMove) -> None:
+        self.move = move
+        move.action = self
+
+    def engage(self, controller: Core, a: Axis, profile: Profile) -> None:
+        """Begin with a profile, or go on with it where the reference is under way."""
+        if a.move is not self.move:
+            controller.end_move(a, "retarget")
+            controller.log_move(a, self.move, profile)
+            self.move.parts.clear()
+        self.move.add(controller.clock.now, profile)
+        a.target = self.move.target = profile.end
+        controller.append_profile(a, profile)
+        if a.limits:
+            controller.check_limits(a)
+
+    def replan(self, controller: Core, a: Axis) -> None:
+        self.engage(controller, a, self.plan(controller, a))
+
+
+class SpeedReference(Reference):
+    """A velocity, counts/s, reached by the slopes `up` and `down`; `error_rate` brakes after an error, 0 for none."""
+
+    __slots__ = ("error_rate", "slopes", "velocity")
+
+    def __init__(self, move: FollowMove, velocity: float, slopes: Slopes, error_rate: float) -> None:
+        super().__init__(move)
+        self.velocity, self.slopes, self.error_rate = velocity, slopes, error_rate
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        """The ramp from the state of the axis; to a velocity of 0 it ends when the axis stands."""
+        if a.suspended:
+            return halt.standing(controller, a)
+        wanted = max(-a.max_speed, min(self.velocity, a.max_speed))
+        s = a.at(controller.clock.now)
+        try:
+            made = plan_reference(s.position, s.velocity, wanted, *self.slopes, s.acceleration)
+        except ValueError as problem:
+            raise Refusal("range", f"axis {a.index} cannot follow its reference: {problem}") from None
+        return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
+
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+        """After an error brake at `error_rate`, counts/s2; False where that is 0, and for other stops."""
+        if ended != "fault" or not self.error_rate:
+            return False
+        controller.empty(a)
+        profile = halt.braking(controller, a, self.error_rate)
+        self.move.action = halt.Stopping()
+        controller.continue_with(a, profile, ended)
+        a.target = self.move.target = profile.end
+        return True
+
+
+def refer_speed(
+    controller: Core,
+    a: Axis,
+    velocity: float,
+    slopes: Slopes,
+    error_rate: float,
+    command: str,
+    line: int,
+) -> None:
+    """Let an axis ramp to a velocity; to write the one in force changes nothing."""
+    action = a.move.action if a.move is not None and a.move.command == command else None
+    if isinstance(action, SpeedReference):
+        action.error_rate = error_rate
+        same = [slope.key() for slope in slopes] == [slope.key() for slope in action.slopes]
+        if velocity == action.velocity and (same or _steady(controller, a)):
+            return
+        action.velocity, action.slopes = velocity, slopes
+        action.replan(controller, a)
+        return
+    if not velocity and a.move is None:
+        return
+    move = FollowMove(a.index, command, line, "jog")
+    made = SpeedReference(move, velocity, slopes, error_rate)
+    made.engage(controller, a, made.plan(controller, a))
+
+
+def _steady(controller: Core, a: Axis) -> bool:
+    state = a.at(controller.clock.now)
+    return state.velocity == a.profiles[-1].end_velocity and not state.acceleration
+
+
+class PositionReference(Reference):
+    """A position, counts, reached in a straight line within a period."""
+
+    __slots__ = ("place",)
+
+    def __init__(self, move: FollowMove, place: float) -> None:
+        super().__init__(move)
+        self.place = place
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        if a.suspended:
+            return halt.standing(controller, a)
+        here = a.position(controller.clock.now)
+        velocity = (self.place - here) / PERIOD
+        return Profile("reference", here, self.place, PERIOD, (velocity, PERIOD, 0.0, velocity))
+
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        self.place += shift
+
+
+def refer_position(controller: Core, a: Axis, place: float, command: str, line: int) -> None:
+    """Let an axis go to a position within a period; where it stands already nothing happens."""
+    if not abs(place) < INFINITY:
+        raise Refusal("range", f"axis {a.index} cannot go to {place:g}")
+    action = a.move.action if a.move is not None else None
+    if isinstance(action, PositionReference):
+        if place != action.place:
+            action.place = place
+            action.replan(controller, a)
+        return
+    if a.move is None and place == a.position(controller.clock.now):
+        return
+    move = _last(controller, a, command)
+    if move is None:
+        made = PositionReference(FollowMove(a.index, command, line, "reference"), place)
+        made.engage(controller, a, made.plan(controller, a))
+        return
+    made = PositionReference(move, place)
+    begin, done = move.parts[-1]
+    move.add(begin + done.duration, hold(done.end))
+    a.move = move
+    made.engage(controller, a, made.plan(controller, a))
+
+
+def _last(controller: Core, a: Axis, command: str) -> FollowMove | None:
+    """The entry of the log that goes on: the axis's last one, where nothing else has moved it since."""
+    if a.move is not None:
+        return None
+    for move in reversed(controller.moves[-len(controller.axes) :]):
+        if move.axis == a.index:
+            goes_on = isinstance(move, FollowMove) and move.command == command and not move.ended
+            return move if goes_on and not move.offset else None  # type: ignore[return-value]
+    return None

@@ -1,0 +1,99 @@
+"""An axis whose velocity is decided anew at every tick of the profiler, such as one that holds to an analogue input.
+
+Between two ticks the velocity changes evenly, as far as the rates of the axis allow. While it stands and nothing is to
+be done there are no ticks: whoever knows of a reason to move wakes it.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.io.sensor import PERIOD, next_tick
+from motionlang.controller.motion.follow import FollowMove
+from motionlang.controller.motion.reference import Reference
+from motionlang.profile import Profile, rest
+from motionlang.profile.curve import far_end
+from motionlang.profile.stop import running
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+
+
+class Track(Reference):
+    """The motion: `decide` answers with the velocity that is wanted, counts/s, and whether it may yet change."""
+
+    __slots__ = ("a", "awake", "controller", "decide")
+
+    def __init__(
+        self, controller: Core, a: Axis, move: FollowMove, decide: Callable[[], tuple[float, bool]]
+    ) -> None:
+        super().__init__(move)
+        self.controller, self.a, self.decide = controller, a, decide
+        self.awake = False
+
+    @property
+    def resting(self) -> bool:
+        return not self.awake
+
+    @property
+    def holds(self) -> bool:
+        """Whether the axis is still its own."""
+        return self.a.move is self.move and self.move.action is self
+
+    def wake(self) -> None:
+        """There is a reason to look again."""
+        if self.holds and not self.awake:
+            self.awake = True
+            self._await()
+
+    def suspend(self, controller: Core, a: Axis) -> bool:
+        self.wake()
+        return True
+
+    def resume(self, controller: Core, a: Axis) -> None:
+        self.wake()
+
+    def _await(self) -> None:
+        clock = self.controller.clock
+        clock.at(next_tick(clock.now), self._tick)
+
+    def _tick(self) -> None:
+        if not self.holds:
+            return
+        a = self.a
+        wanted, lively = (0.0, False) if a.suspended else self.decide()
+        velocity = a.velocity(self.controller.clock.now)
+        following = self._within(velocity, max(-a.max_speed, min(wanted, a.max_speed)))
+        if following != velocity or a.profiles[-1].end_velocity != following:
+            here = a.position(self.controller.clock.now)
+            recipe = (velocity, PERIOD, 0.0, following, INFINITY, 0.0, following)
+            end = far_end(here + 0.5 * (velocity + following) * PERIOD, following)
+            self.engage(self.controller, a, Profile(self.move.shape, here, end, INFINITY, recipe))
+        self.awake = bool(following or wanted or velocity or lively)
+        if self.awake:
+            self._await()
+
+    def _within(self, velocity: float, wanted: float) -> float:
+        """The velocity a period later: as wanted, within the rates."""
+        accel, decel = self.controller.rates(self.a, self.a.speed)
+        change = wanted - velocity
+        rises = change * velocity >= 0.0
+        most = (min(accel, self.a.max_accel) if rises else min(decel, self.a.max_decel)) * PERIOD
+        return wanted if abs(change) <= most else velocity + (most if change > 0.0 else -most)
+
+
+def track(
+    controller: Core, a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int
+) -> Track:
+    """Let an axis be moved by what `decide` says, from the next tick on; it comes out of any other motion."""
+    controller.rates(a, a.speed)
+    move = FollowMove(a.index, command, line, "track")
+    made = Track(controller, a, move, decide)
+    state = a.at(controller.clock.now)
+    still = rest("track", state.position, INFINITY)
+    made.engage(controller, a, running(state.position, state.velocity) if state.velocity else still)
+    made.wake()
+    return made

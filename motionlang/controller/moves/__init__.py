@@ -1,0 +1,1 @@
+"""What the move buffer holds: moves, paths, cams, offsets, dwells."""

@@ -1,0 +1,118 @@
+"""The move buffer: what may stand in it beside moves to a position, and how entries get into it and out."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action, Move
+from motionlang.profile import rest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+
+
+def put(a: Axis, move: Move) -> None:
+    """Put an entry into the buffer, stamped with the settings that it keeps."""
+    if len(a.buffer) >= a.buffer_size:
+        raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
+    a.buffer.append(stamped(a, move))
+
+
+def put_action(a: Axis, action: Action, command: str, line: int) -> None:
+    """Put something that is no move into the buffer: it ends where the entry before it does."""
+    move = Move(a.index, command, line, end(a))
+    move.action = action
+    put(a, move)
+
+
+def stamped(a: Axis, move: Move) -> Move:
+    """The move with what it remembers from the moment at which it is loaded."""
+    move.id = a.move_id
+    mode = a.feedrate_mode
+    if mode & 1:
+        move.speed = a.speed
+    move.overridden = mode > 1
+    if a.own_rates is not None:
+        speed, *rates = a.own_rates
+        move.speed, move.rates = move.speed if speed is None else speed, (rates[0], rates[1])
+    return move
+
+
+def end(a: Axis) -> float:
+    """Where the axis will be when its buffer is empty: relative moves count from there."""
+    return a.buffer[-1].target if a.buffer else a.target
+
+
+def known_end(a: Axis) -> float:
+    """The same, for what counts from there: the refusal where the axis runs without an end."""
+    there = end(a)
+    if not abs(there) < 1e300:
+        raise Refusal(
+            "moving", f"axis {a.index} runs without an end: nothing can count from there", "stop it first"
+        )
+    return there
+
+
+def taken(controller: Core, a: Axis) -> None:
+    """An entry has left the buffer: tell, when with it the free places came to exceed the level set."""
+    if a.buffer_size - len(a.buffer) == a.buffer_low + 1:
+        controller.tell("buffer-low", a.index)
+
+
+def motions(a: Axis) -> list[Move]:
+    """The entries without the outputs, which hold no path up."""
+    return [move for move in a.buffer if not isinstance(move.action, (Outputs, Pulse))]
+
+
+def reach(controller: Core, a: Axis, move: Move) -> None:
+    """Let an entry leave the buffer; outputs that stand before it are set."""
+    while a.buffer[0] is not move:
+        head = a.buffer[0]
+        assert head.action is not None
+        controller.take_entry(a)
+        head.action.begin(controller, a, head)
+    controller.take_entry(a)
+
+
+class Dwell(Action):
+    """Rest for `duration` seconds."""
+
+    __slots__ = ("duration",)
+
+    def __init__(self, duration: float) -> None:
+        if not 0.0 <= duration < 1e300:
+            raise Refusal("range", f"an axis cannot dwell for {duration:g} seconds")
+        self.duration = duration
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        here = a.position(controller.clock.now)
+        move.target = here
+        controller.run_profile(a, move, rest("dwell", here, self.duration))
+
+
+class Outputs(Action):
+    """Set digital outputs, in no time."""
+
+    __slots__ = ("values",)
+
+    def __init__(self, values: dict[int, float]) -> None:
+        self.values = values
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        for channel, value in self.values.items():
+            controller.outputs[channel] = value
+
+
+class Pulse(Action):
+    """Turn a digital output on and, `duration` seconds later, off again; a second pulse meanwhile prolongs it."""
+
+    __slots__ = ("channel", "duration")
+
+    def __init__(self, channel: int, duration: float) -> None:
+        if not 0.0 <= duration < 1e300:
+            raise Refusal("range", f"a pulse cannot last {duration:g} seconds")
+        self.channel, self.duration = channel, duration
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        controller.pulse(self.channel, self.duration)

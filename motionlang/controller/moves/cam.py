@@ -1,0 +1,319 @@
+"""Cams and flying shears: a slave on a curve over its master's distance, one cycle or segment after another."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
+from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
+from motionlang.controller.move import Action, Move
+from motionlang.controller.moves import buffer
+from motionlang.profile import hold, rest
+from motionlang.profile.composed import travelled
+from motionlang.profile.curve import from_curve
+from motionlang.profile.table_motion import table_curve
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.clock import Event
+    from motionlang.controller.core import Core
+    from motionlang.profile import Profile
+
+# Parts of a cycle by which the master must be back before its beginning, and may lack to be at its end.
+_NEAR = 1e-9
+_AT_END = 1e-13
+# A cycle shorter than this, in counts of the master, would be over before anything could be done.
+_SHORTEST = 1.0
+
+
+class CurveFollow(Follow):
+    """A slave on `curve` (counts over counts of the master); `direction` is the one in which the master travels it.
+
+    `origin` is the master's position at which the curve begins; it moves when the master's zero does.
+    """
+
+    __slots__ = ("_event", "curve", "datum", "direction", "origin")
+
+    def __init__(
+        self, controller: Core, a: Axis, master: Axis, move: FollowMove, curve: Profile, direction: int
+    ) -> None:
+        super().__init__(controller, a, master, move)
+        self.curve, self.direction = curve, direction
+        self.origin, self.datum = master.position(controller.clock.now), master.datum
+        self._event: Event | None = None
+
+    def over(self, forward: bool) -> bool:
+        """The master has come to the end of the curve, or back to its beginning; whether to go on."""
+        raise NotImplementedError
+
+    # -- the tie
+
+    def base(self, coming: Profile, position: float) -> Profile:
+        """The slave stands on the curve where the master is; `position` only says so again."""
+        along = self._along(coming)
+        if along.shape == "hold":
+            return rest(self.move.shape, self._at(along.start), INFINITY)
+        return travelled(along, self.curve, self.move.shape)
+
+    def place(self) -> float:
+        """How far the master has come along the curve, counts."""
+        return self._along(self.coming()).start
+
+    def arm(self, coming: Profile) -> None:
+        """Set the event for when the master leaves the curve, at either end where it may go back."""
+        along, clock = self._along(coming), self.controller.clock
+        length = self.curve.duration
+        times: list[tuple[float, bool]] = []
+        if along.start >= length * (1.0 - _AT_END):
+            times.append((0.0, True))
+        elif (time := along.crossing(length)) is not None:
+            times.append((time, True))
+        back = -_NEAR * length
+        if self.goes_back and along.extrema()[0] < back and (time := along.crossing(back)) is not None:
+            times.append((time, False))
+        if times:
+            time, forward = min(times)
+            self._event = clock.at(clock.now + time, lambda: self._passed(forward))
+
+    goes_back = False
+
+    def disarm(self) -> None:
+        if self._event is not None:
+            self._event.cancel()
+            self._event = None
+
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        self.curve = self.curve.shifted(shift)
+
+    def fold(self, distance: float) -> None:
+        self.curve = self.curve.shifted(distance)
+        if abs(self.move.target) < INFINITY:
+            self.a.target = self.move.target = self.curve.end
+
+    def next_curve(self, curve: Profile, forward: bool) -> None:
+        """Go on along another curve, which begins (or, backwards, ends) where this one does."""
+        length = self.curve.duration if forward else -curve.duration
+        self.origin += self.direction * length
+        self.curve = curve
+
+    def finish(self) -> None:
+        """The curve is over: the slave stops, at once where it is slow enough to stand already."""
+        controller, a = self.controller, self.a
+        self.end_offset("stop")
+        self.detach()
+        if abs(a.velocity(controller.clock.now)) > 1e-6:
+            from motionlang.controller.motion import halt
+
+            halt.stop(controller, a, "")
+            return
+        end = self._at(self.curve.duration)
+        move = self.move
+        whole = move.profile
+        assert whole is not None
+        move.profile = whole.cut(controller.clock.now - move.start_time)
+        a.move = None
+        a.target = move.target = end
+        controller.extend_track(a, hold(end))
+        controller.go_on(a)
+
+    # -- inside
+
+    def _passed(self, forward: bool) -> None:
+        self._event = None
+        try:
+            goes_on = self.over(forward)
+        except Refusal as refusal:
+            refusal.line = refusal.line or self.move.line
+            self.controller.mishap(refusal)
+            goes_on = False
+        if goes_on:
+            self.renew()
+        else:
+            self.finish()
+
+    def _along(self, coming: Profile) -> Profile:
+        """The master's motion as a distance along the curve."""
+        self.origin += self.master.datum - self.datum
+        self.datum = self.master.datum
+        return coming.scaled((coming.start - self.origin) * self.direction, float(self.direction))
+
+    def _at(self, place: float) -> float:
+        curve = self.curve
+        if place < 0.0:
+            return curve.start + curve.start_velocity * place
+        return curve.position(place)
+
+
+class Cam(CurveFollow):
+    """A cam table, once or over and over; `rise` is what a whole cycle adds to the slave's position."""
+
+    __slots__ = ("cyclic", "first", "rise")
+
+    def __init__(
+        self,
+        controller: Core,
+        a: Axis,
+        master: Axis,
+        move: FollowMove,
+        curve: Profile,
+        cyclic: bool,
+        first: int,
+    ) -> None:
+        super().__init__(controller, a, master, move, curve, 1)
+        self.cyclic, self.first, self.rise = cyclic, first, curve.end - curve.start
+
+    @property
+    def goes_back(self) -> bool:  # type: ignore[override]
+        return self.cyclic
+
+    def over(self, forward: bool) -> bool:
+        if self.cyclic:
+            self.next_curve(self.curve.shifted(self.rise if forward else -self.rise), forward)
+        return self.cyclic
+
+    @property
+    def index(self) -> int:
+        """The segment of the table that the master is in."""
+        inner = self.curve.knots[1:-1]
+        return self.first + bisect_right(inner, self.place())
+
+
+class Fly(Action):
+    """An entry of the buffer: `distance` of the slave while the master goes `over`, both in counts."""
+
+    __slots__ = ("distance", "master", "over")
+
+    def __init__(self, master: Axis, distance: float, over: float) -> None:
+        self.master, self.distance, self.over = master, distance, over
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Tie the axis to its master from here on; a Refusal bears the line of the entry."""
+        try:
+            check_chain(a, self.master)
+            self.follow(controller, a, move, 0.0).engage()
+        except Refusal as refusal:
+            refusal.line = move.line
+            raise
+
+    def follow(self, controller: Core, a: Axis, move: Move, ratio: float) -> Shear:
+        """The tie for this segment, which begins at a ratio of slave to master."""
+        here = a.position(controller.clock.now)
+        entry = FollowMove(a.index, move.command, move.line, "fly", here + self.distance)
+        entry.id = move.id
+        curve = _segment(here, self.distance, abs(self.over), ratio)
+        return Shear(controller, a, self.master, entry, curve, 1 if self.over > 0.0 else -1)
+
+
+class Shear(CurveFollow):
+    """One segment of a flying shear; the next one in the buffer goes on where it ends."""
+
+    __slots__ = ()
+
+    def over(self, forward: bool) -> bool:
+        """Go on with the next segment of the buffer, in the ratio this one ends with; or False."""
+        controller, a = self.controller, self.a
+        head = self._next_entry()
+        if head is None or not isinstance(head.action, Fly):
+            return False
+        following = head.action
+        if follows(following.master, a):
+            return False  # it is refused when it begins by itself
+        controller.take_entry(a)
+        ratio = self.curve.end_velocity
+        if (following.over > 0.0) is not (self.direction > 0) or following.master is not self.master:
+            ratio = 0.0
+        self._close()
+        tie = following.follow(controller, a, head, ratio)
+        tie.curve = tie.curve.shifted(self.curve.end - tie.curve.start)
+        if following.master is self.master:
+            tie.origin = self.origin + self.direction * self.curve.duration
+        if self.offset is not None:
+            tie.carry(self.offset, self.offset_began, self.offset_entry)
+        tie.move.target = tie.curve.end
+        tie.engage()
+        return True
+
+    def _next_entry(self) -> Move | None:
+        """The entry that follows; outputs on the way to it are set."""
+        buffered = self.a.buffer
+        while buffered and buffered[0].released:
+            head = buffered[0]
+            if not isinstance(head.action, (buffer.Outputs, buffer.Pulse)):
+                return head
+            self.controller.take_entry(self.a)
+            head.action.begin(self.controller, self.a, head)
+        return None
+
+    def _close(self) -> None:
+        """End this segment's entry of the log."""
+        self.detach()
+        move, now = self.move, self.controller.clock.now
+        whole = move.profile
+        assert whole is not None
+        move.profile = whole.cut(now - move.start_time)
+        self.a.move = None
+
+
+def _segment(start: float, distance: float, over: float, ratio: float) -> Profile:
+    """A ratio that changes evenly from `ratio` on so that the slave goes `distance` while the master goes `over`."""
+    last = 2.0 * distance / over - ratio
+    piece = (start, ratio, 0.5 * (last - ratio) / over, 0.0, 0.0, 0.0, 0.0)
+    return from_curve("fly", start, start + distance, ((0.0, over), (piece,), (("fly", 0),)), ratio, last)
+
+
+def start_cam(
+    controller: Core,
+    a: Axis,
+    master: Axis,
+    places: Sequence[float],
+    values: Sequence[float],
+    *,
+    kind: str,
+    cyclic: bool,
+    first: int,
+    last: int | None,
+    amplitude: float,
+    command: str,
+    line: int,
+) -> None:
+    """Follow a table from segment `first` to segment `last`, which begins where both axes are now."""
+    check_chain(a, master)
+    end = len(places) if last is None else last + 2
+    if not 0 <= first < end - 1 < len(places):
+        raise Refusal("range", f"the table has segments 0 to {len(places) - 2}, not {first} to {end - 2}")
+    here = a.position(controller.clock.now)
+    used, wanted = places[first:end], values[first:end]
+    try:
+        curve = table_curve(
+            [place - used[0] for place in used],
+            [here + (value - wanted[0]) * amplitude for value in wanted],
+            kind,
+            cyclic,
+        )
+    except ValueError as problem:
+        raise Refusal("range", f"axis {a.index} cannot follow the table: {problem}") from None
+    if curve.duration < _SHORTEST:
+        raise Refusal("range", f"a cam of {curve.duration:g} counts of the master is too short")
+    move = FollowMove(a.index, command, line, "cam", INFINITY if cyclic else curve.end)
+    controller.end_move(a, "retarget")
+    Cam(controller, a, master, move, curve, cyclic, first).engage()
+
+
+def load_fly(
+    controller: Core, a: Axis, master: Axis, distance: float, over: float, command: str, line: int
+) -> None:
+    """Put a segment of a flying shear into the buffer."""
+    if not (_SHORTEST <= abs(over) < 1e300 and abs(distance) < 1e300):
+        raise Refusal(
+            "range",
+            f"a segment cannot go {distance:g} counts while its master goes {over:g}",
+            "set its distance first",
+        )
+    check_chain(a, master)
+    move = Move(a.index, command, line, buffer.end(a) + distance)
+    move.action = Fly(master, distance, over)
+    buffer.put(a, move)

@@ -1,0 +1,172 @@
+"""Entries of the move buffer that are neither moves nor paths: cams, offsets, ready-made profiles.
+
+Each begins when it is first of its buffer and released. An offset on an axis that follows a master does not wait for
+that to end: it begins as soon as it is released and the offset before it is done.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
+from motionlang.controller.motion.follow import FollowMove, check_chain
+from motionlang.controller.motion.offset import offset
+from motionlang.controller.motion.profile_playback import Played
+from motionlang.controller.move import Action, Move
+from motionlang.controller.moves import buffer
+from motionlang.controller.moves.cam import Cam
+from motionlang.profile.table_motion import table_curve
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+    from motionlang.profile import Profile
+
+    Points = tuple[Sequence[float], Sequence[float]]
+    Table = Callable[[float], Points]
+    Make = Callable[[float], Profile]
+
+# A cycle shorter than this, in counts of the master, would be over before anything could be done.
+_SHORTEST = 1.0
+
+
+# ------------------------------------------------------------------------------------------------------ cams
+
+
+class TableCam(Cam):
+    """A cam whose table is looked at again for every cycle, so that a program may rewrite it meanwhile."""
+
+    __slots__ = ("table",)
+
+    table: Table
+
+    def over(self, forward: bool) -> bool:
+        """Go on with the next cycle, whose table is read now, or with the one before."""
+        if self.cyclic:
+            if forward:
+                start = self.curve.end
+                self.next_curve(curve_of(self.a, self.table(start), start), True)
+            else:
+                self.next_curve(self.curve.shifted(-self.rise), False)
+        return self.cyclic
+
+
+class CamEntry(Action):
+    """Follow a table, from where both axes are when it begins; `first` is the number of its first segment."""
+
+    __slots__ = ("cyclic", "first", "master", "table")
+
+    def __init__(self, master: Axis, table: Table, cyclic: bool, first: int) -> None:
+        self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Tie the axis to its master on a table read now. Refusal where it cannot be followed."""
+        check_chain(a, self.master)
+        here = a.position(controller.clock.now)
+        curve = curve_of(a, self.table(here), here)
+        entry = FollowMove(a.index, move.command, move.line, "cam", INFINITY if self.cyclic else curve.end)
+        entry.id = move.id
+        cam = TableCam(controller, a, self.master, entry, curve, self.cyclic, self.first)
+        cam.table = self.table
+        cam.engage()
+
+
+def curve_of(a: Axis, points: Points, start: float) -> Profile:
+    """The curve through a table that begins at `start`."""
+    places, values = points
+    try:
+        curve = table_curve(places, [start + value - values[0] for value in values])
+    except ValueError as problem:
+        raise Refusal("range", f"axis {a.index} cannot follow the table: {problem}") from None
+    if curve.duration < _SHORTEST:
+        raise Refusal("range", f"a cam of {curve.duration:g} counts of the master is too short")
+    return curve
+
+
+def load_cam(
+    controller: Core,
+    a: Axis,
+    master: Axis,
+    table: Table,
+    cyclic: bool,
+    first: int,
+    command: str,
+    line: int,
+) -> None:
+    """Put a cam into the buffer; `table` gives its points, places and values, for where the slave then is."""
+    start = _start(controller, a)
+    curve = curve_of(a, table(start), start)
+    move = Move(a.index, command, line, INFINITY if cyclic else curve.end)
+    move.action = CamEntry(master, table, cyclic, first)
+    buffer.put(a, move)
+
+
+def _start(controller: Core, a: Axis) -> float:
+    """Where an entry will begin, as far as that is known when it is loaded."""
+    end = buffer.end(a)
+    return end if abs(end) < INFINITY else a.position(controller.clock.now)
+
+
+# --------------------------------------------------------------------------------------------------- offsets
+
+
+class OffsetEntry(Action):
+    """Add a distance on top of what a slave does; an axis that follows nobody moves by it."""
+
+    __slots__ = ("distance", "mode", "over")
+    lies_on_top = True
+
+    def __init__(self, distance: float, mode: int, over: float) -> None:
+        self.distance, self.mode, self.over = distance, mode, over
+
+    def begin_on_top(self, controller: Core, a: Axis, move: Move) -> None:
+        offset(controller, a, self.distance, self.mode, self.over, move.command, move.line)
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        move.action = None
+        move.target = a.position(controller.clock.now) + self.distance
+        controller.start_move(a, move)
+
+
+def load_offset(
+    controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
+) -> None:
+    """Put an offset into the buffer, in one of the modes of OFFSETMODE."""
+    move = Move(a.index, command, line, buffer.end(a) + distance)
+    move.action = OffsetEntry(distance, mode, over)
+    buffer.put(a, move)
+
+
+# ------------------------------------------------------------------------------------------- ready-made profiles
+
+
+class ProfileEntry(Action):
+    """Follow a profile that is made when it begins, from where the axis then is; `again` and again where it is set."""
+
+    __slots__ = ("again", "make")
+
+    def __init__(self, make: Make, again: Make | None) -> None:
+        self.make, self.again = make, again
+
+    def prolong(self, end: float) -> Profile | None:
+        return self.make(end) if self.again is not None else None
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Make the profile and play it; one that is made `again` waits in the buffer behind it."""
+        profile = self.make(a.position(controller.clock.now))
+        if self.again is not None:
+            following = Move(a.index, move.command, move.line, profile.end)
+            following.action = ProfileEntry(self.again, self.again)
+            following.id, following.released = move.id, True
+            a.buffer.insert(0, following)
+        move.target, move.action = profile.end, Played(on_path=True)
+        controller.run_profile(a, move, profile)
+
+
+def load_profile(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
+    """Put a ready-made profile into the buffer; `make` is called with the position where it begins."""
+    move = Move(a.index, command, line, make(_start(controller, a)).end)
+    move.action = ProfileEntry(make, again)
+    buffer.put(a, move)

@@ -1,0 +1,234 @@
+"""Paths in the move buffer: an entry in the buffer of each axis, which begin together when all of them are first.
+
+The first axis of a path is its master: its speed and rates are those of the path, and GO on it releases the whole.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Action, Move
+from motionlang.controller.moves import buffer
+from motionlang.controller.moves.geometry import Arc, Line, limits
+from motionlang.profile.between import Pace
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.core import Core
+    from motionlang.controller.moves.geometry import Segment
+    from motionlang.controller.moves.path_run import PathRun
+    from motionlang.profile import Profile
+
+
+class PathMove(Action):
+    """One path: its `moves`, one an axis, and its geometry; `run` once it is under way."""
+
+    __slots__ = ("axes", "geometry", "moves", "run")
+
+    def __init__(self, axes: Sequence[Axis], moves: Sequence[Move], geometry: Line | Arc) -> None:
+        self.axes, self.moves, self.geometry = tuple(axes), tuple(moves), geometry
+        self.run: PathRun | None = None
+
+    @property
+    def live(self) -> bool:
+        return True
+
+    @property
+    def scales(self) -> list[float]:
+        """Counts per user unit of each axis."""
+        return [a.scale.counts for a in self.axes]
+
+    def lay(self, starts: Sequence[float]) -> Segment:
+        """The path from where its axes are, or will be."""
+        return self.geometry.lay(starts, self.scales)
+
+    def pace(self, controller: Core, segment: Segment) -> Pace:
+        """Speed and rates along the path in user units: the master's, as far as the limits of each axis allow."""
+        master, move = self.axes[0], self.moves[0]
+        speed = master.speed if move.speed is None else move.speed
+        if not speed > 0.0:
+            raise Refusal(
+                "zero-speed",
+                f"axis {master.index} cannot move: its speed is {speed:g}",
+                "a move needs a speed above zero, else it would start and never end",
+            )
+        k = abs(master.scale.counts)
+        accel, decel = controller.rates(master, speed)
+        if move.rates is not None:
+            accel, decel = move.rates[0] or accel, move.rates[1] or decel
+        most = limits(
+            segment,
+            [a.max_speed for a in self.axes],
+            [a.max_accel for a in self.axes],
+            [a.max_decel for a in self.axes],
+        )
+        factor = master.override if move.overridden else 1.0
+        return Pace(
+            master.shape,
+            min(speed * factor / k, most[0]),
+            min(accel / k, most[1]),
+            min(decel / k, most[2]),
+            master.ramp,
+            master.accel_jerk / k,
+            master.decel_jerk / k,
+        )
+
+    # -- as an entry of the buffer
+
+    def release(self, move: Move) -> None:
+        if move is self.moves[0]:
+            for each in self.moves:
+                each.released = True
+
+    def purge(self, a: Axis) -> None:
+        """One axis's entry has been thrown away: the others go too."""
+        for other, move in zip(self.axes, self.moves, strict=True):
+            if move in other.buffer:
+                other.buffer.remove(move)
+
+    def stands_at(self, place: int) -> bool:
+        """Whether it is released and number `place` in the buffer of every axis, outputs not counted."""
+        return all(
+            move.released and buffer.motions(a)[place : place + 1] == [move]
+            for a, move in zip(self.axes, self.moves, strict=True)
+        )
+
+    def ready(self, controller: Core, a: Axis, move: Move) -> bool:
+        return all(each.move is None for each in self.axes) and self.stands_at(0)
+
+    def begin(self, controller: Core, a: Axis, move: Move) -> None:
+        """Take the entry out of every axis's buffer and run the path with all of them."""
+        from motionlang.controller.moves.path_run import PathRun
+
+        for other, each in zip(self.axes, self.moves, strict=True):
+            if other is not a:
+                buffer.reach(controller, other, each)
+        run = PathRun(controller, self, [each.target for each in self.axes])
+        run.plan()
+        run.start()
+
+    # -- under way
+
+    def replan(self, controller: Core, a: Axis) -> None:
+        if self.run is not None and a is self.axes[0]:
+            self.run.replan()
+
+    def more(self, controller: Core, a: Axis) -> None:
+        if self.run is not None:
+            self.run.more()
+
+    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+        if self.run is None:
+            return False
+        self.run.stop(a, ended)
+        return True
+
+    def suspend(self, controller: Core, a: Axis) -> bool:
+        if self.run is not None:
+            self.run.suspend()
+        return True
+
+    def resume(self, controller: Core, a: Axis) -> None:
+        if self.run is not None:
+            self.run.resume()
+
+    def leave(self, controller: Core, a: Axis, ended: str) -> None:
+        """Give up the path on all axes; a new target for one of them is refused."""
+        if self.run is None:
+            return
+        if ended == "retarget":
+            raise Refusal(
+                "moving",
+                f"axis {a.index} is on a path with other axes",
+                "wait until the path has ended, or stop it",
+            )
+        self.run.abandon(a, ended)
+
+    def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        raise Refusal(
+            "moving",
+            f"axis {a.index} is on a path: its position cannot be given a new value",
+            "wait until the path has ended",
+        )
+
+    def plan(self, controller: Core, a: Axis) -> Profile:
+        raise AssertionError("a path is planned by its run")
+
+
+def load_line(
+    controller: Core, axes: Sequence[int], targets: Sequence[float], command: str, line: int
+) -> None:
+    """Put a straight line to `targets`, counts, into the buffers of its axes."""
+    members = _members(controller, axes)
+    _put(members, Line(list(targets)), list(targets), command, line)
+
+
+def load_line_by(
+    controller: Core, axes: Sequence[int], distances: Sequence[float], command: str, line: int
+) -> None:
+    """Put a straight line by `distances`, counted from the ends of the moves before it."""
+    members = _members(controller, axes)
+    targets = [start + distance for start, distance in zip(_starts(members), distances, strict=True)]
+    _put(members, Line(targets), targets, command, line)
+
+
+def load_arc(
+    controller: Core,
+    axes: Sequence[int],
+    centre: Sequence[float],
+    angle: float,
+    rest: Sequence[float],
+    relative: bool,
+    command: str,
+    line: int,
+) -> None:
+    """Put an arc or a helix into the buffers of its axes; `relative`: centre and rest count from its start."""
+    members = _members(controller, axes)
+    starts = _starts(members)
+    if not all(abs(value) < 1e300 for value in (*centre, angle, *rest)):
+        raise Refusal("range", "the centre and the angle of an arc must be finite numbers")
+    zero = starts if relative else [0.0] * len(starts)
+    cx, cy = centre[0] + zero[0], centre[1] + zero[1]
+    geometry = Arc((cx, cy), angle, [z + value for z, value in zip(zero[2:], rest, strict=True)])
+    ends = geometry.ends(starts, [a.scale.counts for a in members])
+    _put(members, geometry, ends, command, line)
+
+
+def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
+    if len(set(axes)) != len(axes) or len(axes) < 2:
+        raise Refusal("axis", "a path needs two or more different axes", "MOVEA and MOVER move one axis")
+    return [controller.movable(axis) for axis in axes]
+
+
+def _starts(members: Sequence[Axis]) -> list[float]:
+    """Where each axis will be when the path begins."""
+    starts = [buffer.end(a) for a in members]
+    for a, start in zip(members, starts, strict=True):
+        if not abs(start) < 1e300:
+            raise Refusal(
+                "moving", f"axis {a.index} runs without an end: a path cannot begin there", "stop it first"
+            )
+    return starts
+
+
+def _put(
+    members: Sequence[Axis], geometry: Line | Arc, targets: Sequence[float], command: str, line: int
+) -> None:
+    for a, target in zip(members, targets, strict=True):
+        if len(a.buffer) >= a.buffer_size:
+            raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
+        if not abs(target) < 1e300:
+            raise Refusal("range", f"axis {a.index} cannot move to {target:g}")
+    moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
+    action = PathMove(members, moves, geometry)
+    for a, move in zip(members, moves, strict=True):
+        move.action = action
+        buffer.put(a, move)
+
+
+def run_of(a: Axis) -> PathRun | None:
+    """The run of paths that an axis is on."""
+    action = a.move.action if a.move is not None else None
+    return action.run if isinstance(action, PathMove) else None

@@ -1,0 +1,419 @@
+"""Running along paths: one speed for several axes, and one run through paths that join smoothly.
+
+The run knows the path it is on and those ahead that it may enter without coming to rest. It plans the speed over all
+of them, hands each axis its curve travelled at that speed, and has one event, for the end of the path it is on.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
+from motionlang.controller.moves.buffer import motions, reach
+from motionlang.controller.moves.geometry import corner
+from motionlang.profile import halted, hold, plan_stop
+from motionlang.profile.between import entry_speed, plan_between
+from motionlang.profile.composed import travelled
+from motionlang.profile.summed import added
+from motionlang.profile.total import total
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.clock import Event
+    from motionlang.controller.core import Core
+    from motionlang.controller.moves.geometry import Segment
+    from motionlang.controller.moves.path import PathMove
+    from motionlang.profile import Profile
+    from motionlang.profile.between import Pace
+
+# What a path may overshoot its end by, as a part of its length, before it counts as overshooting.
+_SLACK = 1e-9
+
+
+class PathRun:
+    """A run along `here`, a path laid out as `segment`, and the paths `ahead`.
+
+    `profile` is the distance along `segment` over the time since `began`; distances beyond its length are those of
+    the paths ahead. It was planned to the end of the path `goal` (None: to rest wherever that is); times and distances
+    are rounded on the way there, and tell neither which path has ended nor whether it was the last one. `tails` is what
+    the axes still have to do of a path that this one was blended into.
+    """
+
+    __slots__ = (
+        "_blend_event",
+        "_controller",
+        "_event",
+        "_over",
+        "ahead",
+        "axes",
+        "began",
+        "ended",
+        "goal",
+        "here",
+        "profile",
+        "segment",
+        "tail_began",
+        "tails",
+    )
+
+    def __init__(self, controller: Core, here: PathMove, starts: Sequence[float]) -> None:
+        self._controller, self.here, self.axes = controller, here, here.axes
+        self.segment = here.lay(starts)
+        self.ahead: list[tuple[PathMove, Segment]] = []
+        self.profile: Profile = hold(0.0)
+        self.goal: PathMove | None = here
+        self.began = 0.0
+        self.ended = ""
+        self._event: Event | None = None
+        self._blend_event: Event | None = None
+        self._over = False
+        self.tails: list[Profile] = []
+        self.tail_began = 0.0
+
+    # -------------------------------------------------------------------------------------------- from outside
+
+    def plan(self) -> None:
+        """Make ready to begin, at rest on the path."""
+        try:
+            self._look_ahead()
+            self.profile, self.goal = self._planned(0.0, 0.0, 0.0)
+        except Refusal as refusal:
+            refusal.line = self.here.moves[0].line
+            raise
+
+    def start(self) -> None:
+        """Begin."""
+        self._enter()
+
+    def replan(self) -> None:
+        """Go on with the settings as they are now; a change that would overshoot comes too late."""
+        if self._over or self.ended:
+            return
+        state = self._state()
+        profile, goal = self._planned(*state)
+        if profile.extrema()[1] <= self._reach() * (1.0 + _SLACK) or self.profile.shape == "suspend":
+            self._change(profile, goal)
+
+    def more(self) -> None:
+        """Something further was released: it may prolong the run, or be blended into."""
+        if self._over or self.ended or self._suspended():
+            return
+        known = len(self.ahead)
+        self._look_ahead()
+        if len(self.ahead) > known:
+            self.replan()
+        self._plan_blend()
+
+    def stop(self, a: Axis, ended: str) -> None:
+        """Come to rest on the path; the buffer of `a` is emptied."""
+        controller = self._controller
+        for each in self.axes:
+            each.suspended = False
+        controller.empty(a)
+        if self.ended and ended != "fault":
+            return
+        pace = self.here.pace(controller, self.segment)
+        decel = pace.decel
+        if ended == "fault":
+            decel = self.axes[0].error_decel / abs(self.axes[0].scale.counts)
+        self.ended = ended
+        self._cancel_blend()
+        profile = self._braking(pace, decel)
+        if profile is None:
+            self._change(self.profile.after(controller.clock.now - self.began), self.goal)
+        else:
+            self._change(profile, None)
+
+    def suspend(self) -> None:
+        """Come to rest on the path, and keep it."""
+        for a in self.axes:
+            a.suspended = True
+        if self.ended:
+            return
+        self._cancel_blend()
+        pace = self.here.pace(self._controller, self.segment)
+        profile = self._braking(pace, pace.decel)
+        if profile is not None:
+            self._change(halted(profile, "suspend"), None)
+
+    def resume(self) -> None:
+        """Go on."""
+        for a in self.axes:
+            a.suspended = False
+        self.replan()
+        self.more()
+
+    def abandon(self, leaving: Axis, ended: str) -> None:
+        """One axis is held where it is, so all are."""
+        if self._over:
+            return
+        self._over = True
+        self._cancel()
+        for a in self.axes:
+            if a is not leaving:
+                self._controller.freeze(a, ended)
+
+    def blend(self) -> None:
+        """Begin the next path now, on top of what remains of this one."""
+        following = self._following()
+        if self._over or self.ended or following is None or self._suspended():
+            return
+        controller, now = self._controller, self._controller.clock.now
+        successor = PathRun(controller, following, self.segment.ends)
+        successor.plan()
+        self._cancel()
+        self._over = True
+        for a, move, end in zip(self.axes, following.moves, self.segment.ends, strict=True):
+            rest = a.profiles[-1].after(now - a.starts[-1])
+            successor.tails.append(rest.shifted(-end))
+            a.move = None
+            reach(controller, a, move)
+        successor.tail_began = now
+        successor.start()
+
+    @property
+    def speed(self) -> float:
+        """The speed along the path now, user units/s."""
+        return self.profile.velocity(self._controller.clock.now - self.began)
+
+    @property
+    def remaining(self) -> float:
+        """The distance along the present path still to go, user units."""
+        return max(0.0, self.segment.length - self.profile.position(self._controller.clock.now - self.began))
+
+    # ------------------------------------------------------------------------------------------------ planning
+
+    def _state(self) -> tuple[float, float, float]:
+        """Distance, speed and acceleration along the path now."""
+        state = self.profile.at(self._controller.clock.now - self.began)
+        return state.position, max(state.velocity, 0.0), state.acceleration
+
+    def _suspended(self) -> bool:
+        return any(a.suspended for a in self.axes)
+
+    def _look_ahead(self) -> None:
+        """Lay out the paths of the buffers that can be entered without coming to rest."""
+        master = self.axes[0]
+        if not master.contour_mode or self.ended:
+            return
+        before = self.ahead[-1] if self.ahead else (self.here, self.segment)
+        entries = motions(master)
+        while len(entries) > len(self.ahead):
+            action = entries[len(self.ahead)].action
+            if not _continues(action, self.axes, len(self.ahead)):
+                return
+            segment = action.lay(before[1].ends)  # type: ignore[union-attr]
+            if not segment.length or corner(before[1], segment) > master.contour_angle:
+                return
+            before = (action, segment)  # type: ignore[assignment]
+            self.ahead.append(before)
+
+    def _planned(self, place: float, speed: float, accel: float) -> tuple[Profile, PathMove | None]:
+        """To the end of the stretch that has one pace, and as fast there as what follows allows; and the goal."""
+        if self._suspended() or not self.here.pace(self._controller, self.segment).speed:
+            return self._held(place, speed), None
+        if not self.segment.length:
+            return hold(place).cut(0.0), self.here
+        groups = self._groups()
+        leaving = 0.0
+        for length, pace, _ in reversed(groups[1:]):
+            leaving = entry_speed(pace, length, leaving)
+        end, pace, goal = groups[0]
+        if len(groups) > 1:
+            leaving = min(leaving, pace.speed)
+        try:
+            return plan_between(pace, place, end, speed, leaving, accel), goal
+        except ValueError as problem:
+            raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
+
+    def _held(self, place: float, speed: float) -> Profile:
+        if speed == 0.0:
+            return halted(hold(place).cut(0.0), "suspend")
+        pace = self.here.pace(self._controller, self.segment)
+        stop = plan_stop(pace.shape, place, speed, pace.decel, pace.ramp, pace.decel_jerk)
+        return halted(stop, "suspend")
+
+    def _groups(self) -> list[tuple[float, Pace, PathMove]]:
+        """Stretches of one pace: the length of each, and the path that it ends with."""
+        groups: list[tuple[float, Pace, PathMove]] = []
+        for action, segment in [(self.here, self.segment), *self.ahead]:
+            pace = action.pace(self._controller, segment)
+            if groups and groups[-1][1].key() == pace.key():
+                groups[-1] = (groups[-1][0] + segment.length, pace, action)
+            else:
+                groups.append((segment.length, pace, action))
+        return groups
+
+    def _reach(self) -> float:
+        """How far a profile may go along this path and those ahead."""
+        return self.segment.length + total(segment.length for _, segment in self.ahead)
+
+    def _braking(self, pace: Pace, decel: float) -> Profile | None:
+        """To rest at `decel`; None where the paths end before, which the run brakes for by itself."""
+        place, speed, _ = self._state()
+        if speed <= 0.0:
+            return hold(place).cut(0.0)
+        try:
+            profile = plan_stop(pace.shape, place, speed, decel, pace.ramp, pace.decel_jerk)
+        except ValueError as problem:
+            raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
+        return profile if profile.end <= self._reach() else None
+
+    # ----------------------------------------------------------------------------------------------- following
+
+    def _enter(self) -> None:
+        """Let every axis follow its curve of the path just reached."""
+        controller = self._controller
+        self.here.run = self
+        self.began = controller.clock.now
+        part = self._part()
+        for k, (a, move) in enumerate(zip(self.axes, self.here.moves, strict=True)):
+            move.target = self.segment.ends[k]
+            move.ended = self.ended
+            controller.log_move(a, move, self._of(k, part))
+            controller.extend_track(a, self._total(k, part))
+        self._await(part)
+        for a in self.axes:
+            if not self._over and a.limits:
+                controller.check_limits(a)
+
+    def _change(self, profile: Profile, goal: PathMove | None) -> None:
+        """Follow another profile along the path from now on."""
+        controller = self._controller
+        self.profile, self.goal, self.began = profile, goal, controller.clock.now
+        part = self._part()
+        for k, a in enumerate(self.axes):
+            controller.amend_log(a, self._of(k, part), self.ended)
+            controller.extend_track(a, self._total(k, part))
+        self._await(part)
+
+    def _leads_on(self) -> bool:
+        """Whether the profile goes beyond the end of this path."""
+        if self.goal is not None:
+            return self.here is not self.goal
+        return bool(self.ahead) and self.profile.end > self.segment.length * (1.0 + _SLACK)
+
+    def _part(self) -> Profile:
+        """The profile up to the end of this path."""
+        if not self._leads_on():
+            return self.profile
+        time = self.profile.crossing(self.segment.length)
+        return self.profile if time is None else self.profile.cut(time)
+
+    def _of(self, k: int, part: Profile) -> Profile:
+        """The motion of axis number k on its curve."""
+        if not self.segment.length:
+            return hold(self.segment.ends[k]).cut(0.0)
+        made = travelled(part, self.segment.curves[k])
+        arrives = self.goal is not None or part.end >= self.segment.length * (1.0 - 1e-12)
+        if arrives and part.duration < INFINITY:
+            made.end = self.segment.ends[k]
+        return made
+
+    def _total(self, k: int, part: Profile) -> Profile:
+        """The same with what the axis still has to do of the path before."""
+        made, elapsed = self._of(k, part), self._controller.clock.now - self.tail_began
+        if not self.tails or elapsed >= self.tails[k].duration:
+            return made
+        both = added(made, self.tails[k].after(elapsed), "blend")
+        if not made.end_velocity:
+            both.end = made.end
+        return both
+
+    def _await(self, part: Profile) -> None:
+        if self._event is not None:
+            self._event.cancel()
+        end = self.began + part.duration
+        if self.tails and not self.ahead:
+            end = max(end, self.tail_began + max(tail.duration for tail in self.tails))
+        self._event = self._controller.clock.at(end, self._reached) if end < INFINITY else None
+        self._plan_blend()
+
+    def _reached(self) -> None:
+        """The end of this path, or of the run."""
+        self._event = None
+        if self._leads_on():
+            self._go_on(self.profile.after(self._controller.clock.now - self.began))
+        elif self.ahead and self.profile.end_velocity:
+            self._go_on(None)
+        else:
+            self._finish()
+
+    def _go_on(self, rest: Profile | None) -> None:
+        """Enter the next path without coming to rest, on the rest of the profile where there is one."""
+        controller = self._controller
+        for a in self.axes:
+            a.move = None
+        self.here.run = None
+        self.here, self.segment = self.ahead.pop(0)
+        for a, move in zip(self.axes, self.here.moves, strict=True):
+            if move in a.buffer:
+                reach(controller, a, move)
+        known = len(self.ahead)
+        self._look_ahead()
+        if rest is None:
+            self.profile, self.goal = self._planned(0.0, self.profile.end_velocity, 0.0)
+        elif len(self.ahead) > known:
+            state = rest.at(0.0)
+            self.profile, self.goal = self._planned(0.0, state.velocity, state.acceleration)
+        else:
+            self.profile = rest.shifted(-rest.start)
+        self._enter()
+
+    def _finish(self) -> None:
+        """All axes are at rest at their ends, or where they were stopped."""
+        controller = self._controller
+        self._over = True
+        self._cancel()
+        for a, move in zip(self.axes, self.here.moves, strict=True):
+            end = a.profiles[-1].end
+            a.move = None
+            a.target = move.target = end
+            controller.extend_track(a, hold(end))
+        for a in self.axes:
+            controller.start_next(a)
+        for a in self.axes:
+            if a.move is None:
+                controller.tell("idle", a.index)
+
+    def _cancel(self) -> None:
+        if self._event is not None:
+            self._event.cancel()
+        self._cancel_blend()
+
+    # ------------------------------------------------------------------------------------------------ blending
+
+    def _following(self) -> PathMove | None:
+        """The path that this one can be blended into."""
+        entries = motions(self.axes[0])
+        action = entries[0].action if entries else None
+        return action if _continues(action, self.axes, 0) else None  # type: ignore[return-value]
+
+    def _plan_blend(self) -> None:
+        """Set the event of the blend, at its distance before the end, or now where that is past."""
+        self._cancel_blend()
+        master, clock = self.axes[0], self._controller.clock
+        if (
+            not master.blend_mode
+            or self.ended
+            or self._over
+            or self._suspended()
+            or self._following() is None
+        ):
+            return
+        place = max(self.segment.length - master.blend_distance, self.profile.start)
+        time = self.profile.crossing(place, clock.now - self.began)
+        when = clock.now if time is None else self.began + time
+        self._blend_event = clock.at(when, self.blend)
+
+    def _cancel_blend(self) -> None:
+        if self._blend_event is not None:
+            self._blend_event.cancel()
+            self._blend_event = None
+
+
+def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:
+    """Whether an entry of the buffer is a path of the same axes, released, and next on all of them."""
+    return getattr(action, "axes", None) == axes and action.stands_at(place)  # type: ignore[attr-defined]

@@ -1,0 +1,1 @@
+"""What happens at a position: watches, zones, limits, latches, homing."""

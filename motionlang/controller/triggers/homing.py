@@ -1,0 +1,221 @@
+"""Homing: find the switch, leave it slowly, find the index mark if asked to, and call that place the datum.
+
+The sequence of a MintMT controller as its users know it: run at the homing speed towards the switch and stop on it,
+back off at a lower speed until it opens, then, for an index, creep on in the same direction to the next mark. The
+position becomes that of the datum at the exact moment of the last edge; the axis runs on to its stop and, where an
+offset is given, goes to the place that lies that far from the datum.
+"""
+
+from __future__ import annotations
+
+import math
+
+from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
+from motionlang.profile import plan
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.move import Move
+    from motionlang.controller.triggers.limit import Limit
+    from motionlang.controller.triggers.watch import Watch
+
+# What the search looks for: the home switch, the limit switch of its direction, or only an index mark.
+HOME, LIMIT, INDEX = "home", "limit", "index"
+# In the order in which they come; "done" at the end and after whatever else ended the homing.
+STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
+
+_SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
+
+
+class Homing:
+    """One homing in progress on one axis; `found` turns true when the datum is known.
+
+    `direction` is that of the search, speeds are counts/s, `datum` is the position that the found place gets, `offset`
+    how far from it the axis ends (None: where it stops). `landed` is where it stopped, measured from the datum.
+    `ended` is called at the end, whatever it was.
+    """
+
+    __slots__ = (
+        "_command",
+        "_controller",
+        "_creep_speed",
+        "_datum",
+        "_direction",
+        "_ended",
+        "_index",
+        "_line",
+        "_move",
+        "_offset",
+        "_switch",
+        "_watch",
+        "axis",
+        "back_off_speed",
+        "found",
+        "landed",
+        "speed",
+        "state",
+    )
+
+    def __init__(
+        self,
+        controller: Controller,
+        axis: int,
+        direction: int,
+        speed: float,
+        back_off_speed: float,
+        creep_speed: float,
+        *,
+        switch: str = HOME,
+        index: bool = False,
+        datum: float = 0.0,
+        offset: float | None = None,
+        ended: Callable[[Homing], None] | None = None,
+        command: str = "HOME",
+        line: int = 0,
+    ) -> None:
+        self._controller, self.axis, self._direction = controller, axis, direction
+        self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
+        self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
+        self._ended, self._command, self._line = ended, command, line
+        self._watch: Watch | None = None
+        self._move: Move | None = None
+        self.found = False
+        self.landed = 0.0
+        self.state = "done"
+        # Before all others, who then never see the axis at rest in between.
+        controller.listeners.insert(0, self._heard)
+        self._allow_limit(False)
+        if switch == INDEX:
+            self._seek_index(direction, speed)
+        else:
+            self._search()
+
+    @property
+    def _axis(self) -> Axis:
+        return self._controller.axes[self.axis]
+
+    def cancel(self) -> None:
+        """Give up, or be done; the axis is left to whatever ended the homing."""
+        self.state = "done"
+        if self._heard not in self._controller.listeners:
+            return
+        self._controller.listeners.remove(self._heard)
+        self._allow_limit(True)
+        self._unwatch()
+        if self._ended is not None:
+            self._ended(self)
+
+    def _unwatch(self) -> None:
+        if self._watch is not None:
+            self._controller.unwatch(self.axis, self._watch)
+            self._watch = None
+
+    # ---------------------------------------------------------------------------------------------- moving
+
+    def _jog(self, velocity: float) -> None:
+        self._controller.jog(self.axis, velocity, self._command, self._line)
+        self._move = self._axis.move
+
+    def _search(self) -> None:
+        """Towards the switch; an axis that already stands on it backs off at once."""
+        if self._on_switch():
+            self._back_off()
+            return
+        self.state = "search"
+        self._jog(self._direction * self.speed)
+
+    def _back_off(self) -> None:
+        self.state = "back-off"
+        self._jog(-self._direction * self.back_off_speed)
+
+    def _seek_index(self, direction: int, speed: float) -> None:
+        """On to the next mark of the encoder, which is where the machine has it."""
+        self.state = "index"
+        mark = next_index(self._controller, self.axis, direction)
+        self._jog(direction * speed)
+        self._watch = self._controller.watch(self.axis, mark, lambda _: self._datum_found(), physical=True)
+
+    def _datum_found(self) -> None:
+        """The last edge: this place is the datum; the axis runs on to its stop and keeps counting from it."""
+        controller = self._controller
+        self._unwatch()
+        self.state = "stopping"
+        self.found = True
+        controller.define_position(self.axis, self._datum)
+        controller.stop(self.axis, "")
+
+    def _go_to_offset(self, offset: float) -> None:
+        """From where the axis has stopped to its place, at the creep speed."""
+        self.state = "offset"
+        a, controller = self._axis, self._controller
+        accel, decel = controller.rates(a, self._creep_speed)
+        target = self._datum + offset
+        here, speed = a.position(controller.clock.now), self._creep_speed
+        profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
+        controller.play(self.axis, profile, self._command, self._line)
+        self._move = a.move
+
+    # --------------------------------------------------------------------------------------------- switches
+
+    def _limits(self) -> list[Limit]:
+        bit = LIMIT_FORWARD if self._direction > 0 else LIMIT_REVERSE
+        return [limit for limit in self._axis.limits if limit.bit == bit]
+
+    def _on_switch(self) -> bool:
+        if self._switch == HOME:
+            return self._axis.home
+        return any(limit.active for limit in self._limits())
+
+    def _allow_limit(self, allowed: bool) -> None:
+        """A limit switch that is looked for is no error, nor is a software limit before its zero is known."""
+        looked_for = self._limits() if self._switch == LIMIT else []
+        for limit in [*looked_for, *(each for each in self._axis.limits if each.bit in _SOFT)]:
+            limit.enabled = allowed
+
+    def _heard(self, what: str, axis: int) -> None:
+        if axis != self.axis:
+            return
+        if what == "fault" or (self._axis.move is not self._move and self._axis.move is not None):
+            self.cancel()
+        elif what == self._switch:
+            self._switch_changed(self._on_switch())
+        elif what == "idle":
+            self._at_rest()
+
+    def _switch_changed(self, active: bool) -> None:
+        if self.state == "search" and active:
+            self.state = "on-switch"
+            self._controller.stop(self.axis, "")
+        elif self.state == "back-off" and not active:
+            if self._index:
+                self._seek_index(-self._direction, self._creep_speed)
+            else:
+                self._datum_found()
+
+    def _at_rest(self) -> None:
+        """Stopped: past the switch or on it after the search, or at the end."""
+        if self.state == "on-switch":
+            self._back_off()  # also where the stop ran over the whole switch: it comes back over it
+            return
+        if self.state == "stopping":
+            self.landed = self._controller.position(self.axis) - self._datum
+            if self._offset is not None and self.landed != self._offset:
+                self._go_to_offset(self._offset)
+                return
+        self.cancel()
+
+
+def next_index(controller: Controller, axis: int, direction: int) -> float:
+    """The next index mark in a direction, in counts of the machine; infinite where the encoder has none."""
+    a = controller.axes[axis]
+    pitch = a.index_pitch
+    if not pitch > 0:
+        return math.inf * direction
+    here = controller.position(axis) - a.datum - a.index_origin
+    step = here / pitch
+    mark = math.floor(step + 1e-9) + 1 if direction > 0 else math.ceil(step - 1e-9) - 1
+    return mark * pitch + a.index_origin

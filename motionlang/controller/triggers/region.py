@@ -1,0 +1,69 @@
+"""A region of an axis's travel, such as the length of a home switch: inside or not, with the exact time of a change."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.triggers.watch import Watch
+
+INFINITY = float("inf")
+
+
+class Region:
+    """`low` to `high` counts on an axis, either end may be infinite; `change(inside)` is called when it changes.
+
+    A `physical` region stays where the machine has it when the program gives the axis a new zero.
+    """
+
+    __slots__ = ("_controller", "_watches", "axis", "change", "high", "inside", "low", "physical")
+
+    def __init__(
+        self,
+        controller: Controller,
+        axis: int,
+        low: float,
+        high: float,
+        change: Callable[[bool], None],
+        physical: bool = True,
+    ) -> None:
+        self._controller, self.axis, self.change, self.physical = controller, axis, change, physical
+        self.low, self.high = low, high
+        self._watches: list[Watch] = []
+        self.inside = False
+        self.place(low, high)
+
+    def place(self, low: float, high: float) -> None:
+        """Put the region elsewhere; tells of a change that this makes."""
+        self.remove()
+        self.low, self.high = low, high
+        for end in (low, high):
+            if abs(end) < INFINITY:
+                watch = self._controller.watch(self.axis, end, self._pass, self.physical)
+                self._watches.append(watch)
+        self._set(low <= self._here() <= high)
+
+    def remove(self) -> None:
+        """Stop watching."""
+        for watch in self._watches:
+            self._controller.unwatch(self.axis, watch)
+        self._watches.clear()
+
+    def _here(self) -> float:
+        datum = self._controller.axes[self.axis].datum if self.physical else 0.0
+        return self._controller.position(self.axis) - datum
+
+    def _pass(self, direction: int) -> None:
+        """A side was changed: the axis is inside when it is above the low end and below the high one."""
+        sides = [watch.side for watch in self._watches]
+        if len(sides) == 2:
+            self._set(sides[0] >= 0 >= sides[1])
+        else:
+            self._set(direction > 0 if abs(self.low) < INFINITY else direction < 0)
+
+    def _set(self, inside: bool) -> None:
+        if inside != self.inside:
+            self.inside = inside
+            self.change(inside)

@@ -1,0 +1,1 @@
+"""The machine file, and the machine that is made of it."""

@@ -1,0 +1,350 @@
+"""The machine file, read and checked against its vocabulary.
+
+A key that does not exist, or a value of the wrong kind, is a diagnostic with its line.
+"""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic, ProgramError, nearest, shown
+from motionlang.lang.dialect import dialect, unknown_model
+from motionlang.lang.machine.keys import (
+    BUS_EVENTS,
+    FAULT_KINDS,
+    KEYS,
+    LAST_LINE,
+    LAST_REGISTER,
+    MAX_AXES,
+    MOTORS,
+    NODE_EVENTS,
+    OF_A_NODE,
+    OF_DIALECTS,
+    REQUIRED,
+    SERVO,
+    TABLES,
+    TERMINALS,
+    VIEWS,
+    WIDTHS,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from motionlang.source import Source
+
+
+# A dotted key of so many parts lies deeper than any of the vocabulary.
+_DEEPEST = 5
+
+
+def read_machine(source: Source) -> dict[str, object]:
+    """The settings of a machine file by their dotted keys, tables as lists; ProgramError with every mistake."""
+    import tomllib
+
+    try:
+        tree = tomllib.loads(source.text)
+    except tomllib.TOMLDecodeError as error:
+        raise ProgramError([_toml_mistake(source, error)]) from None
+    except (ValueError, RecursionError) as error:
+        raise ProgramError([_beyond_python(source, error)]) from None
+    settings: dict[str, object] = {}
+    mistakes: list[Diagnostic] = []
+    for key, value in _flatten(tree):
+        problems = list(_problems(key, value))
+        mistakes.extend(_located(source, key, *problem) for problem in problems)
+        if not problems:
+            settings[key] = value
+    if any(".plant." in key or ".servo." in key for key in settings):
+        from motionlang.controller.servo.settings import mistakes as servo_mistakes
+
+        for place, message, hint in servo_mistakes(settings):
+            mistakes.append(_located(source, f"{place}.", message, hint, f"[{place}]"))
+    if mistakes:
+        raise ProgramError(mistakes)
+    return settings
+
+
+def check_setting(key: str, value: object) -> tuple[str, str] | None:
+    """What is wrong with one plain setting, and a hint; None when nothing is."""
+    row = KEYS.get(_generic(key))
+    if row is None and _generic(key).startswith(SERVO):
+        from motionlang.controller.servo import settings as servo
+
+        return servo.setting_problem(key, _generic(key), value)
+    if row is None:
+        from motionlang.controller.servo.settings import KEYS as SERVO_KEYS
+
+        near = nearest(_generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
+        words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
+        return f"there is no key {key}", words
+    problem = _kind_problem(row[0], value)
+    if problem is None and key == "controller.axes" and not 1 <= value <= MAX_AXES:  # type: ignore[operator]
+        problem = f"must be 1 to {MAX_AXES}"
+    if problem is None and key == "controller.instruction_time" and not 1e-9 <= value <= 1.0:  # type: ignore[operator]
+        problem = "must be 1e-9 to 1 second"
+    if problem is None and key == "controller.model" and value:
+        return unknown_model(str(value))
+    if problem is None and key.startswith(OF_DIALECTS):
+        return dialect(key.partition(".")[0]).setting_problem(key, value)
+    return None if problem is None else (f"{key} {problem}, not {shown(value)}", row[1])
+
+
+def first_mistake(settings: Mapping[str, object]) -> str:
+    """What is wrong with settings that a program gives, and a hint; empty when nothing is."""
+    for key, value in settings.items():
+        for message, hint, *_ in _problems(key, value):
+            return f"{message} ({hint})"
+    return ""
+
+
+def _problems(key: str, value: object) -> Iterator[tuple[str, str, str, int]]:
+    """Message, hint, the name to look for and in which entry, of each mistake in one key or table."""
+    if key not in TABLES:
+        problem = check_setting(key, value)
+        if problem is not None:
+            yield (*problem, key, 0)
+        return
+    if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
+        yield f"{key} is a table of entries", f"write [[{key}]] above each", key, 0
+        return
+    for number, entry in enumerate(value):
+        for each in _entry_problems(key, entry):
+            yield (*each, number)
+
+
+def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    rows = TABLES[table]
+    for name, value in entry.items():
+        if name not in rows:
+            near = nearest(name, rows)
+            words = f"did you mean {near}?" if near else f"its keys are {', '.join(rows)}"
+            yield f"[[{table}]] has no key {name}", words, name
+            continue
+        problem = _kind_problem(rows[name][0], value)
+        if problem is not None:
+            yield f"{name} of [[{table}]] {problem}, not {shown(value)}", rows[name][1], name
+    for name in REQUIRED[table]:
+        if name not in entry:
+            yield f"[[{table}]] needs {name}", rows[name][1], f"[[{table}]]"
+    yield from _when_problems(table, entry)
+    if table == "fault" and "axis" not in entry and entry.get("kind") != "controller":
+        yield "[[fault]] needs axis", rows["axis"][1], "[[fault]]"
+    if table == "input" and ("every" in entry or "times" in entry):
+        yield from _again_problems(entry)
+    if table == "remote":
+        yield from _remote_problems(entry)
+    first, last = entry.get("first"), entry.get("last", LAST_REGISTER)
+    if isinstance(first, int) and isinstance(last, int) and last < first <= LAST_REGISTER:
+        yield f"[[{table}]] ends before it begins", "last is its last register", "last"
+    if "per_unit" in entry and "axis" not in entry:
+        yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
+    if table == "encoder" and ("channel" in entry) is ("aux" in entry):
+        yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
+    if table in ("comms", "netdata", "dpr"):
+        yield from _written_problems(table, entry)
+
+
+def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    """An entry comes about in one way: by time, by a position, by a line, or by an output."""
+    where = [name for name in ("above", "below", "between", "line", "output") if name in entry]
+    if len(where) > 1 or (where and "at" in entry):
+        ways = (
+            "line, or one of above, below" if table == "fault" else "output, or one of above, below, between"
+        )
+        what = "comes about" if table == "fault" else "is active"
+        yield f"[[{table}]] {what} in one way only", f"give at, {ways}", where[0]
+    if where and where[0] not in ("line", "output") and table != "fault" and "axis" not in entry:
+        yield f"[[{table}]] needs the axis whose position decides", "add axis = N", where[0]
+    if "axis" in entry and table in ("input", "analogue") and where in ([], ["output"]):
+        hint = "add above, below or between, or take axis away"
+        yield f"axis of [[{table}]] decides nothing without a position", hint, "axis"
+
+
+def _again_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    """What comes again must be over before it does."""
+    every, between, length = entry.get("every"), entry.get("between"), entry.get("for")
+    if every is None or "times" not in entry:
+        yield "[[input]] needs every and times together", "every = 0.5, times = 20", "[[input]]"
+        return
+    if between is None and (length is None or any(way in entry for way in ("above", "below", "output"))):
+        words = "give for, how long it lasts, or between, two positions of an axis"
+        yield "[[input]] cannot come again before it is over", words, "every"
+        return
+    spans = isinstance(between, list) and _is_pair(between)
+    last = between[1] - between[0] if spans else length  # type: ignore[index]
+    if _kind_problem("number", every) is None and _kind_problem("number", last) is None and every <= last:  # type: ignore[operator]
+        yield "[[input]] comes again before it is over", f"every must be more than {last:g}", "every"
+
+
+def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    what = [name for name in OF_A_NODE if name in entry]
+    if len(what) != 1:
+        yield (
+            "[[remote]] needs a channel, an analogue, an encoder, an element, an object or an event",
+            "one of them; channel = 0 is a digital input",
+            "[[remote]]",
+        )
+    elif "for" in entry and what[0] not in ("channel", "analogue"):
+        yield f"[[remote]] with {what[0]} takes no for", TABLES["remote"]["for"][1], "for"
+    element = entry.get("element", 1)
+    if isinstance(element, int) and not 1 <= element <= 99:
+        yield (
+            f"element of [[remote]] must be 1 to 99, not {shown(element)}",
+            TABLES["remote"]["element"][1],
+            "element",
+        )
+
+
+def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    low, high = (1, 99) if table == "comms" else (0, 999)
+    element = entry.get("element")
+    if isinstance(element, int) and not low <= element <= high:
+        yield (
+            f"element of [[{table}]] must be {low} to {high}, not {shown(element)}",
+            TABLES[table]["element"][1],
+            "element",
+        )
+    if ("value" in entry) is ("text" in entry):
+        yield f"[[{table}]] needs a value or a text", 'value = 2.5, or text = "ABCD"', f"[[{table}]]"
+
+
+def _kind_problem(kind: str, value: object) -> str | None:
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    finite = number and abs(value) < 1e300  # type: ignore[arg-type]
+    whole = number and isinstance(value, int)
+    tests = {
+        "text": (isinstance(value, str), "must be a text"),
+        "count": (whole, "must be a whole number"),
+        "channel": (whole and 0 <= value < 1000, "must be a whole number from 0 to 999"),  # type: ignore[operator]
+        "number": (finite, "must be a number"),
+        "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
+        "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
+        "times": (whole and 1 <= value <= 10_000, "must be a whole number from 1 to 10000"),  # type: ignore[operator]
+        "pair": (_is_pair(value), "must be two numbers, the lower first"),
+        "reading": (finite or isinstance(value, (bool, str)), "must be a number, a text, true or false"),
+        "line": (whole and 0 < value <= LAST_LINE, "must be the number of a line"),  # type: ignore[operator]
+        "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
+        "registers": (_are_registers(value), 'must be words by their registers, such as { "6" = 1234 }'),
+        "bus": (whole and 1 <= value <= 2, "must be 1 or 2"),  # type: ignore[operator]
+        "node": (whole and 0 <= value <= 255, "must be a whole number from 0 to 255"),  # type: ignore[operator]
+        "port": (whole and 1 <= value <= 8, "must be a whole number from 1 to 8"),  # type: ignore[operator]
+        "dpr": (whole and 0 <= value <= 4095, "must be a whole number from 0 to 4095"),  # type: ignore[operator]
+        "bit": (whole and 0 <= value <= 1, "must be 0 or 1"),  # type: ignore[operator]
+        "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
+        "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),
+        "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
+        "bus event": (value in BUS_EVENTS, f"must be one of {', '.join(BUS_EVENTS)}"),
+        "view": (value in VIEWS, f"must be one of {', '.join(VIEWS)}"),
+        "motor": (value in MOTORS, f"must be {' or '.join(MOTORS)}"),
+        "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
+    }
+    fits, words = tests[kind]
+    return None if fits else words
+
+
+def _is_pair(value: object) -> bool:
+    if not isinstance(value, list) or len(value) != 2:
+        return False
+    return all(_kind_problem("number", each) is None for each in value) and value[0] <= value[1]
+
+
+def _are_registers(value: object) -> bool:
+    """Words, signed or not, by the numbers of their registers."""
+    return isinstance(value, dict) and all(
+        _is_number(str(name))
+        and int(name) <= LAST_REGISTER
+        and isinstance(word, int)
+        and -(LAST_REGISTER // 2) - 1 <= word <= LAST_REGISTER
+        for name, word in value.items()
+    )
+
+
+def _is_number(text: str) -> bool:
+    """Whether a part of a key is a number as it is written: no zero before it, and no more digits than anything has."""
+    return text.isascii() and text.isdigit() and len(text) <= 6 and (text == "0" or text[0] != "0")
+
+
+def _generic(key: str) -> str:
+    """`axis.3.travel` as the table has it."""
+    parts = key.split(".")
+    if parts[0] == "axis" and len(parts) > 2 and _is_number(parts[1]):
+        parts[1] = "N"
+    if parts[:2] == ["mint", "readings"] and len(parts) > 2:
+        parts[2:] = ["WORD"]
+    return ".".join(parts)
+
+
+def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
+    """The values by their dotted keys; what lies deeper than any key has no key of its own."""
+    for key, value in tree.items():
+        if isinstance(value, dict) and prefix.count(".") < _DEEPEST:
+            yield from _flatten(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value
+
+
+def _located(source: Source, key: str, message: str, hint: str, name: str, entry: int = 0) -> Diagnostic:
+    """The diagnostic on the line that has the mistake, as far as the file's own spelling shows it.
+
+    Of a table it is looked for in one entry, whose `[[key]]` stands in where the line is not found; of a section or of
+    what lies too deep, the first line of it.
+    """
+    here, seen = "", -1
+    place = 0, 0, 1
+    inside = f"{key.removesuffix('.')}."
+    for number, line in enumerate(source.text.split("\n"), 1):
+        text = line.strip()
+        column = len(line) - len(line.lstrip()) + 1
+        if text.startswith("["):
+            header = text.partition("#")[0].replace(" ", "")
+            here = header.strip("[]").replace('"', "").replace("'", "")
+            seen += header == f"[[{key}]]"
+            if (header == f"[[{key}]]" and seen == entry) or (header == name and seen < 0):
+                place = number, column, len(text.partition("#")[0].strip())
+            continue
+        if "=" not in text or text.startswith("#"):
+            continue
+        word = text.split("=")[0].strip(" \"'")
+        full = f"{here}.{word}" if here else word
+        within = "{" in text and key.startswith(f"{full}.")  # a table in one line
+        if full == key or within or (here == key and word == name and seen == entry):
+            return Diagnostic("machine-file", message, number, column, length=len(word), hint=hint)
+        if full.startswith(inside) and not place[0]:
+            place = number, column, len(word)
+    return Diagnostic("machine-file", message, *place[:2], length=place[2], hint=hint)
+
+
+def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
+    import re
+
+    text = str(error)
+    place = re.search(r"\(at line (\d+), column (\d+)\)", text)
+    line, column = (int(place[1]), int(place[2])) if place else source.place(len(source.text.rstrip()))
+    return Diagnostic("machine-file", text.split(" (at ")[0], line, column, hint="the machine file is TOML")
+
+
+def _beyond_python(source: Source, error: Exception) -> Diagnostic:
+    """What Python's reader of TOML gives up at: nesting, or a number that is longer than any."""
+    import re
+
+    if isinstance(error, RecursionError):
+        line, column = source.place(_deepest(source.text))
+        message, hint = (
+            "values are nested too deeply",
+            "no value of the machine file is more than a list of numbers",
+        )
+    else:
+        digits = re.search("[0-9_]{1000,}", source.text)
+        line, column = source.place(digits.start()) if digits else (0, 0)
+        message, hint = "a number has too many digits", "1e6 is a million"
+    return Diagnostic("machine-file", message, line, column, hint=hint)
+
+
+def _deepest(text: str) -> int:
+    """Where the most brackets are open."""
+    open_now, most, place = 0, 0, 0
+    for offset, letter in enumerate(text):
+        open_now += (letter in "[{") - (letter in "]}")
+        if open_now > most:
+            most, place = open_now, offset
+    return place

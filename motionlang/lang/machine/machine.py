@@ -1,0 +1,238 @@
+"""The machine a program runs on: the controller, the terminal, and the world that the machine file describes."""
+
+from __future__ import annotations
+
+from motionlang.controller.clock import Clock
+from motionlang.lang.machine.terminal import Terminal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.io.host_memory import HostMemory
+    from motionlang.controller.io.wiring import World
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.machine.nonvolatile import NonVolatile
+    from motionlang.lang.machine.operator import Operator
+    from motionlang.lang.scheduler import Scheduler
+
+DEFAULT_AXES = 8
+# The number of the terminal that is the console.
+CONSOLE = 1
+INSTRUCTION_TIME = 10e-6
+
+
+class Machine:
+    """A controller with its terminal, and the settings that a language needs to run on it.
+
+    The controller is built when it is first asked for: a program that moves nothing starts without it. What a
+    dialect wants done to it at power-up it says with `at_power_up`.
+    """
+
+    __slots__ = (
+        "_controller",
+        "_first_axis",
+        "_host",
+        "_operators",
+        "_power_up",
+        "_world",
+        "ask",
+        "assumed",
+        "clock",
+        "diagnostics",
+        "instruction_time",
+        "model",
+        "notes",
+        "nv",
+        "overrides",
+        "scheduler",
+        "settings",
+        "terminal",
+        "terminals",
+        "without_effect",
+        "written",
+    )
+
+    def __init__(
+        self,
+        settings: Mapping[str, object] | None = None,
+        *,
+        first_axis: int = 0,
+        show: Callable[[str], None] | None = None,
+        overrides: Mapping[str, float | str] | None = None,
+    ) -> None:
+        self.settings = dict(settings or {})
+        get = self.settings.get
+        self.model = str(get("controller.model", ""))
+        self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
+        self.clock = Clock()
+        self._first_axis = first_axis
+        self._controller: Controller | None = None
+        self._world: World | None = None
+        self._power_up: list[Callable[[Controller], None]] = []
+        self._host: HostMemory | None = None
+        self._operators: dict[int, Operator] = {}
+        self.terminal = Terminal(show)
+        # What went to other terminals and to serial ports, by their labels.
+        self.terminals: dict[str, Terminal] = {}
+        # Whoever is asked for a line of the console as soon as the program wants one; None where nobody is.
+        self.ask: Callable[[], str | None] | None = None
+        # What `--set NAME=VALUE` gives to the program's own names.
+        self.overrides = dict(overrides or {})
+        # The words that the program came to and that change nothing here, in their order, with their lines.
+        self.without_effect: dict[str, list[int]] = {}
+        # Those that it read and whose value nobody knows, likewise.
+        self.assumed: dict[str, list[int]] = {}
+        # What this run could not know of other devices, in the order in which the program met it.
+        self.notes: dict[str, None] = {}
+        # Who can tell what the program has written into other devices, as rows of the report.
+        self.written: list[Callable[[], list[dict[str, object]]]] = []
+        # Data that outlives the run, where somebody says in which file.
+        self.nv: NonVolatile | None = None
+        # What the program did wrong without ending: MCCL answers with a code and goes on.
+        self.diagnostics: list[Diagnostic] = []
+        # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
+        self.scheduler: Scheduler | None = None
+        if not _is_plain(self.settings):
+            self._check_axes()
+            _ = self.controller  # what the world does by time begins at once
+
+    def _check_axes(self) -> None:
+        """ProgramError where the settings speak of axes that there are not."""
+        from motionlang.lang.machine.axes import missing_axes
+
+        wrong = missing_axes(self.settings, self._axes, self._first_axis)
+        if wrong:
+            from motionlang.errors import ProgramError
+
+            raise ProgramError(wrong)
+
+    @property
+    def _axes(self) -> int:
+        return self.settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[return-value]
+
+    @property
+    def controller(self) -> Controller:
+        """The controller, powered up and wired to its world."""
+        if self._controller is None:
+            from motionlang.controller.controller import Controller
+
+            self._controller = Controller(self._axes, self._first_axis, self.clock)
+            self._world = _world(self._controller, self.settings)
+            for call in self._power_up:
+                call(self._controller)
+        return self._controller
+
+    @property
+    def world(self) -> World | None:
+        """What the machine file says of the world, None where it says nothing."""
+        _ = self.controller
+        return self._world
+
+    def at_power_up(self, call: Callable[[Controller], None]) -> None:
+        """Let `call` prepare the controller: now, or when it is built."""
+        if self._controller is None:
+            self._power_up.append(call)
+        else:
+            call(self._controller)
+
+    def moving(self) -> list[int]:
+        """The axes that are not idle."""
+        return [] if self._controller is None else self._controller.moving()
+
+    @property
+    def moves_made(self) -> int:
+        """How many moves were started so far."""
+        return 0 if self._controller is None else len(self._controller.moves)
+
+    @property
+    def has_motors(self) -> bool:
+        """Whether the machine file gives an axis a simulated motor."""
+        return any(".plant." in key for key in self.settings)
+
+    def settling(self) -> list[int]:
+        """The idle axes whose simulated motors are not at rest yet."""
+        return [] if self._controller is None else self._controller.settling()
+
+    def rest_time(self, axis: int) -> float:
+        """When the motor of an idle axis will be at rest, or when to look again."""
+        return self.controller.rest_time(axis)
+
+    def idle_time(self, axis: int) -> float:
+        """The time at which an axis will be idle if nothing else happens."""
+        return self.controller.idle_time(axis)
+
+    @property
+    def host(self) -> HostMemory:
+        """The memory shared with a host, from the first use on, with what the machine file lets the host write."""
+        if self._host is None:
+            from motionlang.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
+
+            self._host = HostMemory(PRODUCTS[product(self.model)])
+            for area in AREAS:
+                for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
+                    self._host.schedule(self.clock, area, entry)
+        return self._host
+
+    @property
+    def kept(self) -> NonVolatile:
+        """Data that outlives the run, or lasts as long as it does."""
+        if self.nv is None:
+            from motionlang.lang.machine.nonvolatile import NonVolatile
+
+            self.nv = NonVolatile()
+        return self.nv
+
+    @property
+    def has_operator(self) -> bool:
+        """Whether the program listens to the keyboard."""
+        return CONSOLE in self._operators
+
+    @property
+    def operator(self) -> Operator:
+        """Whoever presses keys and types at the console, from the first use on."""
+        return self.operator_at(CONSOLE)
+
+    def operator_at(self, number: int) -> Operator:
+        """The same for one of several terminals."""
+        found = self._operators.get(number)
+        if found is None:
+            from motionlang.lang.machine.operator import Operator
+
+            found = self._operators[number] = Operator(
+                self.clock, self.terminal_at(number), self.settings, number
+            )
+        return found
+
+    def terminal_at(self, number: int) -> Terminal:
+        """One of several terminals; the console is one of them."""
+        return self.terminal if number == CONSOLE else self.stream(f"terminal {number}")
+
+    def stream(self, label: str) -> Terminal:
+        """What is printed elsewhere than on the console; its lines are shown with their label."""
+        found = self.terminals.get(label)
+        if found is None:
+            from motionlang.lang.machine.terminal import labelled
+
+            found = self.terminals[label] = labelled(label, self.terminal)
+        return found
+
+    def close_terminals(self) -> None:
+        """End the lines that were left open, the console's last."""
+        for terminal in (*self.terminals.values(), self.terminal):
+            terminal.close()
+
+
+def _world(controller: Controller, settings: Mapping[str, object]) -> World | None:
+    """The world of a machine file, None where the file says nothing beyond the controller itself."""
+    if _is_plain(settings):
+        return None
+    from motionlang.controller.io.wiring import World
+
+    return World(controller, settings)
+
+
+def _is_plain(settings: Mapping[str, object]) -> bool:
+    """Whether the settings speak of the controller alone."""
+    return all(key.startswith(("controller.", "mint.")) for key in settings)

@@ -1,0 +1,133 @@
+"""From a `.lark` grammar to the tables that `motionlang.lang.parsing.parser` runs; done once, when a grammar changes.
+
+`python -m motionlang.lang.parsing.generate` writes `motionlang/mint/syntax/tables.py`. A test compares the two, so
+that they cannot drift apart. Lark makes the LALR(1) table; `states` writes its states, `rules` its reducers, and here
+are the terminals.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from glob import glob
+from importlib import import_module
+
+from lark import Lark
+
+from motionlang.lang.parsing.rules import Rules
+from motionlang.lang.parsing.states import States
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+
+
+def grammar_path(name: str) -> str:
+    """Where a grammar stands: inside an installed package, or beside it in a checkout."""
+    inside = os.path.join(ROOT, "grammars", name)
+    return inside if os.path.exists(inside) else os.path.join(os.path.dirname(ROOT), "grammars", name)
+
+
+def build_lark(name: str, lexer: str = "basic", **options: Any) -> Lark:
+    """Lark's own parser of a grammar: the maker of the tables, and the judge in the tests."""
+    path = grammar_path(name)
+    with open(path, encoding="utf-8") as file:
+        return Lark(
+            file.read(),
+            parser="lalr",
+            lexer=lexer,
+            g_regex_flags=re.ASCII,
+            import_paths=[os.path.dirname(path)],
+            **{"keep_all_tokens": True, "maybe_placeholders": True, **options},
+        )
+
+
+def generate(name: str, package: str, actions: dict[str, str]) -> str:
+    """The text of the tables module of a grammar and its actions, for `motionlang.<package>`."""
+    lark = build_lark(name)
+    table = lark.parser.parser._parse_table
+    rules = Rules(actions, import_module(f"motionlang.{package}.syntax.nodes"))
+    states = States(table, rules)
+    literals, classes = _terminals(lark)
+    token, continued = _token_patterns(lark, literals, classes)
+    parts = [
+        f'"""The tables of grammars/{name}; written by `python -m motionlang.lang.parsing.generate`, not by hand."""\n',
+        "# ruff: noqa\n# mypy: ignore-errors\n# fmt: off\n",
+        "from motionlang.lang.parsing.parser import Tables, new",
+        f"from motionlang.{package}.syntax.build import *",
+        f"from motionlang.{package}.syntax.nodes import *\n",
+        *rules.functions,
+        f"\nTOKEN = {token!r}\n",
+        f"CONTINUED = {continued!r}\n",
+        f"LITERALS = {_wrapped(literals)}\n",
+        f"CLASSES = {_wrapped(classes)}\n",
+        f"SPELLINGS = {_wrapped(_spellings(lark))}\n",
+        "RULES = (\n" + "".join(f"    {each},\n" for each in rules.rows) + ")\n",
+        "ROWS = (\n" + "".join(f"    {each!r},\n" for each in states.rows) + ")\n",
+        f"TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, {states.finish})",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _wrapped(mapping: dict[str, str]) -> str:
+    return "{\n" + "".join(f"    {key!r}: {value!r},\n" for key, value in mapping.items()) + "}"
+
+
+# -------------------------------------------------------------------------------------------- the terminals
+
+
+# Texts that no terminal matches, each swallowed whole so that broken text is read once: an open string, `12abc`.
+_LEFTOVERS = r'"[^\n]*|[0-9][A-Za-z0-9_]*|.'
+_JOINED = re.compile(r"(?:\\.|[^\\()\[\]+*?.])+")  # "<>" | "<=": literal texts and nothing else
+
+
+def _terminals(lark: Lark) -> tuple[dict[str, str], dict[str, str]]:
+    """The literal texts (words in lower case, operators) and the patterns of the other kinds of token."""
+    literals, classes = {}, {}
+    for terminal in lark.terminals:
+        if terminal.name in lark.ignore_tokens:
+            continue
+        pattern = terminal.pattern.value.removeprefix("(?:").removesuffix(")")
+        if terminal.pattern.type == "str":
+            literals[terminal.pattern.value.lower()] = str(terminal.name)
+        elif _JOINED.fullmatch(pattern):
+            for text in pattern.split("|"):
+                literals[re.sub(r"\\(.)", r"\1", text).lower()] = str(terminal.name)
+        else:
+            classes[str(terminal.name)] = terminal.pattern.to_regexp()
+    return dict(sorted(literals.items())), classes
+
+
+def _spellings(lark: Lark) -> dict[str, str]:
+    """From the kind of a fixed token to its text as the grammar spells it, for messages and completion."""
+    return {str(each.name): each.pattern.value for each in lark.terminals if each.pattern.type == "str"}
+
+
+def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str]) -> tuple[str, str]:
+    """One pattern for every token, without and with continued lines; words are told apart afterwards."""
+    ignored = {
+        each.name: each.pattern.to_regexp() for each in lark.terminals if each.name in lark.ignore_tokens
+    }
+    operators = [re.escape(text) for text in literals if len(text) > 1 and not text[0].isalpha()]
+    found = "|".join([*classes.values(), *operators, _LEFTOVERS])
+    blank = ignored.pop("BLANK")
+    some = re.sub(r"(?<=\])\+\+$", "*+", blank)  # of one set of characters, any number: no group is as quick
+    return f"{some}({found})", f"(?:{'|'.join([blank, *ignored.values()])})*({found})"
+
+
+def main() -> int:
+    """Write the tables of every dialect that says, in an `actions` module, what its grammar builds."""
+    for file in sorted(glob(os.path.join(ROOT, "*", "syntax", "actions.py"))):
+        package = os.path.basename(os.path.dirname(os.path.dirname(file)))
+        actions = import_module(
+            f"motionlang.{package}.syntax.actions"
+        ).ACTIONS  # a layer above: known by name only
+        with open(os.path.join(ROOT, package, "syntax", "tables.py"), "w", encoding="utf-8") as tables:
+            tables.write(generate(f"{package}.lark", package, actions))
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,109 @@
+"""From the ordinal of a token to its line and column, worked out when somebody asks.
+
+A tree carries ordinals because they cost nothing to make. The compiler asks for lines, which need one look at
+the texts of the tokens; columns are wanted for messages only, and for them the text is cut up once more.
+"""
+
+from __future__ import annotations
+
+from itertools import accumulate, islice
+from sys import maxsize
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import re
+    from collections.abc import Iterator
+
+    from motionlang.lang.parsing.parser import Tables
+    from motionlang.source import Source
+
+
+_SIGNS = frozenset("+-~")
+
+
+class Places:
+    """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
+
+    __slots__ = ("_lines", "_matches", "_spans", "_tables", "_texts", "source")
+
+    def __init__(self, source: Source, tables: Tables, texts: list[str] | None = None) -> None:
+        self.source = source
+        self._tables = tables
+        self._texts = texts
+        self._spans: list[tuple[int, int]] = []  # those of the first tokens, and what finds the others
+        self._matches: Iterator[re.Match[str]] | None = None
+        self._lines: list[int] = []  # the line of each token, and of what follows the last one
+
+    @property
+    def continues(self) -> bool:
+        """May lines of the source go on in the next one?"""
+        return self._tables.continues(self.source.text)
+
+    def line(self, at: int) -> int:
+        """The line of a token."""
+        if not self._lines:
+            self._find_lines()
+        return self._lines[min(at, len(self._lines) - 1)]
+
+    def column(self, at: int) -> int:
+        """The column of a token."""
+        start = self.span(at)[0]
+        return start - self.source.text.rfind("\n", 0, start)
+
+    def length(self, at: int) -> int:
+        """The number of characters of a token."""
+        start, end = self.span(at)
+        return max(1, end - start)
+
+    def text(self, at: int) -> str:
+        """The text of a token."""
+        start, end = self.span(at)
+        return self.source.text[start:end]
+
+    def value_length(self, at: int) -> int:
+        """The number of characters of the value that begins with a token: of its signs, too, and of a `(…)`."""
+        start, last = self.span(at)[0], at
+        while self.text(last) in _SIGNS:
+            last += 1
+        if last > at and self.text(last) == "(":
+            last = self._closing(last)
+        end = self.span(last)[1]
+        return end - start if "\n" not in self.source.text[start:end] else self.length(at)
+
+    def _closing(self, at: int) -> int:
+        """The bracket that closes the one at a token; the token itself where none does on its line."""
+        depth, last = 0, at
+        while (piece := self.text(last)) and "\n" not in piece:
+            depth += (piece == "(") - (piece == ")")
+            if depth == 0:
+                return last
+            last += 1
+        return at
+
+    def span(self, at: int) -> tuple[int, int]:
+        """The offsets at which a token begins and ends; of one past the last, the end of the text."""
+        spans = self._spans
+        if at >= len(spans):
+            if self._matches is None:
+                self._matches = self._tables.matches(self.source.text)
+            spans += [match.span(1) for match in islice(self._matches, at + 1 - len(spans))]
+        end = len(self.source.text)
+        return spans[at] if at < len(spans) else (end, end)
+
+    def _find_lines(self) -> None:
+        texts, self._texts = self._texts, None
+        if texts is None or self.continues:
+            self._lines_from_spans()
+            return
+        ends = {text: text.count("\n") for text in set(texts)}
+        self._lines = list(accumulate(map(ends.__getitem__, texts), initial=1))
+
+    def _lines_from_spans(self) -> None:
+        """Lines that go on in the next one end inside no token, so the offsets have to tell."""
+        self.span(maxsize - 1)
+        text, line, before = self.source.text, 1, 0
+        for start, _ in self._spans:
+            line += text.count("\n", before, start)
+            self._lines.append(line)
+            before = start
+        self._lines.append(line)

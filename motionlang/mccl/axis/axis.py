@@ -1,0 +1,175 @@
+"""What the board knows of an axis beyond what the controller does: user units, mode, limits, flags."""
+
+from __future__ import annotations
+
+from math import floor
+
+from motionlang.controller.scale import Scale
+from motionlang.mccl.axis.flags import FAULTS
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.models import Model
+
+# Modes of operation, as their commands name them.
+POSITION, VELOCITY, TORQUE, GAIN, CONTOUR = "position", "velocity", "torque", "gain", "contour"
+
+
+def nearest_whole(value: float) -> float:
+    """The nearest whole number, halves away from below."""
+    return float(floor(value + 0.5))
+
+
+class Units:
+    """The user units that an axis has been given; they are in force from the next MN."""
+
+    __slots__ = ("constant", "counts", "offset", "rate", "zero")
+
+    def __init__(self) -> None:
+        self.counts = self.rate = self.constant = 1.0
+        self.offset = self.zero = 0.0
+
+
+class JogSettings:
+    """How an axis follows its joystick: rates in counts and seconds, voltages in volts."""
+
+    __slots__ = ("accel", "deadband", "gain", "minimum", "offset")
+
+    def __init__(self) -> None:
+        self.accel, self.gain = 100_000.0, 1000.0
+        self.minimum, self.offset, self.deadband = 0.0, 0.0, 0.1
+
+
+class VectorSettings:
+    """Velocity, acceleration, deceleration along contour paths, counts and seconds; `override` multiplies the first."""
+
+    __slots__ = ("accel", "decel", "override", "velocity")
+
+    def __init__(self) -> None:
+        self.velocity, self.accel, self.decel, self.override = 40_000.0, 100_000.0, 100_000.0, 1.0
+
+
+class AxisState:
+    """One axis of the board; positions without a unit in their name are counts.
+
+    `flags` holds the bits of the status word that only events and commands change; `rested` is when the axis last
+    came to rest, `controlling` the axis whose contour path it belongs to, `master` the axis that it is slaved to.
+    """
+
+    __slots__ = (
+        "aux_index",
+        "aux_zero",
+        "backlash",
+        "breakpoint",
+        "breakpoint_reached",
+        "compensates",
+        "constant",
+        "controlling",
+        "deadband",
+        "deadband_delay",
+        "direction",
+        "edge_found",
+        "flags",
+        "half_steps",
+        "index_found",
+        "index_position",
+        "jog",
+        "jogging",
+        "kept",
+        "limit_mode",
+        "master",
+        "minimum",
+        "mode",
+        "model",
+        "number",
+        "on_arc",
+        "on_line",
+        "recording",
+        "rested",
+        "reversed_phase",
+        "running",
+        "scale",
+        "scaled",
+        "segments",
+        "slave_ratio",
+        "soft_high",
+        "soft_low",
+        "synchronised",
+        "takeup",
+        "units",
+        "vector",
+    )
+
+    def __init__(self, number: int, model: Model) -> None:
+        self.number, self.model = number, model
+        self.rested = 0.0
+        self.reset()
+
+    def reset(self) -> None:
+        """As at power-up."""
+        self.units, self.scale, self.scaled, self.constant = Units(), Scale(), False, 1.0
+        self.mode, self.direction = POSITION, 1
+        # In velocity mode, between GO and the stop.
+        self.running = False
+        self.flags = 0
+        self.deadband = self.deadband_delay = 0.0
+        self.breakpoint, self.breakpoint_reached = 0.0, False
+        self.index_position, self.index_found, self.edge_found = 0.0, False, False
+        self.limit_mode, self.soft_high, self.soft_low = 0, 0.0, 0.0
+        self.master: int | None = None
+        self.slave_ratio = 1.0
+        self.controlling: int | None = None
+        self.vector = VectorSettings()
+        self.segments, self.synchronised, self.on_arc, self.on_line = 0, False, False, False
+        self.jog, self.jogging = JogSettings(), False
+        self.recording = False
+        self.half_steps = self.reversed_phase = False
+        # The velocity at which a stepper starts and stops, and what is added to its targets against backlash.
+        self.minimum = 0.0
+        self.compensates, self.backlash, self.takeup = False, 0.0, 0.0
+        # What the auxiliary encoder counted when it was given the value 0, and at its last index.
+        self.aux_zero = self.aux_index = 0.0
+        # Settings of the servo loop and the output stage, by the name of their row's verb.
+        self.kept: dict[str, float] = {}
+
+    def forget_faults(self) -> None:
+        """What MN forgets."""
+        self.flags &= ~FAULTS
+
+    def apply_units(self) -> None:
+        """Let the user units take effect."""
+        units, scale = self.units, self.scale
+        scale.counts, scale.rate = units.counts, units.rate
+        scale.zero = (units.offset + units.zero) * units.counts
+        self.constant = units.constant
+        self.scaled = scale.counts != 1.0 or scale.rate != 1.0 or scale.zero != 0.0
+
+    def distance(self, value_uu: float) -> float:
+        """A distance in counts: whole, as the board has it."""
+        return nearest_whole(value_uu * self.scale.counts)
+
+    def position(self, value_uu: float) -> float:
+        """A position in counts, whole."""
+        return nearest_whole(self.scale.position_to_counts(value_uu))
+
+    def rate(self, value_uu: float, unit: str) -> float:
+        """A velocity or acceleration in counts and seconds; whole only while no scale is set."""
+        value = self.scale.to_counts(value_uu, unit)
+        return nearest_whole(value) if self.model.rounds and not self.scaled else value
+
+    def say(self, counts: float, unit: str = "position") -> str:
+        """A quantity as the board prints it: whole counts, or six decimals of the user unit.
+
+        Positions and distances are whole counts before they are scaled: that is what an encoder knows.
+        """
+        if unit == "position":
+            value = self.scale.position_to_user(nearest_whole(counts))
+        else:
+            value = self.scale.to_user(counts, unit)
+        return real(value) if self.scaled else str(int(nearest_whole(value)))
+
+
+def real(value: float) -> str:
+    """A real number as the board prints it."""
+    text = f"{value:.6f}"
+    return "0.000000" if text == "-0.000000" else text

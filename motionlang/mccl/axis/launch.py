@@ -1,0 +1,94 @@
+"""What becomes of a position move on its way to the controller: backlash is taken up, a stepper starts at once.
+
+Compensation of backlash adds BD in the direction of the move, so that the load comes to the same place from either
+side. The target that the program knows is without it: TT tells that one, TP and TO where the motor is.
+"""
+
+from __future__ import annotations
+
+from math import copysign, sqrt
+
+from motionlang.profile import Profile
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+INFINITY = float("inf")
+
+
+def aim(controller: Controller, axis: AxisState) -> float:
+    """The target as the program knows it, counts; where the axis is demanded to be while it runs without one."""
+    target = controller.target(axis.number)
+    if abs(target) == INFINITY:
+        target = controller.demand(axis.number)
+    return target - axis.takeup
+
+
+def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -> None:
+    """Start a position move to `target`, counts as the program knows them."""
+    controller, number = board.controller, axis.number
+    takeup = _takeup(controller, axis, target)
+    profile = _from_minimum(controller, axis, target + takeup)
+    if profile is None:
+        controller.move_to(number, target + takeup, word, line)
+    else:
+        controller.play(number, profile, word, line)
+    axis.takeup = takeup
+
+
+def _takeup(controller: Controller, axis: AxisState, target: float) -> float:
+    """What a move to `target` needs on top; one that goes nowhere leaves it as it is."""
+    if not axis.compensates:
+        return 0.0
+    way = target - aim(controller, axis)
+    return copysign(axis.backlash, way) if way else axis.takeup
+
+
+def _from_minimum(controller: Controller, axis: AxisState, target: float) -> Profile | None:
+    """The trapezoid between two steps of velocity of MV; None where MV has no part in the move.
+
+    It is the trapezoid from rest with both ends cut off: v from MV to the peak, v² = MV² + distance/(1/2A + 1/2D).
+    """
+    number = axis.number
+    if (
+        axis.minimum <= 0.0
+        or controller.setting(number, "shape") != "trapezoid"
+        or not controller.is_enabled(number)
+    ):
+        return None
+    speed, accel, decel = (
+        float(controller.setting(number, name) or 0.0) for name in ("speed", "accel", "decel")
+    )
+    start = controller.demand(number)
+    if not (speed > 0.0 and accel > 0.0 and decel > 0.0) or start == target:
+        return None
+    low = min(axis.minimum, speed)
+    if controller.is_idle(number):
+        return _stepped(start, target, low, speed, accel, decel)
+    velocity = controller.demand_velocity(number)
+    if velocity * (target - start) <= 0.0 or abs(velocity) < low:
+        return None
+    from motionlang.profile import plan_trapezoid
+
+    beyond = target + copysign(low * low / (2.0 * decel), velocity)
+    whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)
+    profile = whole.cut(whole.duration - low / decel)
+    profile.end = target
+    return profile
+
+
+def _stepped(start: float, target: float, low: float, speed: float, accel: float, decel: float) -> Profile:
+    """From rest: `low` at once, the trapezoid, and from `low` to rest at once."""
+    size, per_square = abs(target - start), 0.5 / accel + 0.5 / decel
+    peak = min(speed, sqrt(low * low + size / per_square))
+    slew = (size - (peak * peak - low * low) * per_square) / peak if peak == speed else 0.0
+    # The gain in velocity, without the loss of figures that the difference of two near numbers has.
+    gain = size / per_square / (peak + low) if peak < speed else peak - low
+    rise, fall = gain / accel, gain / decel
+    v = copysign(peak, target - start)
+    step = copysign(low, v)
+    recipe = (0.0, 0.0, 0.0, step, rise, 0.0, v, slew, 0.0, v, fall, 0.0, step, 0.0, 0.0, 0.0)
+    return Profile("trapezoid", start, target, rise + slew + fall, recipe)

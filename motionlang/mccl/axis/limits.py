@@ -1,0 +1,157 @@
+"""Travel limits and the amplifier-fault input of an axis: what trips them and what the axis then does.
+
+Where the machine file has switches, they are the hard limits; the channels of the axis trip them as well. A hard or
+soft limit does nothing until LN enables it. Tripping sets the trip bit and the motor-error bit, and the axis then
+takes no motion command until MN.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import (
+    ERROR_INPUT,
+    FOLLOWING_ERROR,
+    LIMIT_FORWARD,
+    LIMIT_REVERSE,
+    SOFT_LIMIT_FORWARD,
+    SOFT_LIMIT_REVERSE,
+)
+from motionlang.controller.triggers.limit import Limit
+from motionlang.mccl.axis import flags
+from motionlang.mccl.axis.inputs import ORDER, channel_of, is_channel_active
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+HARD_PLUS, HARD_MINUS, SOFT_HIGH, SOFT_LOW = 1, 2, 4, 8
+ALL = 15
+_HARD_ACTIONS = {0: "off", 1: "abort", 2: "stop"}
+_SOFT_ACTIONS = {0: "off", 4: "abort", 8: "stop"}
+# Bit of LN and LF: the enable bit of the status word.
+_ENABLE_BITS = {
+    HARD_PLUS: flags.HARD_PLUS_ENABLED,
+    HARD_MINUS: flags.HARD_MINUS_ENABLED,
+    SOFT_HIGH: flags.SOFT_HIGH_ENABLED,
+    SOFT_LOW: flags.SOFT_LOW_ENABLED,
+}
+# Bit of the controller's faults: the bit of the status word.
+_FAULT_BITS = {
+    LIMIT_FORWARD: flags.HARD_PLUS_TRIPPED,
+    LIMIT_REVERSE: flags.HARD_MINUS_TRIPPED,
+    SOFT_LIMIT_FORWARD: flags.SOFT_HIGH_TRIPPED,
+    SOFT_LIMIT_REVERSE: flags.SOFT_LOW_TRIPPED,
+    FOLLOWING_ERROR: flags.FOLLOWING_ERROR,
+    ERROR_INPUT: flags.AMPLIFIER_FAULT,
+}
+
+
+class Limits:
+    """The four limits of one axis."""
+
+    __slots__ = ("_axis", "_board", "_hard", "_soft", "amplifier_watched")
+
+    def __init__(self, board: Board, axis: AxisState) -> None:
+        self._board, self._axis = board, axis
+        self._hard = {HARD_PLUS: self._switch(1, LIMIT_FORWARD), HARD_MINUS: self._switch(-1, LIMIT_REVERSE)}
+        self._soft = {
+            SOFT_HIGH: self._new(1, SOFT_LIMIT_FORWARD),
+            SOFT_LOW: self._new(-1, SOFT_LIMIT_REVERSE),
+        }
+        self.amplifier_watched = False
+        self.set_mode(0)
+        self.disable(ALL)
+
+    def set_mode(self, mode: int) -> None:
+        """LM: what a tripped limit does."""
+        self._axis.limit_mode = mode
+        for limit in self._hard.values():
+            limit.action = _HARD_ACTIONS.get(mode & 3, "stop")
+        for limit in self._soft.values():
+            limit.action = _SOFT_ACTIONS.get(mode & 12, "stop")
+
+    def enable(self, which: int) -> None:
+        """LN: `which` holds bits of limits."""
+        for bit, shown in _ENABLE_BITS.items():
+            if which & bit:
+                self._axis.flags |= shown
+                self._limit(bit).enabled = True
+        self.place_soft()
+        for bit, name in ((HARD_PLUS, "limit_plus"), (HARD_MINUS, "limit_minus")):
+            if which & bit and is_channel_active(self._board, self._axis, name):
+                self._hard[bit].set_active(True)
+
+    def disable(self, which: int) -> None:
+        """LF: `which` holds bits of limits."""
+        for bit, shown in _ENABLE_BITS.items():
+            if which & bit:
+                self._axis.flags &= ~shown
+                self._limit(bit).enabled = False
+        self.place_soft()
+
+    def place_soft(self) -> None:
+        """Put the soft limits where HL and LL say, as far as they are enabled."""
+        axis = self._axis
+        for bit, position in ((SOFT_HIGH, axis.soft_high), (SOFT_LOW, axis.soft_low)):
+            limit = self._soft[bit]
+            limit.place(position if limit.enabled else None)
+
+    def channel_changed(self, name: str) -> None:
+        """One of the axis's inputs has another level."""
+        active = is_channel_active(self._board, self._axis, name)
+        if name == "limit_plus":
+            self._hard[HARD_PLUS].set_active(active)
+        elif name == "limit_minus":
+            self._hard[HARD_MINUS].set_active(active)
+        elif name == "amplifier_fault" and active:
+            self.amplifier_tripped()
+
+    def amplifier_tripped(self) -> None:
+        """The amplifier says that it is in trouble."""
+        if self.amplifier_watched:
+            self._board.controller.fault(self._axis.number, ERROR_INPUT, "off")
+
+    def happened(self) -> None:
+        """The controller has raised a fault on the axis: show it in the status word."""
+        axis, faults = self._axis, self._board.controller.faults(self._axis.number)
+        for bit, shown in _FAULT_BITS.items():
+            if faults & bit:
+                axis.flags |= shown | flags.MOTOR_ERROR
+        axis.running = False
+
+    def _limit(self, bit: int) -> Limit:
+        return self._hard[bit] if bit in self._hard else self._soft[bit]
+
+    def _switch(self, sign: int, bit: int) -> Limit:
+        """The switch that the machine has, or one that only the channel trips."""
+        for limit in self._board.controller.axes[self._axis.number].limits:
+            if limit.physical and limit.bit == bit:
+                return limit
+        return self._new(sign, bit, True)
+
+    def _new(self, sign: int, bit: int, physical: bool = False) -> Limit:
+        controller, number = self._board.controller, self._axis.number
+        limit = Limit(controller, number, sign, bit, "off", physical)
+        controller.axes[number].limits.append(limit)
+        return limit
+
+
+class Inputs:
+    """Tells the limits of every axis when one of their channels changes."""
+
+    __slots__ = ("_board", "_names")
+
+    def __init__(self, board: Board) -> None:
+        self._board = board
+        self._names = {channel_of(number, name): (number, name) for number in board.numbers for name in ORDER}
+        board.controller.inputs.listeners.append(self._changed)
+
+    def _changed(self, channel: int, value: float) -> None:
+        found = self._names.get(channel)
+        if found is None:
+            return
+        number, name = found
+        if name == "home":
+            self._board.home_changed(number)
+        else:
+            self._board.limits[number].channel_changed(name)

@@ -1,0 +1,91 @@
+"""The simulated motor of an axis, where the machine file gives it one: its gains, its limits, torque mode."""
+
+from __future__ import annotations
+
+from motionlang.mccl.axis.axis import GAIN, TORQUE
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+INFINITY = float("inf")
+# The settings of the servo loop by the verbs of their rows, and the words of `controller.servo.gains`.
+WORDS: dict[str, str] = {
+    "kept_gain": "SG",
+    "kept_integral": "SI",
+    "kept_integral_limit": "IL",
+    "kept_derivative": "SD",
+    "kept_derivative_period": "FR",
+    "kept_velocity_gain": "VG",
+    "kept_accel_gain": "AG",
+    "kept_decel_gain": "DG",
+    "kept_output_deadband": "OB",
+    "kept_output_offset": "OO",
+    "kept_torque": "SQ",
+    "kept_rate": "RATE",
+}
+# What is left of them in gain mode.
+_GAIN_MODE = frozenset(("SG", "OB", "OO", "SQ", "PH", "RATE"))
+# Counts of following error beyond which an axis trips while the program says nothing else; SE.
+ERROR_LIMIT = 1024.0
+# A deadband below this, counts, is the one count that an encoder can tell.
+_COUNT = 0.5
+FULL_OUTPUT = 10.0
+
+
+def power_up(board: Board, axis: AxisState) -> None:
+    """Settings as at power-up."""
+    number, controller = axis.number, board.controller
+    if controller.axes[number].feedback is None:
+        return
+    controller.axes[number].feedback.model = "dcx" if board.model.whole_gains else "multiflex"  # type: ignore[union-attr]
+    tune(board, axis)
+    limit_error(board, axis)
+    settle(board, axis)
+
+
+def tune(board: Board, axis: AxisState) -> None:
+    """The gains that the program has set are the loop's from now on."""
+    controller, number = board.controller, axis.number
+    if controller.axes[number].feedback is None:
+        return
+    words = {WORDS[verb]: value for verb, value in axis.kept.items() if verb in WORDS}
+    if axis.reversed_phase:
+        words["PH"] = 1.0
+    if axis.mode == GAIN:
+        words = {word: value for word, value in words.items() if word in _GAIN_MODE}
+    controller.set_gains(number, words)
+    if axis.mode == TORQUE:
+        drive(board, axis)
+
+
+def limit_error(board: Board, axis: AxisState) -> None:
+    """SE: the following error beyond which the motor is switched off, counts; 0 means no check."""
+    limit = axis.kept.get("kept_error_limit", ERROR_LIMIT)
+    board.controller.set_error_limit(axis.number, limit or INFINITY)
+
+
+def settle(board: Board, axis: AxisState) -> None:
+    """DB and DT: how near its target, and for how long, a motor must be."""
+    error = max(axis.deadband, _COUNT)
+    board.controller.settle_within(axis.number, error, INFINITY, axis.deadband_delay, True)
+
+
+def drive(board: Board, axis: AxisState) -> None:
+    """Torque mode: SQ is the output, in the direction of DI."""
+    controller, number = board.controller, axis.number
+    if controller.axes[number].feedback is not None and controller.is_enabled(number):
+        controller.open_loop(number, axis.direction * axis.kept.get("kept_torque", FULL_OUTPUT))
+
+
+def changed_mode(board: Board, axis: AxisState, before: str) -> None:
+    """The axis has another mode than `before`."""
+    if board.controller.axes[axis.number].feedback is None or axis.mode == before:
+        return
+    if before == TORQUE and board.controller.is_enabled(axis.number):
+        board.controller.close_loop(axis.number)
+    if GAIN in (axis.mode, before):
+        tune(board, axis)
+    if axis.mode == TORQUE:
+        drive(board, axis)

@@ -1,0 +1,128 @@
+"""The status words: which bit means what, and how each is found.
+
+Word 0 has the flags of MCAPI's MC_STAT list by their numbers, 0 to 30. The flags above 30 stand in the auxiliary,
+profile and mode words of a MultiFlex; where they stand in them is our choice (docs/fidelity.md).
+"""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis.flags import (
+    AMPLIFIER_ON,
+    AT_TARGET,
+    DIRECTION,
+    INDEX_INPUT,
+    INPUTS,
+    MOTOR_ON,
+    PHASE,
+    REACHED,
+    TRAJECTORY_COMPLETE,
+    VELOCITY_MODE,
+)
+from motionlang.mccl.axis.inputs import index_input, is_active
+from motionlang.mccl.axis.motion_phase import at_target_time, heading, next_turn, phase
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+INFINITY = float("inf")
+
+# Bits of the mode word.
+MODES = {POSITION: 1, VELOCITY: 2, TORQUE: 4, GAIN: 8, CONTOUR: 16}
+ARC, LINE, SLAVE = 32, 64, 128
+# Bits of the profile word; the shapes have the numbers of MCAPI's constants.
+SHAPES = {"trapezoid": 1, "sinusoidal": 2, "scurve": 2, "parabolic": 4}
+ACCELERATING, STOPPING = 8, 16
+# Bits of the auxiliary word.
+FULL_STEP, HALF_STEP, JOGGING, PROGRAMMED_NEGATIVE = 1, 2, 4, 1 << 10
+RECORDING, SYNCHRONISED = 1 << 12, 1 << 13
+INDEX_FOUND, EDGE_FOUND = 1 << 15, 1 << 18
+
+
+def word(board: Board, axis: AxisState, which: int) -> tuple[int, float]:
+    """A status word, and the time until which it stays if no event and no command comes between."""
+    if which == 0:
+        return _primary(board, axis)
+    if not board.model.words:
+        raise Fault(codes.PARAMETER, f"the {board.model.title} has one status word", kind="range")
+    return (_auxiliary, _profile, _mode)[which - 1](board, axis)
+
+
+def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
+    controller, number = board.controller, axis.number
+    bits = axis.flags
+    until = INFINITY
+    if controller.is_enabled(number):
+        bits |= MOTOR_ON | AMPLIFIER_ON
+    if axis.reversed_phase:
+        bits |= PHASE
+    if axis.breakpoint_reached:
+        bits |= REACHED
+    if controller.is_idle(number):
+        bits |= TRAJECTORY_COMPLETE
+    else:
+        until = next_turn(controller, number)
+    if heading(controller, number) < 0:
+        bits |= DIRECTION
+    if board.model.at_target:
+        time = at_target_time(controller, axis)
+        if time <= controller.clock.now:
+            bits |= AT_TARGET
+        else:
+            until = min(until, time)
+    elif axis.mode == VELOCITY:
+        bits |= VELOCITY_MODE
+    for name, bit in INPUTS.items():
+        if is_active(board, axis, name):
+            bits |= bit
+    if controller.axes[number].index_every:
+        on, leaves = index_input(board, axis)
+        until = min(until, leaves)
+        if on:
+            bits |= INDEX_INPUT
+    return bits, until
+
+
+def _auxiliary(board: Board, axis: AxisState) -> tuple[int, float]:
+    bits = HALF_STEP if axis.half_steps else FULL_STEP
+    if axis.jogging:
+        bits |= JOGGING
+    if axis.direction < 0:
+        bits |= PROGRAMMED_NEGATIVE
+    if axis.recording:
+        bits |= RECORDING
+    if axis.synchronised:
+        bits |= SYNCHRONISED
+    if axis.index_found:
+        bits |= INDEX_FOUND
+    if axis.edge_found:
+        bits |= EDGE_FOUND
+    return bits, INFINITY
+
+
+def _profile(board: Board, axis: AxisState) -> tuple[int, float]:
+    controller, number = board.controller, axis.number
+    bits = SHAPES[str(controller.setting(number, "shape"))]
+    if controller.is_idle(number):
+        return bits, INFINITY
+    name, until = phase(controller, number)
+    if name == "accel":
+        bits |= ACCELERATING
+    elif name == "stop":
+        bits |= STOPPING
+    return bits, until
+
+
+def _mode(board: Board, axis: AxisState) -> tuple[int, float]:
+    bits = MODES[axis.mode]
+    if axis.on_arc:
+        bits |= ARC
+    elif axis.on_line:
+        bits |= LINE
+    if axis.master is not None:
+        bits |= SLAVE
+    return bits, INFINITY

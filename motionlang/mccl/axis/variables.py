@@ -1,0 +1,201 @@
+"""The variables of an axis that a program can look up by name, and read and write by address.
+
+The names are ours where no source gives them (docs/fidelity.md); the addresses are ours throughout, and an address of
+one board is none of another's: programs look them up.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.mccl import codes
+from motionlang.mccl.axis import motor
+from motionlang.mccl.axis.launch import aim
+from motionlang.mccl.axis.status import word
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+    # The value, and the time until which it stays without an event to tell of a change.
+    Reading = Callable[[Board, AxisState], tuple[float | int, float]]
+    Writing = Callable[[Board, AxisState, float], None]
+
+INFINITY = float("inf")
+FIRST, STEP = 0x100, 4
+
+
+def _word(which: int) -> Reading:
+    return lambda board, axis: word(board, axis, which)
+
+
+def _position(board: Board, axis: AxisState) -> tuple[float, float]:
+    return _moving(board, axis, board.controller.position(axis.number))
+
+
+def _optimal(board: Board, axis: AxisState) -> tuple[float, float]:
+    return _moving(board, axis, board.controller.demand(axis.number))
+
+
+def _velocity(board: Board, axis: AxisState) -> tuple[float, float]:
+    return _moving(board, axis, board.controller.velocity(axis.number))
+
+
+def _following(board: Board, axis: AxisState) -> tuple[float, float]:
+    return _moving(board, axis, board.controller.following_error(axis.number))
+
+
+def _target(board: Board, axis: AxisState) -> tuple[float, float]:
+    if abs(board.controller.target(axis.number)) < INFINITY:
+        return aim(board.controller, axis), INFINITY
+    return _optimal(board, axis)
+
+
+def _index(board: Board, axis: AxisState) -> tuple[float, float]:
+    return axis.index_position, INFINITY
+
+
+def _segments(board: Board, axis: AxisState) -> tuple[float, float]:
+    return axis.segments, INFINITY
+
+
+def _moving(board: Board, axis: AxisState, value: float) -> tuple[float, float]:
+    """A value that changes as long as the axis moves."""
+    controller = board.controller
+    return value, INFINITY if controller.is_still(axis.number) else controller.clock.now
+
+
+_READINGS: dict[str, Reading] = {
+    "STATUS": _word(0),
+    "AUXSTATUS": _word(1),
+    "PROFILE": _word(2),
+    "MODE": _word(3),
+    "POSITION": _position,
+    "OPTIMAL": _optimal,
+    "TARGET": _target,
+    "VELOCITY": _velocity,
+    "ERROR": _following,
+    "INDEX": _index,
+    "SEGMENT": _segments,
+}
+
+
+def _setting(name: str) -> Reading:
+    """A setting of the motion, counts and seconds."""
+    return lambda board, axis: (float(board.controller.setting(axis.number, name) or 0.0), INFINITY)
+
+
+def _of(name: str) -> Reading:
+    """What the board keeps of the axis."""
+    return lambda board, axis: (float(getattr(axis, name)), INFINITY)
+
+
+def _kept(name: str, default: float) -> Reading:
+    return lambda board, axis: (axis.kept.get(name, default), INFINITY)
+
+
+def _auxiliary(board: Board, axis: AxisState) -> tuple[float, float]:
+    counted = board.controller.encoder_position(AUXILIARY + axis.number) - axis.aux_zero
+    moving = board.controller.encoder_velocity(AUXILIARY + axis.number) != 0.0
+    return counted, board.controller.clock.now if moving else board.controller.clock.next_time()
+
+
+def _write_setting(name: str) -> Writing:
+    def write_setting(board: Board, axis: AxisState, value: float) -> None:
+        board.controller.configure(axis.number, name, value)
+        if name == "accel" and not board.model.separate_decel:
+            board.controller.configure(axis.number, "decel", value)
+
+    return write_setting
+
+
+def _write(name: str) -> Writing:
+    return lambda board, axis, value: setattr(axis, name, value)
+
+
+def _write_limit(name: str) -> Writing:
+    def write_limit(board: Board, axis: AxisState, value: float) -> None:
+        setattr(axis, name, value)
+        board.limits[axis.number].place_soft()
+
+    return write_limit
+
+
+def _write_deadband(board: Board, axis: AxisState, value: float) -> None:
+    axis.deadband = value
+    motor.settle(board, axis)
+
+
+def _write_position(board: Board, axis: AxisState, value: float) -> None:
+    board.define_position(axis, value)
+
+
+def _write_auxiliary(board: Board, axis: AxisState, value: float) -> None:
+    axis.aux_zero = board.controller.encoder_position(AUXILIARY + axis.number) - value
+
+
+_READINGS |= {
+    "SPEED": _setting("speed"),
+    "ACCEL": _setting("accel"),
+    "DECEL": _setting("decel"),
+    "MINSPEED": _of("minimum"),
+    "DEADBAND": _of("deadband"),
+    "HIGHLIMIT": _of("soft_high"),
+    "LOWLIMIT": _of("soft_low"),
+    "BACKLASH": _of("backlash"),
+    "AUXPOSITION": _auxiliary,
+    "AUXINDEX": _of("aux_index"),
+    "OUTPUTMODE": _kept("output_mode", 0.0),
+    "INPUTMODE": _kept("input_mode", 0.0),
+    "ENCODERSCALE": _kept("encoder_scaling", 1.0),
+    "CURRENT": _kept("current", 1.0),
+    "LOOPRATE": _kept("kept_rate", 4000.0),
+}
+
+NAMES: dict[str, int] = {name: FIRST + STEP * k for k, name in enumerate(_READINGS)}
+_BY_ADDRESS = {NAMES[name]: reading for name, reading in _READINGS.items()}
+
+
+# What may be written, and how; the rest is told only.
+_WRITINGS: dict[str, Writing] = {
+    "POSITION": _write_position,
+    "SPEED": _write_setting("speed"),
+    "ACCEL": _write_setting("accel"),
+    "DECEL": _write_setting("decel"),
+    "MINSPEED": _write("minimum"),
+    "DEADBAND": _write_deadband,
+    "HIGHLIMIT": _write_limit("soft_high"),
+    "LOWLIMIT": _write_limit("soft_low"),
+    "BACKLASH": _write("backlash"),
+    "AUXPOSITION": _write_auxiliary,
+}
+_SIGNED = frozenset({"POSITION", "HIGHLIMIT", "LOWLIMIT", "AUXPOSITION"})
+
+
+def write(board: Board, axis: AxisState, address: int, value: float) -> None:
+    """Give the variable at an address a value, counts and seconds; it acts as that of its command does."""
+    name = next((each for each, place in NAMES.items() if place == address), "")
+    writing = _WRITINGS.get(name)
+    if writing is None:
+        known = ", ".join(_WRITINGS)
+        what = f"{name} can only be read" if name else f"there is nothing to write at address {address}"
+        raise Fault(codes.PARAMETER, what, f"what can be written is {known}", "range")
+    if name not in _SIGNED and value < 0.0:
+        raise Fault(codes.PARAMETER, f"{name} accepts 0 or more, not {value:g}", kind="range")
+    writing(board, axis, value)
+
+
+def read(board: Board, axis: AxisState, address: int) -> tuple[float | int, float]:
+    """The variable at an address, and the time until which it is sure to stay; positions and speeds in counts."""
+    reading = _BY_ADDRESS.get(address)
+    if reading is None:
+        raise Fault(
+            codes.PARAMETER,
+            f"there is nothing to read at address {address}",
+            'LU"STATUS" finds an address',
+            "range",
+        )
+    return reading(board, axis)

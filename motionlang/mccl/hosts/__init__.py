@@ -1,0 +1,1 @@
+"""A board behind an ASCII interface: ports, the console of a server, downloads."""

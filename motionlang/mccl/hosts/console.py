@@ -1,0 +1,166 @@
+"""A board with its ports: what a server feeds and lets run, in real time or only as far as the hosts wait.
+
+console = Console(Machine(first_axis=1))
+port = console.open()
+port.feed(b"1MN,1MR1000,1WS,1TP\\r")
+console.settle()
+port.take()                             # b">01 1000\\n>"
+"""
+
+from __future__ import annotations
+
+from traceback import walk_tb
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.scheduler import Scheduler, Stuck
+from motionlang.lang.task import Task, Wait
+from motionlang.mccl import codes
+from motionlang.mccl.hosts.download import Download
+from motionlang.mccl.hosts.port import Port
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.task import CommandTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.mccl.hosts.download import Complain, Write
+    from motionlang.source import Source
+
+INFINITY = float("inf")
+# Moves, profiles and changes that a board that is served for days remembers.
+MEMORY = 1000
+
+
+class Console:
+    """One board for any number of hosts.
+
+    `run(until)` lets machine time pass to `until`, whatever the hosts do: for a server on the wall clock. `settle()`
+    lets it pass until no port is busy: for tests and for servers in lock step, where time stands still between lines.
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        self.board = Board(machine)
+        self.ports: list[Port] = []
+        self._downloads: list[Download] = []
+        self._gate = _Gate(self)
+        self._scheduler = machine.scheduler = Scheduler(machine.controller, self._gate)
+
+    @property
+    def now(self) -> float:
+        """Machine time, seconds."""
+        return self.machine.controller.clock.now
+
+    @property
+    def working(self) -> bool:
+        """Whether a port is carrying out a line, or a file is being downloaded."""
+        return any(port.working for port in self.ports) or any(not each.done for each in self._downloads)
+
+    def open(self, echo: bool | None = None) -> Port:
+        """A port for a further host. `echo` None leaves the echo as the model has it."""
+        port = Port(self.board, echo)
+        self.ports.append(port)
+        self.board.join(port.task)
+        self._scheduler.start(port.task)
+        return port
+
+    def close(self, port: Port) -> None:
+        """The host is gone, perhaps in mid-line: its line is abandoned; motion and background tasks go on."""
+        if port in self.ports:
+            self.ports.remove(port)
+            port.close()
+            if port.task in self._scheduler.tasks:
+                self._scheduler.tasks.remove(port.task)
+
+    def download(self, source: Source, write: Write, complain: Complain) -> Download:
+        """Carry out the lines of a file, one after the other; motion and background tasks outlive it."""
+        task = Download(source, self.board, write, complain)
+        self._downloads = [each for each in self._downloads if not each.done] + [task]
+        self._scheduler.start(task)
+        return task
+
+    def drop_broken(self, error: Exception) -> None:
+        """An error of the interpreter itself: the line that it happened in is abandoned, the board lives on."""
+        task = self._scheduler.current
+        frames = [frame.f_code.co_name for frame, _ in walk_tb(error.__traceback__)]
+        by_itself = "advance" in frames and "resume" not in frames
+        if isinstance(task, CommandTask) and not task.done and not by_itself:
+            self.board.last_error = codes.IO
+            task.abandon()
+            task.reply(f"?{codes.IO}")
+            task.wait = None
+
+    def run(self, until: float) -> None:
+        """Let time pass to `until`."""
+        self._pass(until, lambda: False)
+        self.machine.controller.clock.advance(until)
+        self._forget()
+
+    def settle(self, limit: float = INFINITY) -> bool:
+        """Let time pass until no port is busy; False when that can never be, or not by the time `limit`.
+
+        A port that waits for its host, for a key or to be read, counts as not busy.
+        """
+        reached = self._pass(limit, lambda: not self.working)
+        self._forget()
+        return reached
+
+    def _pass(self, limit: float, enough: Callable[[], bool]) -> bool:
+        """Let time pass until it is enough; what an event is refused, long after its command, is a mere error code."""
+        self._gate.open_at(enough)
+        while True:
+            try:
+                return self._scheduler.run_program(limit)
+            except Stuck:
+                return False
+            except Refusal:
+                self.board.last_error = codes.PARAMETER
+
+    def next_time(self) -> float:
+        """When something will next happen by itself; a server need not look at the board before. 0: at once."""
+        time = self.machine.controller.clock.next_time()
+        for task in self._scheduler.tasks:
+            if task is not self._gate:
+                if task.wait is None or task.wait.ready():
+                    return 0.0
+                time = min(time, task.wait.due())
+        return time
+
+    def _forget(self) -> None:
+        """Drop history that nobody will ask for: a served board may run for days."""
+        controller = self.machine.controller
+        if len(controller.moves) > 2 * MEMORY:
+            del controller.moves[:-MEMORY]
+        for axis in controller.axes.values():
+            if len(axis.starts) > 20 * MEMORY:
+                del axis.starts[: -10 * MEMORY]
+                del axis.profiles[: -10 * MEMORY]
+        for channels in (
+            controller.inputs,
+            controller.outputs,
+            controller.analogue_inputs,
+            controller.analogue_outputs,
+        ):
+            if len(channels.changes) > 2 * MEMORY:
+                del channels.changes[:-MEMORY]
+
+
+class _Gate(Task):
+    """The scheduler's parent task: it ends a run when its condition holds, and otherwise does nothing."""
+
+    __slots__ = ("_console",)
+
+    def __init__(self, console: Console) -> None:
+        super().__init__("console")
+        self._console = console
+
+    def open_at(self, ready: Callable[[], bool]) -> None:
+        """End the next run when `ready` says so."""
+        self.done = False
+        self.wait = Wait(self._console.now, ready, lambda: INFINITY, "for the hosts")
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        self.done = True
+        return now, None

@@ -1,0 +1,45 @@
+"""A file sent to a board that hosts are connected to: its lines one after the other, its answers to whoever sent it."""
+
+from __future__ import annotations
+
+from motionlang.mccl.runtime.program import FileTask, MacroFile, locate
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.runtime.board import Board
+    from motionlang.mccl.runtime.task import CommandTask
+    from motionlang.source import Source
+
+    Write: TypeAlias = Callable[[str], None]
+    Complain: TypeAlias = Callable[[Diagnostic], None]
+
+
+class Download(FileTask):
+    """Done with the last line. `complain` is told of every command that was refused, with its place in the file."""
+
+    __slots__ = ("_complain", "_source")
+
+    def __init__(self, source: Source, board: Board, write: Write, complain: Complain) -> None:
+        others = list(board.tasks)
+        super().__init__(MacroFile(source), board)
+        board.tasks = [*others, self]
+        self._source, self._complain = source, complain
+        self.write = write
+        board.complain = self._told
+
+    def _told(self, diagnostic: Diagnostic, task: CommandTask) -> None:
+        if task is self:
+            diagnostic.line, diagnostic.column, diagnostic.length = locate(self._source, self.at)
+            self._complain(diagnostic)
+
+    def _rest(self, now: float) -> Wait | None:
+        """Background tasks that the file has started go on without it."""
+        self.board.complain = None
+        self.board.ended(self)
+        self.done = True
+        return None

@@ -1,0 +1,152 @@
+"""Waits: for a time, for axes to stop, for a position. Each ends at its exact time, nothing is polled."""
+
+from __future__ import annotations
+
+from motionlang.lang.task import Wait, wait_idle, wait_until
+from motionlang.mccl.axis.motion_phase import at_target_time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.board import Board
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+INFINITY = float("inf")
+BEFORE_NEVER = 1e300
+# Counts within which a position counts as reached: far below one, far above rounding.
+_REACHED = 1e-6
+
+
+def wait(task: CommandTask, command: Command) -> Wait | None:
+    return _dwell(task, command, task.board.controller.clock.now)
+
+
+def wait_stop(task: CommandTask, command: Command) -> Wait | None:
+    """Until the trajectory is complete, then the time."""
+    controller = task.board.controller
+    now = controller.clock.now
+    axes = [axis.number for axis in task.axes(command)]
+    if all(controller.is_idle(axis) for axis in axes):
+        return _dwell(task, command, now)
+    task.then = lambda time: _dwell(task, command, time)
+    return wait_idle(controller, now, axes)
+
+
+def wait_target(task: CommandTask, command: Command) -> Wait | None:
+    """Until each axis has been within DB of its target for DT, then the time."""
+    axes = list(task.axes(command))
+    return _next_target(task, command, axes, task.board.controller.clock.now)
+
+
+def wait_position(task: CommandTask, command: Command) -> Wait | None:
+    axis = task.axis(command)
+    return passing(task.board, axis, axis.position(float(task.value(command))))
+
+
+def wait_relative(task: CommandTask, command: Command) -> Wait | None:
+    axis = task.axis(command)
+    here = task.board.controller.position(axis.number)
+    return passing(task.board, axis, here + axis.distance(float(task.value(command))))
+
+
+def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
+    """Wait until the axis reaches or passes a position, counts; the breakpoint bit shows it."""
+    controller, number = board.controller, axis.number
+    axis.breakpoint, axis.breakpoint_reached = position, False
+    margin = _REACHED + 1e-12 * abs(position)
+    side = 1.0 if controller.position(number) < position else -1.0
+
+    def ready() -> bool:
+        reached = (position - controller.position(number)) * side <= margin
+        # Where time is too coarse for the position, the moment itself decides.
+        reached = reached or controller.crossing_time(number, position) <= controller.clock.now
+        axis.breakpoint_reached = axis.breakpoint_reached or reached
+        return reached
+
+    if ready():
+        return None
+    shown = axis.say(position)
+    return Wait(
+        controller.clock.now,
+        ready,
+        lambda: controller.crossing_time(number, position),
+        f"for axis {number} to pass {shown}",
+    )
+
+
+def passing_flag(board: Board, ready: Callable[[], bool], why: str) -> Wait:
+    """Wait for something that an event makes true."""
+    return Wait(board.controller.clock.now, ready, lambda: INFINITY, why)
+
+
+def _next_target(task: CommandTask, command: Command, axes: list[AxisState], now: float) -> Wait | None:
+    board = task.board
+    while axes:
+        axis = axes[0]
+        due = at_target_time(board.controller, axis)
+        if due > now:
+            return _until_target(task, command, axes, now, due)
+        axes.pop(0)
+    return _dwell(task, command, now)
+
+
+def _until_target(task: CommandTask, command: Command, axes: list[AxisState], now: float, due: float) -> Wait:
+    board, axis = task.board, axes[0]
+    clock = board.controller.clock
+    task.then = lambda time: _next_target(task, command, axes, time)
+    has_motor = board.controller.axes[axis.number].feedback is not None
+    if due < INFINITY and not has_motor:
+        return Wait(now, lambda: clock.now >= due, lambda: due, f"for axis {axis.number} to be at target")
+    return Wait(
+        now,
+        lambda: at_target_time(board.controller, axis) <= (clock.now if has_motor else BEFORE_NEVER),
+        lambda: at_target_time(board.controller, axis),
+        f"for axis {axis.number} to be at target",
+    )
+
+
+def _dwell(task: CommandTask, command: Command, now: float) -> Wait | None:
+    seconds = task.board.seconds(float(task.value(command)))
+    if seconds <= 0.0:
+        return None
+    return wait_until(task.board.controller, now, now + seconds)
+
+
+def break_at(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        _breakpoint(task.board, axis, axis.position(float(task.value(command))))
+
+
+def break_after(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        here = task.board.controller.position(axis.number)
+        _breakpoint(task.board, axis, here + axis.distance(float(task.value(command))))
+
+
+def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
+    """Status bit 10 comes on at the moment the axis passes the position; nothing waits."""
+    controller, number = board.controller, axis.number
+    old = board.breakpoints.pop(number, None)
+    if old is not None:
+        controller.unwatch(number, old)
+    axis.breakpoint = position
+    axis.breakpoint_reached = abs(controller.position(number) - position) <= _REACHED
+
+    def reach(direction: int) -> None:
+        axis.breakpoint_reached = True
+
+    board.breakpoints[number] = controller.watch(number, position, reach)
+
+
+ACTIONS: dict[str, Action] = {
+    "wait": wait,
+    "wait_stop": wait_stop,
+    "wait_target": wait_target,
+    "wait_position": wait_position,
+    "wait_relative": wait_relative,
+    "break_at": break_at,
+    "break_after": break_after,
+}

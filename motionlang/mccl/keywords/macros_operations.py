@@ -1,0 +1,112 @@
+"""Macros and background tasks."""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+# Background tasks at one time.
+MOST_TASKS = 32
+
+
+def define_macro(task: CommandTask, command: Command) -> None:
+    """The rest of the line becomes the macro; an old one of that number is replaced."""
+    if task.here:
+        raise Fault(
+            codes.DEFINE_NOT_FIRST,
+            "MD must be the first command of its line",
+            "put it on a line of its own",
+            "syntax",
+        )
+    assert task.line is not None
+    task.board.macros[_number(task, command)] = task.line.rest(1)
+    task.pc = len(task.line.commands)
+
+
+def call_macro(task: CommandTask, command: Command) -> None:
+    task.call(_macro(task, command))
+
+
+def jump_macro(task: CommandTask, command: Command) -> Wait | None:
+    macro = _macro(task, command)
+    task.enter(macro)
+    return task.poll.again()
+
+
+def reset_macros(task: CommandTask, command: Command) -> None:
+    task.board.macros.clear()
+
+
+def leave(task: CommandTask, command: Command) -> None:
+    assert task.line is not None
+    task.pc = len(task.line.commands)
+
+
+def start_task(task: CommandTask, command: Command) -> None:
+    """A background task with registers 0 to 9 of its own; its number comes into the accumulator."""
+    board = task.board
+    macro = _macro(task, command)
+    if len(board.background) >= MOST_TASKS:
+        raise Fault(
+            codes.PARAMETER, f"there are {MOST_TASKS} background tasks already", "end one with ET", "limit"
+        )
+    task.registers[0] = board.start_task(macro, task)
+
+
+def end_task(task: CommandTask, command: Command) -> None:
+    """End a background task; a number that no task has is a parameter error."""
+    number = task.whole(command)
+    if not task.board.end_task(number):
+        raise Fault(
+            codes.PARAMETER,
+            f"there is no background task {number}",
+            "GT leaves its number in the accumulator",
+            "range",
+        )
+
+
+def tell_macro(task: CommandTask, command: Command) -> None:
+    """List one macro as the line that defines it, or all of them."""
+    board, number = task.board, task.whole(command)
+    if number != -1:
+        task.reply(f"MD{number},{_macro(task, command).text}")
+        return
+    for each in sorted(board.macros):
+        task.reply(f"MD{each},{board.macros[each].text}")
+
+
+def _number(task: CommandTask, command: Command) -> int:
+    number, last = task.whole(command), task.board.model.macros
+    if not 0 <= number <= last:
+        raise Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
+    return number
+
+
+def _macro(task: CommandTask, command: Command) -> Line:
+    number = _number(task, command)
+    macro = task.board.macros.get(number)
+    if macro is None:
+        raise Fault(
+            codes.NO_MACRO, f"macro {number} does not exist", f"MD{number},... defines it", "unknown-word"
+        )
+    return macro
+
+
+ACTIONS: dict[str, Action] = {
+    "define_macro": define_macro,
+    "call_macro": call_macro,
+    "jump_macro": jump_macro,
+    "reset_macros": reset_macros,
+    "leave": leave,
+    "start_task": start_task,
+    "end_task": end_task,
+    "tell_macro": tell_macro,
+}
+PURE = frozenset({"call_macro", "jump_macro", "leave"})

@@ -1,0 +1,87 @@
+"""OT, FT and FD: a line of text, with the accumulator in it where the text says so.
+
+That these commands put out text is remembered; the form of their texts, that of printf, is our choice.
+"""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+_ESCAPES = {"n": "\n", "r": "\r", "t": "\t", "\\": "\\"}
+_FLAGS = "-+ 0"
+WIDEST, FINEST = 80, 20
+
+
+def put_text(task: CommandTask, command: Command) -> None:
+    task.reply(_filled(str(command.value), None, ""))
+
+
+def put_whole(task: CommandTask, command: Command) -> None:
+    value = int(task.registers[0])
+    task.reply(_filled(str(command.value), lambda form, kind: _whole(form, kind, value), "dxX"))
+
+
+def put_real(task: CommandTask, command: Command) -> None:
+    value = float(task.registers[0])
+    task.reply(_filled(str(command.value), lambda form, kind: f"%{form}{kind}" % value, "feg"))
+
+
+def _whole(form: str, kind: str, value: int) -> str:
+    return f"%{form}{kind}" % (value if kind == "d" else value & 0xFFFFFFFF)
+
+
+def _filled(text: str, show: Callable[[str, str], str] | None, kinds: str) -> str:
+    """The text with its escapes and, where it has a form such as %6.2f, the value in it."""
+    out: list[str] = []
+    k = 0
+    while k < len(text):
+        character = text[k]
+        k += 1
+        if character == "\\":
+            out.append(_escape(text[k : k + 1]))
+            k += 1
+        elif character == "%" and text[k : k + 1] == "%" and show is not None:
+            out.append("%")
+            k += 1
+        elif character == "%" and show is not None:
+            form, kind, k = _form(text, k, kinds)
+            out.append(show(form, kind))
+        else:
+            out.append(character)
+    return "".join(out)
+
+
+def _escape(character: str) -> str:
+    if character not in _ESCAPES:
+        hint = "the escapes are \\n, \\r, \\t and \\\\"
+        raise Fault(codes.PARAMETER, f"there is no escape \\{character}", hint, "values")
+    return _ESCAPES[character]
+
+
+def _form(text: str, k: int, kinds: str) -> tuple[str, str, int]:
+    """What stands between % and its letter, the letter, and where the text goes on."""
+    begin = k
+    while k < len(text) and (text[k] in _FLAGS or text[k].isdecimal() or text[k] == "."):
+        k += 1
+    form, kind = text[begin:k], text[k : k + 1]
+    width, _, places = form.lstrip(_FLAGS).partition(".")
+    if not kind or kind not in kinds or not (_is_small(width, WIDEST) and _is_small(places, FINEST)):
+        hint = "such as " + ("%d, %6d or %08X" if "d" in kinds else "%f, %8.3f or %g")
+        raise Fault(codes.PARAMETER, f"%{form}{kind} is no form of a number here", hint, "values")
+    return form, kind, k + 1
+
+
+def _is_small(digits: str, most: int) -> bool:
+    """Whether a width or a number of places is one that a line has room for."""
+    return not digits or (digits.isdecimal() and len(digits) <= 2 and int(digits) <= most)
+
+
+ACTIONS: dict[str, Action] = {"put_text": put_text, "put_whole": put_whole, "put_real": put_real}

@@ -1,0 +1,98 @@
+"""The auxiliary encoder of an axis, which the machine file turns: `[[encoder]]` with `aux` the number of the axis.
+
+It counts in the axis's scale and knows nothing of its zeros; it has index marks where the machine file says so.
+"""
+
+from __future__ import annotations
+
+from math import floor
+
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.lang.task import Wait
+from motionlang.mccl.axis.axis import nearest_whole
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+INFINITY = float("inf")
+# A mark nearer than this, in counts, is the one the encoder stands on: the next one counts.
+_ON = 1e-6
+
+
+def define_auxiliary(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        _define(task, axis, _counts(task, axis), float(task.value(command)))
+
+
+def tell_auxiliary(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        task.tell(axis.number, axis.say(nearest_whole(_counts(task, axis) - axis.aux_zero), "uu"))
+
+
+def tell_auxiliary_index(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        task.tell(axis.number, axis.say(axis.aux_index, "uu"))
+
+
+def find_auxiliary_index(task: CommandTask, command: Command) -> Wait:
+    """Wait for the next mark; there the position becomes the parameter."""
+    axis, value = task.axis(command), float(task.value(command))
+    controller = task.board.controller
+    encoder, began = controller.encoder(AUXILIARY + axis.number), controller.clock.now
+    every = encoder.index_every
+    here = encoder.position(began)
+    marks = (
+        [(floor((here - _ON) / every)) * every, (floor((here + _ON) / every) + 1) * every]
+        if every > 0.0
+        else []
+    )
+
+    def due() -> float:
+        return min((_crossing(task, axis, mark) for mark in marks), default=INFINITY)
+
+    def found(now: float) -> None:
+        mark = min(marks, key=lambda each: abs(each - encoder.position(now)))
+        _define(task, axis, mark, value)
+        axis.aux_index = axis.distance(value)
+
+    task.then = found
+    why = f"for the index mark of the auxiliary encoder of axis {axis.number}"
+    return Wait(
+        began,
+        lambda: any(_passed(here, mark, encoder.position(controller.clock.now)) for mark in marks),
+        due,
+        why,
+    )
+
+
+def _define(task: CommandTask, axis: AxisState, counts: float, value: float) -> None:
+    """What the encoder has counted at some moment is `value` from now on."""
+    axis.aux_zero = counts - axis.distance(value)
+
+
+def _counts(task: CommandTask, axis: AxisState) -> float:
+    return task.board.controller.encoder_position(AUXILIARY + axis.number)
+
+
+def _passed(start: float, mark: float, here: float) -> bool:
+    return (here >= mark - _ON) if mark > start else (here <= mark + _ON)
+
+
+def _crossing(task: CommandTask, axis: AxisState, position: float) -> float:
+    """When the encoder will be at a position, if nothing else happens to it."""
+    controller = task.board.controller
+    encoder = controller.encoder(AUXILIARY + axis.number)
+    start = encoder.starts[-1]
+    found = encoder.profiles[-1].crossing(position, controller.clock.now - start)
+    return INFINITY if found is None else start + found
+
+
+ACTIONS: dict[str, Action] = {
+    "define_auxiliary": define_auxiliary,
+    "tell_auxiliary": tell_auxiliary,
+    "tell_auxiliary_index": tell_auxiliary_index,
+    "find_auxiliary_index": find_auxiliary_index,
+}

@@ -1,0 +1,248 @@
+"""Switching axes on and off, moving and stopping them.
+
+No queue of single-axis moves exists: a move command replaces the target. With the trapezoidal profile that happens in
+motion, unless the axis must turn round: then the interpreter stalls until it has stopped (DCX-PCI firmware 1.0a). With
+the other profiles the interpreter stalls until the axis is at rest.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.task import wait_idle
+from motionlang.mccl import codes
+from motionlang.mccl.axis import motor
+from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
+from motionlang.mccl.axis.flags import MOTOR_ERROR
+from motionlang.mccl.axis.launch import aim, launch
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+
+def motor_on(task: CommandTask, command: Command) -> None:
+    """MN: the units that wait come into force, faults are forgotten, and the axes are on."""
+    controller = task.board.controller
+    for axis in task.axes(command):
+        axis.apply_units()
+        axis.forget_faults()
+        controller.set_scale(axis.number, axis.scale.counts, axis.scale.rate, axis.scale.zero)
+        controller.enable(axis.number)
+        motor.tune(task.board, axis)
+
+
+def motor_off(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        axis.running = False
+        task.board.release(axis)
+        task.board.controller.disable(axis.number)
+
+
+def move_to(task: CommandTask, command: Command) -> Wait | None:
+    value = float(task.value(command))
+    targets = [(axis, axis.position(value)) for axis in movable(task, command)]
+    return start_moves(task, command, targets)
+
+
+def move_by(task: CommandTask, command: Command) -> Wait | None:
+    """MR: move by n user units from the target, on a path from the end of what it has so far."""
+    value = float(task.value(command))
+    controller = task.board.controller
+    path = task.path_open
+    targets = []
+    for axis in movable(task, command):
+        target = path.end_of(axis) if path is not None else aim(controller, axis)
+        targets.append((axis, target + axis.distance(value)))
+    return start_moves(task, command, targets)
+
+
+def go_home(task: CommandTask, command: Command) -> Wait | None:
+    return start_moves(task, command, [(axis, axis.position(0.0)) for axis in movable(task, command)])
+
+
+def go(task: CommandTask, command: Command) -> None:
+    """Run in velocity mode; in contour mode let the paths that wait go."""
+    for axis in task.axes(command):
+        if axis.mode == VELOCITY:
+            _check_fit(task, axis)
+            run_in_velocity_mode(task, axis)
+        elif axis.mode == CONTOUR and axis.controlling == axis.number:
+            task.board.contour(axis).go()
+        elif command.axis:
+            raise Fault(
+                codes.INVALID,
+                f"GO needs axis {axis.number} in velocity mode; it is in {axis.mode} mode",
+                f"{axis.number}VM switches it; position moves start with MA or MR",
+            )
+
+
+def stop(task: CommandTask, command: Command) -> None:
+    """ST: come to rest; a contour stops as a whole, gears and joysticks let go."""
+    board = task.board
+    for axis in task.axes(command):
+        axis.running = False
+        board.joysticks.switch_off(axis)
+        contour = board.contour_of(axis)
+        if contour is not None:
+            contour.stop()
+        else:
+            board.ungear(axis)
+            board.controller.stop(axis.number)
+
+
+def abort(task: CommandTask, command: Command) -> None:
+    for axis in task.axes(command):
+        axis.running = False
+        task.board.release(axis)
+        task.board.controller.abort(axis.number)
+
+
+def direction(task: CommandTask, command: Command) -> None:
+    sign = -1 if task.value(command) else 1
+    for axis in task.axes(command):
+        axis.direction = sign
+        if axis.mode == TORQUE:
+            motor.drive(task.board, axis)
+
+
+def define_home(task: CommandTask, command: Command) -> None:
+    value = float(task.value(command))
+    for axis in task.axes(command):
+        task.board.define_position(axis, axis.position(value))
+
+
+def position_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, POSITION)
+
+
+def velocity_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, VELOCITY)
+
+
+def torque_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, TORQUE)
+
+
+def gain_mode(task: CommandTask, command: Command) -> None:
+    _mode(task, command, GAIN)
+
+
+def reset(task: CommandTask, command: Command) -> None:
+    """RT: the axis, or with none the whole board, its outputs and every task."""
+    if command.axis:
+        task.board.reset_axis(task.axis(command))
+        return
+    board = task.board
+    board.reset()
+    for levels in (board.controller.outputs, board.controller.analogue_outputs):
+        levels.clear()
+    task.abandon()
+
+
+def run_in_velocity_mode(task: CommandTask, axis: AxisState) -> None:
+    """Run at SV in the direction of DI until told otherwise."""
+    controller = task.board.controller
+    velocity = float(controller.setting(axis.number, "speed") or 0.0)
+    controller.jog(axis.number, axis.direction * velocity, task.word, task.source_line)
+    axis.running = True
+
+
+def _mode(task: CommandTask, command: Command, mode: str) -> None:
+    for axis in task.axes(command):
+        task.board.leave_contour(axis)
+        before, axis.mode = axis.mode, mode
+        motor.changed_mode(task.board, axis, before)
+
+
+def movable(task: CommandTask, command: Command) -> tuple[AxisState, ...]:
+    """The axis that the command names, or all that are on."""
+    axes = task.axes(command)
+    if command.axis:
+        return axes
+    return tuple(axis for axis in axes if task.board.controller.is_enabled(axis.number)) or axes
+
+
+def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> Wait | None:
+    """Start moves to targets, counts; an axis that must turn back rests first. Fault unless in PM."""
+    path = task.path_open
+    if path is not None:
+        path.move(task, targets)
+        return None
+    for axis, _ in targets:
+        _check_fit(task, axis)
+        if axis.mode != POSITION:
+            raise Fault(
+                codes.INVALID,
+                f"{command.name} needs axis {axis.number} in position mode; it is in {axis.mode} mode",
+                f"{axis.number}PM switches it back",
+            )
+    stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target + axis.takeup)]
+    if not stalled:
+        _start(task, command, targets)
+        return None
+    at_once = [pair for pair in targets if pair[0].number not in stalled]
+    later = [pair for pair in targets if pair[0].number in stalled]
+    _start(task, command, at_once)
+    now = task.board.controller.clock.now
+    task.then = lambda _: _start(task, command, later)
+    return wait_idle(task.board.controller, now, stalled)
+
+
+def _start(task: CommandTask, command: Command, targets: list[tuple[AxisState, float]]) -> None:
+    for axis, target in targets:
+        axis.running = False
+        launch(task.board, axis, target, command.name, task.source_line)
+
+
+def _check_fit(task: CommandTask, axis: AxisState) -> None:
+    """Refusal or Fault when the axis cannot take a motion command now."""
+    number = axis.number
+    if axis.flags & MOTOR_ERROR:
+        raise Refusal("disabled-axis", f"axis {number} has tripped and takes no motion command")
+    if axis.master is not None:
+        hint = f"{number}SM0 frees it"
+        raise Fault(codes.INVALID, f"axis {number} is slaved to axis {axis.master}", hint, "moving")
+    if axis.jogging:
+        raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
+
+
+def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:
+    """Whether the axis has to come to rest before it can take the target; a reversal is braked for at once."""
+    controller = task.board.controller
+    number = axis.number
+    if controller.is_idle(number) or not controller.is_enabled(number):
+        return False
+    if controller.setting(number, "shape") != "trapezoid":
+        return True
+    velocity = controller.demand_velocity(number)
+    decel = float(controller.setting(number, "decel") or 0.0)
+    if decel <= 0.0 or velocity == 0.0:
+        return False
+    rest = controller.demand(number) + velocity * abs(velocity) / (2.0 * decel)
+    if (target - rest) * velocity >= 0.0 or abs(target - rest) <= 1e-6:
+        return False
+    controller.stop(number)
+    return True
+
+
+ACTIONS: dict[str, Action] = {
+    "motor_on": motor_on,
+    "motor_off": motor_off,
+    "move_to": move_to,
+    "move_by": move_by,
+    "go_home": go_home,
+    "go": go,
+    "stop": stop,
+    "abort": abort,
+    "direction": direction,
+    "define_home": define_home,
+    "position_mode": position_mode,
+    "velocity_mode": velocity_mode,
+    "torque_mode": torque_mode,
+    "gain_mode": gain_mode,
+    "reset": reset,
+}

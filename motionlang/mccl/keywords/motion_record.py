@@ -1,0 +1,76 @@
+"""Recording: nothing is sampled while the machine runs, the points are read off the motion when they are told."""
+
+from __future__ import annotations
+
+from motionlang.mccl import codes
+from motionlang.mccl.axis.axis import real
+from motionlang.mccl.codes import Fault
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+# A point is recorded with every point of the trajectory: 1 kHz (TN1069).
+PERIOD = 1e-3
+
+
+def record(task: CommandTask, command: Command) -> None:
+    """Record n points from now on; 0 ends a recording."""
+    count, now = task.whole(command), task.board.controller.clock.now
+    for axis in task.axes(command):
+        old = task.board.records.get(axis.number)
+        if count:
+            task.board.records[axis.number] = (now, count)
+        elif old is not None:
+            start, most = old
+            task.board.records[axis.number] = (start, min(most, _taken(now - start, most)))
+
+
+def _tell(reading: Callable[[CommandTask, AxisState, list[float]], list[str]]) -> Action:
+    def tell(task: CommandTask, command: Command) -> None:
+        wanted, now = task.whole(command), task.board.controller.clock.now
+        for axis in task.axes(command):
+            if axis.number not in task.board.records:
+                if command.axis:
+                    raise Fault(
+                        codes.PARAMETER,
+                        f"nothing was recorded of axis {axis.number}",
+                        f"{axis.number}PR100 records 100 points",
+                    )
+                continue
+            start, most = task.board.records[axis.number]
+            taken = _taken(now - start, most)
+            count = min(wanted, taken) if wanted else taken
+            for text in reading(task, axis, [start + k * PERIOD for k in range(count)]):
+                task.tell(axis.number, text)
+
+    return tell
+
+
+def _taken(elapsed: float, most: int) -> int:
+    return min(most, int(elapsed / PERIOD + 1e-9) + 1)
+
+
+def _optimal(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
+    a = task.board.controller.axes[axis.number]
+    return [axis.say(a.position(time)) for time in times]
+
+
+def _actual(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
+    return [axis.say(counts) for counts in task.board.controller.recall(axis.number, "actual", times)]
+
+
+def _torque(task: CommandTask, axis: AxisState, times: list[float]) -> list[str]:
+    return [real(volts) for volts in task.board.controller.recall(axis.number, "output", times)]
+
+
+ACTIONS: dict[str, Action] = {
+    "record": record,
+    "tell_recorded_optimal": _tell(_optimal),
+    "tell_recorded_actual": _tell(_actual),
+    "tell_recorded_torque": _tell(_torque),
+}

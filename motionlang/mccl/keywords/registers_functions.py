@@ -1,0 +1,64 @@
+"""AV: a function of the accumulator, by its number. Angles are degrees, as those of contour arcs.
+
+Which numbers the board has is not known; these are ours.
+"""
+
+from __future__ import annotations
+
+import math
+
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.registers_operations import wrapped
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.runtime.task import Action, CommandTask
+
+    Function = Callable[[float], float | int]
+
+
+def _tangent(angle: float) -> float:
+    if math.fmod(angle, 180.0) in (90.0, -90.0):
+        raise ValueError
+    return math.tan(math.radians(angle))
+
+
+def _sine(angle: float) -> float:
+    """Exact where the sine is 0 or 1: half a turn has none."""
+    return 0.0 if math.fmod(angle, 180.0) == 0.0 else math.sin(math.radians(angle))
+
+
+# Number: what it is, and the function; ValueError and OverflowError where it has no value.
+FUNCTIONS: tuple[tuple[str, Function], ...] = (
+    ("change of sign", lambda a: -a),
+    ("absolute value", abs),
+    ("sine of degrees", _sine),
+    ("cosine of degrees", lambda a: _sine(math.fmod(a, 360.0) + 90.0)),
+    ("tangent of degrees", _tangent),
+    ("arc sine, degrees", lambda a: math.degrees(math.asin(a))),
+    ("arc cosine, degrees", lambda a: math.degrees(math.acos(a))),
+    ("arc tangent, degrees", lambda a: math.degrees(math.atan(a))),
+    ("square root", math.sqrt),
+    ("power of e", math.exp),
+    ("natural logarithm", math.log),
+    ("whole part", int),
+    ("real number", float),
+)
+
+
+def evaluate(task: CommandTask, command: Command) -> None:
+    """Replace the accumulator by function n of it. Fault where the function has no value."""
+    name, function = FUNCTIONS[task.whole(command)]
+    value = task.registers[0]
+    try:
+        task.registers[0] = wrapped(function(value))
+    except (ValueError, OverflowError):
+        raise Fault(codes.PARAMETER, f"there is no {name} of {value:g}", kind="range") from None
+
+
+ACTIONS: dict[str, Action] = {"evaluate": evaluate}
+PURE = frozenset(ACTIONS)

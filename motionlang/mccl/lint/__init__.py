@@ -1,0 +1,1 @@
+"""What can be said of an MCCL program without running it."""

@@ -1,0 +1,143 @@
+"""Every mistake that can be seen in a file without running it, in one pass."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import DEFAULT_AXES
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
+from motionlang.mccl.resolve.decode import problem
+from motionlang.mccl.resolve.line import Line, lines_of
+from motionlang.mccl.runtime.program import locate
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from motionlang.mccl.models import Model
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.source import Source
+
+# Verbs that need a macro to be there.
+_CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
+_JUMPS = frozenset({"jump", "jump_by"})
+
+
+def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    """The diagnostics of a file, in the order of its text; warnings of the linter where it has no mistake."""
+    from motionlang.lang.lint import silence
+    from motionlang.mccl.lint.checks import COMMENT
+
+    named = str((settings or {}).get("controller.model", "")) or written_for(source.name)
+    model = MODELS.get(named, MODELS[DEFAULT])
+    lines = list(lines_of(source.text))
+    whole = [each for each in lines if isinstance(each, Line)]
+    axes = (settings or {}).get("controller.axes", DEFAULT_AXES)
+    found: list[Diagnostic] = []
+    for each in lines:
+        if isinstance(each, Line):
+            found.extend(_line(source, each, model, axes))  # type: ignore[arg-type]
+        else:
+            fault, at, _ = each
+            found.append(_diagnostic(source, at, fault))
+    found.extend(_macros(source, whole))
+    if not any(each.severity == "error" for each in found):
+        found.extend(_lint(source, whole))
+    return sorted(silence(source, found, COMMENT), key=lambda d: (d.line, d.column))
+
+
+def _lint(source: Source, lines: list[Line]) -> list[Diagnostic]:
+    from motionlang.mccl.lint.checks import lint
+
+    found: list[Diagnostic] = []
+    lint(lines, lambda at, fault: found.append(_diagnostic(source, at, fault, "warning")))
+    return found
+
+
+def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagnostic]:
+    for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
+        fault = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
+        fault = fault or _wrong_here(line, k, command, model)
+        if fault is not None:
+            yield _diagnostic(source, at, fault)
+        elif command.row is not None and not command.row.simulated:
+            message = f"{command.name} is not simulated: the command has no effect"
+            yield _diagnostic(source, at, Fault(0, message, command.row.help, "not-simulated"), "warning")
+
+
+def _unknown_to(model: Model, command: Command) -> Fault | None:
+    """What this board does not have."""
+    return missing(model, command.name) if command.name in model.lacks else None
+
+
+def _no_axis(command: Command, axes: int) -> Fault | None:
+    """An axis that this board does not have."""
+    if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
+        return None
+    return Fault(codes.NOT_ASSIGNED, f"there is no axis {command.axis}", f"the axes are 1 to {axes}", "axis")
+
+
+def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | None:
+    """What is wrong with a command at its place in the line."""
+    row = command.row
+    assert row is not None
+    if row.index == "axis" and command.axis == 0:
+        hint = f"such as 1{command.text.lstrip('0')}"
+        return Fault(codes.NO_AXIS, f"{command.name} needs an axis number in front", hint, "axis")
+    number = command.number
+    if row.verb == "define_macro":
+        if k:
+            return Fault(
+                codes.DEFINE_NOT_FIRST,
+                "MD must be the first command of its line",
+                "put it on a line of its own",
+                "syntax",
+            )
+        last = model.macros
+        if number is not None and number > last:
+            return Fault(codes.MACRO_RANGE, f"macros are numbered 0 to {last}, not {number}", kind="range")
+    if row.verb == "repeat" and number is not None and number < 0:
+        return Fault(
+            codes.NEGATIVE_REPEAT,
+            f"RP cannot repeat {number} times",
+            "RP without a number repeats for ever",
+            "range",
+        )
+    if row.verb in _JUMPS and number is not None:
+        return _jump(line, k, row.verb, number)
+    return None
+
+
+def _jump(line: Line, k: int, verb: str, number: int) -> Fault | None:
+    first = 1 if line.commands[0].name == "MD" else 0
+    last = len(line.commands) - first - 1
+    target = number if verb == "jump" else k - first + number
+    if 0 <= target <= last + 1:
+        return None
+    return Fault(
+        codes.PARAMETER, f"there is no command {target} here", f"they are numbered 0 to {last}", "range"
+    )
+
+
+def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
+    """Calls of macros that no line of the file defines: they may be in the controller already, so a warning."""
+    defined = {line.commands[0].number for line in lines if line.commands[0].name == "MD"}
+    for line in lines:
+        for command, at in zip(line.commands, line.places, strict=True):
+            if command.row is None or command.row.verb not in _CALLS or problem(command):
+                continue
+            number = command.number
+            if number is not None and number not in defined:
+                message = f"no line of this file defines macro {number}"
+                yield _diagnostic(
+                    source, at, Fault(0, message, f"MD{number},... defines it", "unknown-word"), "warning"
+                )
+
+
+def _diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") -> Diagnostic:
+    line, column, length = locate(source, at)
+    code = f" (?{fault.code}: {codes.MEANINGS[fault.code]})" if fault.code else ""
+    return Diagnostic(
+        fault.kind, fault.message + code, line, column, length=length, hint=fault.hint, severity=severity
+    )

@@ -1,0 +1,181 @@
+"""The linter of MCCL: commands that can never run, motors never switched on, waits for moves that never came."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.resolve.line import Line
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from motionlang.mccl.resolve.command import Command
+
+    Add = Callable[[int, Fault], None]
+
+# Where a comment begins, as group 1.
+COMMENT = re.compile(r'^(?:[^"#;\n]|"[^"\n]*")*?([;#])')
+_MOVES = frozenset(
+    {
+        "move_to", "move_by", "go_home", "go", "move_to_point", "find_index", "find_edge", "path", "slave", "jog_on",
+    }
+)  # fmt: skip
+_WAITS = frozenset({"wait_stop", "wait_target"})
+_SKIPS = frozenset(
+    {"if_below", "if_equal", "if_greater", "if_unequal", "if_set", "if_clear", "if_on", "if_off"}
+)
+_DO_REST = frozenset({"do_if_on", "do_if_off"})
+# Commands behind which a line does not go on, and those that go somewhere else in it.
+_LEAVES = frozenset({"jump_macro", "leave"})
+_TURNS = frozenset({"repeat", "jump", "jump_by"})
+_CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
+
+
+def lint(lines: list[Line], add: Add) -> None:
+    """Tell `add` of the place and the warning of everything that looks wrong in a file without mistakes."""
+    ended = False
+    for line in lines:
+        reached = _reached(line)
+        if ended and not _is_macro(line):
+            ended = False
+            add(line.places[0], _unreachable("the line before repeats itself for ever", "line"))
+        _unreached_commands(line, reached, add)
+        if not _is_macro(line) and len(line.commands) not in reached:
+            ended = True
+    _motors(lines, add)
+    _waits(lines, add)
+
+
+def _is_macro(line: Line) -> bool:
+    return _verb(line.commands[0]) == "define_macro"
+
+
+def _verb(command: Command) -> str:
+    return command.row.verb if command.row is not None else ""
+
+
+def _unreachable(why: str, what: str = "command") -> Fault:
+    return Fault(0, f"this {what} can never run: {why}", "", "unreachable")
+
+
+# ------------------------------------------------------------------------------------------- never carried out
+
+
+def _reached(line: Line) -> set[int]:
+    """The commands that can run; the number of commands stands for the end of the line."""
+    found: set[int] = set()
+    stack = [0]
+    count = len(line.commands)
+    while stack:
+        k = stack.pop()
+        if k not in found:
+            found.add(k)
+            if k < count:
+                stack.extend(min(max(each, 0), count) for each in _next(line, k))
+    return found
+
+
+def _next(line: Line, k: int) -> list[int]:
+    """Where the line may go on after command k."""
+    command, first, count = line.commands[k], int(_is_macro(line)), len(line.commands)
+    verb, number = _verb(command), command.number
+    if verb in _SKIPS:
+        return [k + 1, k + 3]
+    if verb in _DO_REST:
+        return [k + 1, count]
+    if verb == "leave":
+        return [count]
+    if verb == "jump_macro":
+        return []
+    if verb == "repeat":
+        return [first] if number == 0 else [first, k + 1]
+    if verb in ("jump", "jump_by"):
+        if number is None:
+            return list(range(count + 1))
+        return [first + number if verb == "jump" else k + number]
+    return [k + 1]
+
+
+def _unreached_commands(line: Line, reached: set[int], add: Add) -> None:
+    told = False
+    for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
+        if k in reached or _verb(command) == "nothing":
+            told = told and k not in reached
+        elif not told:
+            told = True
+            add(at, _unreachable(_reason(line, k)))
+
+
+def _reason(line: Line, k: int) -> str:
+    before = next((c for c in reversed(line.commands[:k]) if _verb(c) in _TURNS | _LEAVES), None)
+    if before is not None and _verb(before) == "repeat":
+        return f"{before.text} repeats what stands before it for ever"
+    return f"{before.text} always goes elsewhere" if before is not None else "the line goes past it"
+
+
+# ------------------------------------------------------------------------------------------------------ motors
+
+
+def _motors(lines: list[Line], add: Add) -> None:
+    """Moves of an axis that no line of the file switches on; it is told once an axis."""
+    on = {command.axis for command, _ in _commands(lines) if _verb(command) == "motor_on"}
+    told: set[int] = set()
+    for command, at in _commands(lines):
+        if _verb(command) not in _MOVES or command.axis in told:
+            continue
+        if not on if command.axis == 0 else not on & {0, command.axis}:
+            told.add(command.axis)
+            which = "an axis" if command.axis == 0 else f"axis {command.axis}"
+            number = command.axis or ""
+            add(at, Fault(0, f"no line of this file switches {which} on", f"{number}MN does", "motor-off"))
+
+
+def _commands(lines: list[Line]) -> Iterator[tuple[Command, int]]:
+    for line in lines:
+        yield from zip(line.commands, line.places, strict=True)
+
+
+# ------------------------------------------------------------------------------------------------------- waits
+
+
+def _waits(lines: list[Line], add: Add) -> None:
+    """WS and WT in the foreground before anything has moved the axis."""
+    bodies = {line.commands[0].number: line for line in lines if _is_macro(line)}
+    moved: set[int] = set()
+    for line in lines:
+        if _is_macro(line):
+            continue
+        turns = any(_verb(command) in _TURNS for command in line.commands)
+        if turns:
+            moved |= _moved(line, bodies, set())
+        for command, at in zip(line.commands, line.places, strict=True):
+            if _verb(command) in _WAITS and 0 not in moved and not _has_moved(command, moved):
+                message = f"{command.text} waits for the end of a move, and nothing has moved yet"
+                add(at, Fault(0, message, "move first, as in 1MR1000,1WS", "nothing-to-wait-for"))
+            moved |= _moved_by(command, bodies, set())
+
+
+def _has_moved(command: Command, moved: set[int]) -> bool:
+    return bool(moved) if command.axis == 0 else command.axis in moved
+
+
+def _moved(line: Line, bodies: dict[int | None, Line], seen: set[int]) -> set[int]:
+    """The axes that a line moves, 0 for all of them or for those that cannot be told."""
+    return {axis for command in line.commands for axis in _moved_by(command, bodies, seen)}
+
+
+def _moved_by(command: Command, bodies: dict[int | None, Line], seen: set[int]) -> set[int]:
+    verb = _verb(command)
+    if verb in _MOVES:
+        return {command.axis}
+    if verb not in _CALLS:
+        return set()
+    body = bodies.get(command.number)
+    if body is None or command.number is None:
+        return {0}
+    if command.number in seen:
+        return set()
+    seen.add(command.number)
+    return _moved(body, bodies, seen)

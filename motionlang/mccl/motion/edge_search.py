@@ -1,0 +1,93 @@
+"""Looking for an index mark or a home edge: the position is caught at the exact moment, whatever the program does then.
+
+Neither moves the axis: the program has it running, usually in velocity mode.
+"""
+
+from __future__ import annotations
+
+from math import floor
+
+from motionlang.mccl.axis import flags
+from motionlang.mccl.axis.inputs import is_active
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.triggers.watch import Watch
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+# A mark nearer than this, in counts, is the one the axis stands on: the next one counts.
+_ON = 1e-6
+
+
+class Seek:
+    """One search on one axis. `caught` is the position, in counts, once it is there; `value` what it shall become."""
+
+    __slots__ = ("_axis", "_board", "_watches", "caught", "kind", "value")
+
+    def __init__(self, board: Board, axis: AxisState, kind: str, value: float) -> None:
+        self._board, self._axis, self.kind, self.value = board, axis, kind, value
+        self.caught: float | None = None
+        self._watches: list[Watch] = []
+        if kind == "index":
+            axis.flags |= flags.LOOKING_FOR_INDEX
+            axis.index_found = False
+            self._watch_marks()
+        else:
+            axis.flags |= flags.LOOKING_FOR_EDGE
+            axis.edge_found = False
+            self.look()
+
+    @property
+    def done(self) -> bool:
+        """Whether the position has been caught."""
+        return self.caught is not None
+
+    def look(self) -> None:
+        """The home input may have changed."""
+        if self.kind == "edge" and not self.done and is_active(self._board, self._axis, "home"):
+            self._catch()
+
+    def cancel(self) -> None:
+        """Stop looking."""
+        for watch in self._watches:
+            self._board.controller.unwatch(self._axis.number, watch)
+        self._watches.clear()
+        self._axis.flags &= ~(flags.LOOKING_FOR_INDEX | flags.LOOKING_FOR_EDGE)
+
+    def apply(self) -> None:
+        """Give the place where it was caught its value; everything else shifts with it. The axis is homed then."""
+        assert self.caught is not None
+        here = self._board.controller.position(self._axis.number)
+        self._board.define_position(self._axis, here + self.value - self.caught)
+        self.caught = self.value
+        if self.kind == "index":
+            self._axis.index_position = self.value
+        self._axis.flags |= flags.HOMED
+
+    def _watch_marks(self) -> None:
+        """Watch the marks on either side of the axis; it can get to no other without passing one of these."""
+        controller, number = self._board.controller, self._axis.number
+        a = controller.axes[number]
+        every = a.index_pitch
+        if every <= 0.0:
+            return
+        here = controller.position(number) - a.datum
+        below = floor((here - _ON) / every)
+        above = floor((here + _ON) / every) + 1
+        caught: Callable[[int], None] = lambda direction: self._catch()  # noqa: E731
+        for mark in (below, above):
+            self._watches.append(controller.watch(number, mark * every, caught, physical=True))
+
+    def _catch(self) -> None:
+        if self.done:
+            return
+        axis = self._axis
+        self.caught = self._board.controller.position(axis.number)
+        self.cancel()
+        if self.kind == "index":
+            axis.index_found, axis.index_position = True, self.caught
+        else:
+            axis.edge_found = True

@@ -1,0 +1,71 @@
+"""Joysticks: the velocity of a jogging axis is the gain times the voltage beyond the deadband."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mccl.axis import flags
+from motionlang.mccl.axis.volts import volts
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.runtime.board import Board
+
+
+class Joysticks:
+    """Every axis's joystick is the analogue input of the axis's own number."""
+
+    __slots__ = ("_board", "_lines")
+
+    def __init__(self, board: Board) -> None:
+        self._board = board
+        self._lines: dict[int, int] = {}
+        board.controller.analogue_inputs.listeners.append(self._moved)
+
+    def switch_on(self, axis: AxisState, line: int) -> None:
+        """Let the axis follow its joystick; Refusal when it is off."""
+        if not self._board.controller.is_enabled(axis.number):
+            raise Refusal("disabled-axis", f"axis {axis.number} is off")
+        axis.jogging = True
+        axis.flags |= flags.JOG_ENABLED
+        self._lines[axis.number] = line
+        self._follow(axis)
+
+    def switch_off(self, axis: AxisState) -> None:
+        """Let it follow no longer: it stops."""
+        if axis.jogging:
+            axis.jogging = False
+            axis.flags &= ~flags.JOG_ENABLED
+            self._board.controller.stop(axis.number)
+
+    def velocity(self, axis: AxisState) -> float:
+        """What the stick asks for, counts/s."""
+        jog = axis.jog
+        deflection = volts(self._board.controller.analogue_input(axis.number)) - jog.offset
+        if abs(deflection) <= jog.deadband:
+            return 0.0
+        velocity = jog.gain * deflection
+        return velocity if abs(velocity) >= jog.minimum else 0.0
+
+    def _moved(self, channel: int, value: float) -> None:
+        axis = self._board.axes.get(channel)
+        if axis is not None and axis.jogging:
+            self._follow(axis)
+
+    def _follow(self, axis: AxisState) -> None:
+        """Ramp to the velocity at JA; the axis's own rates stay as they are."""
+        controller, number = self._board.controller, axis.number
+        velocity = self.velocity(axis)
+        if velocity == 0.0 and controller.is_idle(number):
+            return
+        kept = {name: controller.setting(number, name) for name in ("accel", "decel")}
+        for name in kept:
+            controller.configure(number, name, axis.jog.accel)
+        try:
+            if velocity:
+                controller.jog(number, velocity, "JN", self._lines.get(number, 0))
+            else:
+                controller.stop(number)
+        finally:
+            for name, value in kept.items():
+                controller.configure(number, name, value)

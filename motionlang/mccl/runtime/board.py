@@ -1,0 +1,330 @@
+"""The board: everything that outlives a line. Axes' units and modes, registers, macros, tasks, and the last error."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic
+from motionlang.mccl import codes
+from motionlang.mccl.axis import motor
+from motionlang.mccl.axis.axis import AxisState
+from motionlang.mccl.axis.limits import ALL, Inputs, Limits
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.models import DEFAULT, MODELS
+from motionlang.mccl.motion.contour import Contour
+from motionlang.mccl.motion.joystick import Joysticks
+from motionlang.mccl.runtime.task import BackgroundTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.triggers.watch import Watch
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.mccl.models import Model
+    from motionlang.mccl.motion.edge_search import Seek
+    from motionlang.mccl.motion.gear import Gear
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.task import CommandTask
+
+INFINITY = float("inf")
+MAX_DIAGNOSTICS = 200
+
+
+class Board:
+    """A PMC controller with its interpreter's state, built on a `Machine`.
+
+    `write` takes what the tasks send unless they have their own way; `complain` is told of every diagnostic and the
+    task that is at fault, None (a served board) leaves it at the `?` codes.
+    """
+
+    def __init__(
+        self, machine: Machine, complain: Callable[[Diagnostic, CommandTask], None] | None = None
+    ) -> None:
+        self.machine = machine
+        self.controller = machine.controller
+        self.cost = machine.instruction_time
+        self.model = _model(machine.model)
+        self.write: Callable[[str], None] = machine.terminal.write
+        self.complain = complain
+        self._seen: set[tuple[int, str]] = set()
+        self.numbers = tuple(sorted(self.controller.axes))
+        self.axes = {number: AxisState(number, self.model) for number in self.numbers}
+        self.all_axes = tuple(self.axes.values())
+        self.tasks: list[CommandTask] = []
+        self.background: dict[int, BackgroundTask] = {}
+        self._last_task = 0
+        # Counts what comes from outside the program: a loop that only looks is woken by it.
+        self.disturbances = 0
+        # Counts the turns that tasks take.
+        self.turns = 0
+        self.at_work: CommandTask | None = None
+        self.points: dict[tuple[int, int], float] = {}
+        self.records: dict[int, tuple[float, int]] = {}
+        self.seeks: dict[int, Seek] = {}
+        self.breakpoints: dict[int, Watch] = {}
+        self.gears: dict[int, Gear] = {}
+        self.contours: dict[int, Contour] = {}
+        self.low_true: set[int] = set()
+        self.outputs: set[int] = set()
+        self.joysticks = Joysticks(self)
+        self.limits = {axis.number: Limits(self, axis) for axis in self.all_axes}
+        self._inputs = Inputs(self)
+        self.controller.listeners.append(self._happened)
+        self.reset()
+
+    def reset(self) -> None:
+        """As at power-up: axes off, units counts and seconds, registers 0, no macros."""
+        self.registers: list[float | int] = [0] * self.model.registers
+        self.macros: dict[int, Line] = {}
+        self.time_unit = 1.0
+        self.hexadecimal = False
+        self.last_error = 0
+        self.prompt, self.echo = self.model.prompt, self.model.echo
+        self.xon, self.xoff = 17, 19
+        self.outputs = set(self.model.outputs)
+        self.low_true = set()
+        self.points.clear()
+        for number in list(self.background):
+            self.end_task(number)
+        for axis in self.all_axes:
+            self.reset_axis(axis)
+
+    def reset_axis(self, axis: AxisState) -> None:
+        """One axis as at power-up: off, position 0, settings at their defaults."""
+        number, controller = axis.number, self.controller
+        self.release(axis)
+        watch = self.breakpoints.pop(number, None)
+        if watch is not None:
+            controller.unwatch(number, watch)
+        self.records.pop(number, None)
+        axis.reset()
+        self.limits[number].set_mode(0)
+        self.limits[number].disable(ALL)
+        controller.disable(number)
+        if controller.position(number) != 0.0:
+            self.define_position(axis, 0.0)
+        controller.clear_faults(number)
+        for name, value in AXIS_SETTINGS.items():
+            controller.configure(number, name, value)
+        if self.machine.settings.get(f"axis.{number}.motor") == "stepper":
+            speed, accel, axis.minimum = self.model.stepper
+            for name, value in (("speed", speed), ("accel", accel), ("decel", accel)):
+                controller.configure(number, name, value)
+        axis.apply_units()
+        controller.set_scale(number, 1.0)
+        motor.power_up(self, axis)
+
+    # ------------------------------------------------------------------------------------ what axes belong to
+
+    def contour(self, axis: AxisState) -> Contour:
+        """The contour that the axis controls."""
+        found = self.contours.get(axis.number)
+        if found is None:
+            found = self.contours[axis.number] = Contour(self, axis)
+        return found
+
+    def contour_of(self, axis: AxisState) -> Contour | None:
+        """The contour whose path the axis is on, if it is on one."""
+        if axis.controlling is None:
+            return None
+        found = self.contours.get(axis.controlling)
+        return found if found is not None and axis.number in found.members else None
+
+    def leave_contour(self, axis: AxisState) -> None:
+        """The axis goes into another mode: a path that it is on ends."""
+        contour = self.contour_of(axis)
+        if contour is not None:
+            contour.stop()
+        self._forget_paths(axis)
+        axis.controlling = None
+
+    def ungear(self, axis: AxisState) -> None:
+        """The axis has no master any more."""
+        gear = self.gears.pop(axis.number, None)
+        if gear is not None:
+            gear.release()
+
+    def release(self, axis: AxisState) -> None:
+        """The axis is its own again: no master, no path, no joystick, nothing looked for."""
+        seek = self.seeks.pop(axis.number, None)
+        if seek is not None:
+            seek.cancel()
+        self.joysticks.switch_off(axis)
+        self.ungear(axis)
+        contour = self.contour_of(axis)
+        if contour is not None:
+            contour.abort()
+        self._forget_paths(axis)
+
+    def _forget_paths(self, axis: AxisState) -> None:
+        """What waits for the axis has no start any more."""
+        if axis.controlling in self.contours:
+            self.contours[axis.controlling].forget(axis.number)
+
+    def define_position(self, axis: AxisState, position: float) -> None:
+        """The axis is at `position`, counts, from now on: what is remembered of its motion shifts with it."""
+        number, controller = axis.number, self.controller
+        shift = position - controller.position(number)
+        controller.define_position(number, position)
+        for contour in self.contours.values():
+            contour.shift(number, shift)
+        seek = self.seeks.get(number)
+        if seek is not None and seek.caught is not None:
+            seek.caught += shift
+
+    def home_changed(self, number: int) -> None:
+        """The home input of an axis has another level."""
+        seek = self.seeks.get(number)
+        if seek is not None:
+            seek.look()
+
+    def _happened(self, what: str, number: int) -> None:
+        if what == "idle":
+            self.axes[number].rested = self.controller.clock.now
+            for contour in list(self.contours.values()):
+                contour.rested(number)
+        elif what == "fault":
+            self.limits[number].happened()
+            self.release(self.axes[number])
+        elif what == "home":
+            self.home_changed(number)
+
+    # ------------------------------------------------------------------------------------------------- asking
+
+    def axis(self, number: int) -> AxisState:
+        """An axis by its number."""
+        found = self.axes.get(number)
+        if found is None:
+            hint = f"the axes are {self.numbers[0]} to {self.numbers[-1]}"
+            raise Fault(codes.NOT_ASSIGNED, f"there is no axis {number}", hint, "axis")
+        return found
+
+    def is_driven(self, channel: int) -> bool:
+        """Whether something in the world, or the program itself, sets an input."""
+        world = self.machine.world
+        return (world is not None and channel in world.driven) or self.controller.input(channel) != 0
+
+    def seconds(self, value: float) -> float:
+        """A time in the unit of UT, in seconds."""
+        return value * self.time_unit
+
+    def is_shared(self, task: CommandTask) -> bool:
+        """Whether another task wants its turn."""
+        if len(self.tasks) < 2:
+            return False
+        return any(other.wait is None and other is not task and not other.done for other in self.tasks)
+
+    def take_turn(self, task: CommandTask) -> None:
+        """Another task than the last one begins to work."""
+        if self.at_work is not task:
+            self.at_work = task
+            self.turns += 1
+
+    def next_wake(self, task: CommandTask) -> float:
+        """The earliest time at which another task may do something."""
+        time = INFINITY
+        for other in self.tasks:
+            if other is not task and not other.done:
+                if other.wait is None:
+                    return self.controller.clock.now
+                time = min(time, other.wait.due())
+        return time
+
+    # -------------------------------------------------------------------------------------------------- tasks
+
+    def foreground(self, task: CommandTask) -> None:
+        """The task that carries out what the host sends takes the place of the one before it."""
+        self.tasks = [task, *self.background.values()]
+        self.disturbances += 1
+
+    def join(self, task: CommandTask) -> None:
+        """A further task that carries out what a host sends."""
+        self.tasks.append(task)
+
+    def start_task(self, macro: Line, issuer: CommandTask) -> int:
+        """Run a macro in the background, its replies going where the issuer's go; its number."""
+        scheduler = self.machine.scheduler
+        assert scheduler is not None, "background tasks need a scheduler"
+        self._last_task += 1
+        task = BackgroundTask(self._last_task, self, macro)
+        task.write = issuer.write
+        self.background[self._last_task] = task
+        self.tasks.append(task)
+        scheduler.start(task)
+        return self._last_task
+
+    def end_task(self, number: int) -> bool:
+        """End a background task; False when there is none of that number."""
+        task = self.background.get(number)
+        if task is None:
+            return False
+        task.abandon()
+        task.end()
+        return True
+
+    def ended(self, task: CommandTask) -> None:
+        """A task has ended by itself."""
+        if task in self.tasks:
+            self.tasks.remove(task)
+        for number, each in list(self.background.items()):
+            if each is task:
+                del self.background[number]
+
+    # ------------------------------------------------------------------------------------------------ talking
+
+    def whole(self, value: int) -> str:
+        """A whole number as DM or HM want it."""
+        return f"{value & 0xFFFFFFFF:X}" if self.hexadecimal else str(value)
+
+    def refused(self, task: CommandTask, trouble: Fault | Refusal) -> bool:
+        """Answer a command that could not be carried out; True when the rest of the line is to be left."""
+        if isinstance(trouble, Refusal):
+            if trouble.code == "limit":
+                raise trouble
+            if trouble.code == "disabled-axis":
+                # No code of the board means this: it keeps silent and nothing moves.
+                self.warn(task, trouble.code, trouble.message, "MN switches it on", "error")
+                return False
+            trouble = Fault(codes.PARAMETER, trouble.message, trouble.hint, trouble.code)
+        self.last_error = trouble.code
+        meaning = codes.MEANINGS.get(trouble.code, "")
+        self.warn(
+            task, trouble.kind, f"{trouble.message} (?{trouble.code}: {meaning})", trouble.hint, "error"
+        )
+        task.reply(f"?{trouble.code}")
+        return True
+
+    def forget_complaints(self) -> None:
+        """Let every place speak again: the text is a new one."""
+        self._seen.clear()
+
+    def warn(
+        self, task: CommandTask, code: str, message: str, hint: str = "", severity: str = "warning"
+    ) -> None:
+        """A diagnostic at the command that the task is at; each place speaks once."""
+        key = (task.at, message)
+        if self.complain is None or key in self._seen or len(self._seen) >= MAX_DIAGNOSTICS:
+            return
+        self._seen.add(key)
+        self.complain(Diagnostic(code, message, hint=hint, severity=severity), task)
+
+
+# What the controller's axes start with on this board; the rest is as the controller has it.
+AXIS_SETTINGS: dict[str, float | str] = {
+    "shape": "trapezoid",
+    "speed": 40_000.0,
+    "accel": 100_000.0,
+    "decel": 100_000.0,
+    # PMC's S-curve is given by its ramp ratio, not by a jerk.
+    "accel_jerk": INFINITY,
+    "decel_jerk": INFINITY,
+    "ramp": 0.1,
+}
+
+
+def _model(name: str) -> Model:
+    try:
+        return MODELS[name or DEFAULT]
+    except KeyError:
+        models = ", ".join(MODELS)
+        raise Refusal("machine-file", f"MCCL knows no model {name}", f"the models are {models}") from None

@@ -1,0 +1,107 @@
+"""Loops that only look: they are left until something can change, and land where they would have been.
+
+A jump back that finds the accumulator as it was at the last one, with nothing done in between but reading, will find
+the same again until an event. The task then waits for the last whole pass before that event instead of running them.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.task import Wait
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.task import CommandTask
+
+INFINITY = float("inf")
+
+
+class Poll:
+    """Watches one task's loops. `effects` counts what was done; `fresh_until` is how long what was read stays true."""
+
+    __slots__ = (
+        "_accumulator",
+        "_count",
+        "_depth",
+        "_done",
+        "_event",
+        "_line",
+        "_pc",
+        "_task",
+        "_turn",
+        "effects",
+        "fresh_until",
+    )
+
+    def __init__(self, task: CommandTask) -> None:
+        self._task = task
+        self.effects = 0
+        self.fresh_until = INFINITY
+        self._line: Line | None = None
+        self._pc = self._count = self._done = self._depth = 0
+        self._accumulator: float | int = 0
+        self._turn = 0
+        self._event = 0.0
+
+    def read_until(self, time: float) -> None:
+        """Something was read that may change at `time` with no event to tell."""
+        if time < self.fresh_until:
+            self.fresh_until = time
+
+    def again(self) -> Wait | None:
+        """Called at each jump back: a wait, if nothing can come of another pass."""
+        task = self._task
+        same = (
+            self._line is task.line
+            and self._pc == task.pc
+            and self._done == self.effects
+            and self._accumulator == task.registers[0]
+            and self._depth == len(task.calls)
+            and self._undisturbed()
+        )
+        length, until = task.count - self._count, self.fresh_until
+        self._line, self._pc, self._done = task.line, task.pc, self.effects
+        self._accumulator, self._count = task.registers[0], task.count
+        self.fresh_until = INFINITY
+        self._depth = len(task.calls)
+        self._turn, self._event = task.board.turns, task.board.controller.clock.next_time()
+        if same and length > 0:
+            return self._until_the_next_event(length, until)
+        return None
+
+    def _undisturbed(self) -> bool:
+        """Whether neither an event nor another task came between: after it, what was read before it is old."""
+        board = self._task.board
+        return self._turn == board.turns and board.controller.clock.now < self._event
+
+    def _until_the_next_event(self, length: int, until: float) -> Wait | None:
+        task = self._task
+        board = task.board
+        clock = board.controller.clock
+        now = clock.now
+        event = min(until, clock.next_time(), board.next_wake(task))
+        before = board.disturbances
+        if event == INFINITY:
+            why = "in a loop that only looks at what does not change"
+            return Wait(now, lambda: board.disturbances != before, lambda: INFINITY, why)
+        passes = int((event - now) / (length * task.cost)) - 1
+        if passes <= 0:
+            return None
+        base, count = task.base, task.count + passes * length
+        due = base + count * task.cost
+        if due >= event:
+            return None
+
+        def land(time: float) -> None:
+            # Woken early, by something nobody could foresee, the loop starts afresh where it is.
+            if time == due:
+                task.base, task.count = base, count
+            self._count = task.count
+
+        task.then = land
+        return Wait(
+            now,
+            lambda: clock.now >= due or board.disturbances != before,
+            lambda: due,
+            "in a loop that only looks",
+        )

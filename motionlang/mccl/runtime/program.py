@@ -1,0 +1,120 @@
+"""A file of commands, downloaded line by line as a terminal program does: the next line when the last one is done."""
+
+from __future__ import annotations
+
+from motionlang.lang.program import Program
+from motionlang.lang.task import Wait
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.models import written_for
+from motionlang.mccl.resolve.line import Line, lines_of
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.task import CommandTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.source import Source
+
+_SEPARATORS = ", \t\n;"
+INFINITY = float("inf")
+
+
+class MacroFile(Program):
+    """The lines of a file."""
+
+    __slots__ = ("lines", "source")
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.lines = list(lines_of(source.text))
+
+    def start(self, machine: Machine) -> FileTask:
+        """The foreground task, on a board that is as at power-up but for the registers that `--set` gives."""
+
+        def complain(diagnostic: Diagnostic, task: CommandTask) -> None:
+            place = locate(self.source, task.at)
+            diagnostic.line, diagnostic.column, diagnostic.length = place
+            machine.diagnostics.append(diagnostic)
+
+        machine.model = machine.model or written_for(self.source.name)
+        board = Board(machine, complain)
+        task = FileTask(self, board)
+        task.override(machine.overrides)
+        return task
+
+
+class FileTask(CommandTask):
+    """Sends the lines of a file, and at the end waits for the background tasks that are left."""
+
+    __slots__ = ("_lines", "_next", "_stray")
+
+    def __init__(self, program: MacroFile, board: Board) -> None:
+        super().__init__(program.source.name, board)
+        board.foreground(self)
+        self._lines = program.lines
+        self._next = 0
+        self._stray = 0
+
+    @property
+    def at(self) -> int:
+        return super().at if self.line is not None else self._stray
+
+    def override(self, values: dict[str, float | str]) -> None:
+        """Set registers by their names."""
+        override(self, values)
+
+    def next_line(self) -> Line | None:
+        """The next line that can be carried out; the faults of others are told where they stand."""
+        while self._next < len(self._lines):
+            line = self._lines[self._next]
+            self._next += 1
+            if isinstance(line, Line):
+                return line
+            fault, self._stray, _ = line
+            self.line = None
+            self._refused(fault)
+        return None
+
+    def _rest(self, now: float) -> Wait | None:
+        board = self.board
+        left = board.background
+        if not left:
+            board.ended(self)
+            self.done = True
+            return None
+        names = ", ".join(str(number) for number in left)
+        return Wait(
+            now, lambda: not board.background, lambda: INFINITY, f"for background task {names} to end"
+        )
+
+
+def override(task: CommandTask, values: dict[str, float | str]) -> None:
+    """Set registers by their names, R0 to R255, as `--set` has them."""
+    from motionlang.controller.faults import Refusal
+
+    for name, value in values.items():
+        number = name[1:]
+        if name[:1] not in "Rr" or not number.isdecimal() or isinstance(value, str):
+            raise Refusal(
+                "unknown-word",
+                f"{name} is no register",
+                "MCCL programs have registers, such as --set R10=5",
+            )
+        try:
+            task.set_register(int(number), int(value) if value == int(value) else value)
+        except Fault as fault:
+            raise Refusal(fault.kind, fault.message, fault.hint) from None
+
+
+def locate(source: Source, at: int) -> tuple[int, int, int]:
+    """Line, column and length of the command at an offset."""
+    line, column = source.place(at)
+    text = source.line(line)
+    if column == 1 and len(text) > 255:
+        return line, 1, min(len(text), 80)
+    end, quoted = column - 1, False
+    while end < len(text) and (quoted or text[end] not in _SEPARATORS):
+        quoted ^= text[end] == '"'
+        end += 1
+    return line, column, max(1, end - column + 1)

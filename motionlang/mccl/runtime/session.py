@@ -1,0 +1,84 @@
+"""MCCL for a person who types one line after the other."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic
+from motionlang.lang.dialect import Interactive
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.resolve.line import Line, lines_of
+from motionlang.mccl.runtime.board import Board
+from motionlang.mccl.runtime.program import locate, override
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.task import Task
+
+
+class Session(Interactive):
+    """One board for the whole session: macros, registers and units stay between lines."""
+
+    keeps_places = True
+
+    def __init__(self, machine: Machine) -> None:
+        self.board = Board(machine, self._complain)
+        self._machine = machine
+        first = LineTask(self.board, Source("input", ""))
+        override(first, machine.overrides)
+        self._registers = first.registers
+
+    def task(self, source: Source) -> Task:
+        """The task that carries `source` out; what goes wrong is a `?` code and a diagnostic of the machine."""
+        self.board.forget_complaints()
+        task = LineTask(self.board, source)
+        task.registers = self._registers
+        return task
+
+    def _complain(self, diagnostic: Diagnostic, task: CommandTask) -> None:
+        line = task.line
+        if line is not None:
+            # The command may stand in a macro, which came with an earlier text: its place is one in that.
+            _, diagnostic.column, diagnostic.length = locate(Source("input", line.origin), task.place)
+            diagnostic.line = line.number
+        elif isinstance(task, LineTask):
+            diagnostic.line, diagnostic.column, diagnostic.length = locate(task.source, task.at)
+        self._machine.diagnostics.append(diagnostic)
+
+
+class LineTask(CommandTask):
+    """Carries out the lines of a text; background tasks go on by themselves."""
+
+    __slots__ = ("_entered", "_lines", "_stray", "source")
+
+    def __init__(self, board: Board, source: Source) -> None:
+        super().__init__("terminal", board)
+        board.foreground(self)
+        self.source = source
+        self._lines: list[Line | tuple[Fault, int, int]] = list(lines_of(source.text))
+        self._stray = self._entered = 0
+
+    @property
+    def at(self) -> int:
+        """Offset in the text: of the command, or of the one that called the macro of an earlier text it stands in."""
+        if self.line is None:
+            return self._stray
+        if self.line.origin is self.source.text:
+            return self.place
+        for line, pc, _ in self.calls:
+            if line.origin is self.source.text:
+                return line.places[pc - 1]
+        return self._entered
+
+    def next_line(self) -> Line | None:
+        """The next of the lines entered that can be carried out; the faults of others are told."""
+        while self._lines:
+            line = self._lines.pop(0)
+            if isinstance(line, Line):
+                self._entered = line.places[0]
+                return line
+            fault, self._stray, _ = line
+            self.line = None
+            self._refused(fault)
+        return None

@@ -1,0 +1,340 @@
+"""A task of the controller's interpreter: a line of commands, a program counter, and the time each command costs.
+
+Time is `base + count * cost`, so that it is the same number however many commands are run, or skipped, in one go.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.task import Task
+from motionlang.mccl import codes
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.models import missing
+from motionlang.mccl.motion.path import DESCRIBES
+from motionlang.mccl.resolve.command import NONE, REGISTER, TEXT
+from motionlang.mccl.resolve.decode import checked
+from motionlang.mccl.runtime.poll import Poll
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
+    from motionlang.lang.task import Wait
+    from motionlang.mccl.axis.axis import AxisState
+    from motionlang.mccl.motion.path import Path
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.board import Board
+
+    Action: TypeAlias = Callable[["CommandTask", Command], Wait | None]
+    Then: TypeAlias = Callable[[float], Wait | None]
+
+PRIVATE = 10
+# Macros that may be open at once.
+DEEPEST = 100
+# Commands between two returns to the scheduler, so that a busy program can be paced and interrupted.
+SLICE = 20_000
+
+
+class CommandTask(Task):
+    """Carries out lines one after the other; `next_line` says where they come from.
+
+    `line` is the line (or macro) being carried out, `pc` the index of its next command, `calls` the lines to come
+    back to. `registers` 0 to 9 are the task's own. `then` is what follows the wait that the task is in.
+    """
+
+    __slots__ = (
+        "base",
+        "board",
+        "calls",
+        "cost",
+        "count",
+        "here",
+        "lacks",
+        "line",
+        "paid",
+        "path_open",
+        "pc",
+        "poll",
+        "registers",
+        "repeats",
+        "then",
+        "write",
+    )
+
+    def __init__(self, name: str, board: Board) -> None:
+        super().__init__(name)
+        self.board = board
+        self.cost = board.cost
+        self.lacks = board.model.lacks
+        self.write = board.write
+        self.registers: list[float | int] = [0] * PRIVATE
+        self.line: Line | None = None
+        self.pc = 0
+        self.repeats: dict[int, int] = {}
+        self.calls: list[tuple[Line, int, dict[int, int]]] = []
+        self.then: Then | None = None
+        # The contour path that the commands of the line are describing.
+        self.path_open: Path | None = None
+        self.here = 0
+        self.base = 0.0
+        self.count = 0
+        self.paid = False
+        self.poll = Poll(self)
+
+    # ------------------------------------------------------------------------------------- for the scheduler
+
+    @property
+    def at(self) -> int:
+        return self.place
+
+    @property
+    def place(self) -> int:
+        """Offset of the command being carried out, in the text that its line came from."""
+        line = self.line
+        return line.places[self.here] if line is not None and self.here < len(line.places) else 0
+
+    @property
+    def source_line(self) -> int:
+        """Number of the source line of the command being carried out."""
+        return self.line.number if self.line is not None else 0
+
+    @property
+    def word(self) -> str:
+        """The mnemonic of the command being carried out."""
+        line = self.line
+        return line.commands[self.here].name if line is not None and self.here < len(line.commands) else ""
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """Carry out commands to the horizon, a wait or another task's turn: the time, s, and the wait."""
+        if now != self.base + self.count * self.cost:
+            self.base, self.count = now, 0
+        wait = self._go_on(now)
+        if wait is not None:
+            return now, wait
+        clock, left = self.board.controller.clock, SLICE
+        if len(self.board.tasks) > 1:
+            self.board.take_turn(self)
+        while left:
+            line = self.line
+            if line is None or self.pc >= len(line.commands):
+                if self._step_out():
+                    continue
+                return now, self._rest(now)
+            if self.paid:
+                self.paid = False
+            else:
+                self.count += 1
+                now = self.base + self.count * self.cost
+                if now >= horizon or now >= clock.horizon:
+                    self.paid = True
+                    return now, None
+                clock.now = now
+            wait = self._carry_out(line)
+            if wait is not None:
+                return now, wait
+            if self.board.is_shared(self):
+                return now, None
+            left -= 1
+        return now, None
+
+    # ----------------------------------------------------------------------------------------- for the actions
+
+    def reply(self, text: str) -> None:
+        """One line of an answer."""
+        self.write(text + "\n")
+
+    def tell(self, axis: int, text: str) -> None:
+        """A report of an axis or a channel: its number in two digits, a blank, the value."""
+        self.write(f"{axis:02d} {text}\n")
+
+    def value(self, command: Command) -> float | int:
+        """The parameter as a number, that of a register if `@` says so; 0 where there is none."""
+        if command.kind == REGISTER:
+            assert command.row is not None
+            return checked(self.register(int(command.value)), command.row)
+        return command.value if command.kind != TEXT else 0  # type: ignore[return-value]
+
+    def given(self, command: Command) -> bool:
+        """Whether the command has a parameter."""
+        return command.kind != NONE
+
+    def whole(self, command: Command) -> int:
+        """The parameter as a whole number; a fraction is a parameter error."""
+        value = self.value(command)
+        if value != int(value):
+            raise Fault(codes.PARAMETER, f"{command.name} wants a whole number, not {value:g}", kind="range")
+        return int(value)
+
+    def axes(self, command: Command) -> tuple[AxisState, ...]:
+        """The axes that the command speaks to: the one it names, or all."""
+        if command.axis == 0:
+            return self.board.all_axes
+        return (self.board.axis(command.axis),)
+
+    def axis(self, command: Command) -> AxisState:
+        """The one axis that the command must name."""
+        if command.axis == 0:
+            raise Fault(
+                codes.NO_AXIS,
+                f"{command.name} needs an axis number in front",
+                f"such as 1{command.text}",
+                "axis",
+            )
+        return self.board.axis(command.axis)
+
+    def register(self, number: int) -> float | int:
+        """The content of a register: the first ten are the task's own."""
+        if number < PRIVATE:
+            return self.registers[number]
+        if number >= len(self.board.registers):
+            raise self._no_register(number)
+        return self.board.registers[number]
+
+    def set_register(self, number: int, value: float | int) -> None:
+        """Give a register a value."""
+        if number < PRIVATE:
+            if number and self.registers[number] != value:
+                self.poll.effects += 1
+            self.registers[number] = value
+            return
+        if number >= len(self.board.registers):
+            raise self._no_register(number)
+        if self.board.registers[number] != value:
+            self.poll.effects += 1
+        self.board.registers[number] = value
+
+    def call(self, line: Line) -> None:
+        """Carry out a macro, then come back."""
+        if len(self.calls) >= DEEPEST:
+            raise Fault(
+                codes.PARAMETER,
+                f"macros are nested deeper than {DEEPEST}",
+                "a macro that calls itself never comes back; MJ jumps without coming back",
+                "recursion",
+            )
+        if self.line is not None:
+            self.calls.append((self.line, self.pc, self.repeats))
+        self.enter(line)
+
+    def enter(self, line: Line) -> None:
+        """Carry out a line from its first command."""
+        self.line, self.pc, self.repeats = line, 0, {}
+
+    def jump(self, target: int) -> Wait | None:
+        """Go on with command `target` of the line."""
+        assert self.line is not None
+        if not 0 <= target <= len(self.line.commands):
+            last = len(self.line.commands) - 1
+            raise Fault(
+                codes.PARAMETER,
+                f"there is no command {target} here",
+                f"they are numbered 0 to {last}",
+                "range",
+            )
+        back = target <= self.here
+        self.pc = target
+        return self.poll.again() if back else None
+
+    def abandon(self) -> None:
+        """Leave the line and every macro it is in."""
+        self.calls.clear()
+        self.line, self.repeats, self.then, self.paid = None, {}, None, False
+        self.path_open = None
+
+    # ------------------------------------------------------------------------------------------ for the kinds
+
+    def next_line(self) -> Line | None:
+        """The line to carry out when the last one is done; None at the end."""
+        return None
+
+    def _rest(self, now: float) -> Wait | None:
+        """What remains to wait for when there are no more lines; None ends the task."""
+        self.done = True
+        return None
+
+    # ------------------------------------------------------------------------------------------------- inside
+
+    def _go_on(self, now: float) -> Wait | None:
+        while self.then is not None:
+            then, self.then = self.then, None
+            try:
+                wait = then(now)
+            except (Fault, Refusal) as trouble:
+                self._refused(trouble)
+                return None
+            if wait is not None:
+                return wait
+        return None
+
+    def _carry_out(self, line: Line) -> Wait | None:
+        command = line.commands[self.pc]
+        self.here = self.pc
+        self.pc += 1
+        if not command.pure:
+            self.poll.effects += 1
+        try:
+            if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
+                self.close_path()
+            if command.name in self.lacks:
+                raise missing(self.board.model, command.name)
+            return command.action(self, command)
+        except (Fault, Refusal) as trouble:
+            self._refused(trouble)
+            return None
+
+    def _refused(self, trouble: Fault | Refusal) -> None:
+        if self.board.refused(self, trouble):
+            self.abandon()
+
+    def close_path(self) -> None:
+        """The contour path that the line was describing is complete."""
+        path, self.path_open = self.path_open, None
+        if path is not None:
+            path.close(self)
+
+    def _step_out(self) -> bool:
+        """Come back from a macro, or begin the next line; False when there is none."""
+        if self.path_open is not None:
+            try:
+                self.close_path()
+            except (Fault, Refusal) as trouble:
+                self._refused(trouble)
+        if self.calls:
+            self.line, self.pc, self.repeats = self.calls.pop()
+            return True
+        line = self.next_line()
+        self.line = line
+        if line is None:
+            return False
+        if self.board.machine.world is not None:
+            self.board.machine.world.reach(line.number)
+        self.enter(line)
+        return True
+
+    def _no_register(self, number: int) -> Fault:
+        last = len(self.board.registers) - 1
+        return Fault(codes.PARAMETER, f"there is no register {number}", f"registers are 0 to {last}", "range")
+
+
+class BackgroundTask(CommandTask):
+    """A macro in the background; when it has come to its end the task is over."""
+
+    __slots__ = ("_number",)
+
+    def __init__(self, number: int, board: Board, macro: Line) -> None:
+        super().__init__(f"task {number}", board)
+        self._number = number
+        self.enter(macro)
+
+    def end(self) -> None:
+        """End the task from outside; the scheduler drops it at its next turn."""
+        self.board.ended(self)
+        self.done = True
+        self.wait = None
+
+    def _rest(self, now: float) -> Wait | None:
+        self.board.ended(self)
+        self.done = True
+        return None

@@ -1,0 +1,63 @@
+"""The pieces of a text for highlighting: axis, command, number, register, text, comment, separator, unknown."""
+
+from __future__ import annotations
+
+from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.syntax.split import without_comment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_DIGITS = "0123456789"
+
+
+def tokens(text: str) -> Iterator[tuple[str, str, int]]:
+    """Kind, text and offset of each piece; together they are `text` again, whatever it is."""
+    start = 0
+    for line in text.splitlines(keepends=True):
+        body = line.rstrip("\r\n")
+        code = without_comment(body)
+        yield from _line(code, start)
+        if len(code) < len(body):
+            yield "comment", body[len(code) :], start + len(code)
+        if len(body) < len(line):
+            yield "separator", line[len(body) :], start + len(body)
+        start += len(line)
+
+
+def _line(code: str, start: int) -> Iterator[tuple[str, str, int]]:
+    at = 0
+    while at < len(code):
+        end = _command_end(code, at)
+        if end > at:
+            yield from _command(code[at:end], start + at)
+            at = end
+        if at < len(code):
+            yield "separator", code[at], start + at
+            at += 1
+
+
+def _command_end(code: str, at: int) -> int:
+    quoted = False
+    while at < len(code) and (quoted or code[at] not in ", \t"):
+        quoted ^= code[at] == '"'
+        at += 1
+    return at
+
+
+def _command(text: str, start: int) -> Iterator[tuple[str, str, int]]:
+    count = 0
+    while count < len(text) and text[count] in _DIGITS:
+        count += 1
+    if count:
+        yield "axis", text[:count], start
+    name = text[count : count + 2]
+    if name:
+        known = TABLE.get(name)
+        kind = "unknown" if known is None else "command" if known.simulated else "not-simulated"
+        yield kind, name, start + count
+    rest = text[count + 2 :]
+    if rest:
+        kind = "text" if rest[0] == '"' else "register" if rest[0] == "@" else "number"
+        yield kind, rest, start + count + 2

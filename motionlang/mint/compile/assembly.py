@@ -1,0 +1,297 @@
+"""From the bodies of all functions to the units that are compiled, line by line with their places."""
+
+from __future__ import annotations
+
+from re import findall
+
+from motionlang.mint.compile import jumps
+from motionlang.mint.compile.expressions import counted
+from motionlang.mint.compile.splitting import SIZE, Part
+from motionlang.mint.compile.statements import fresh
+from motionlang.mint.resolve.handlers import label_handlers
+from motionlang.mint.resolve.symbols import FLOAT, Function, Symbol
+from motionlang.mint.runtime.code_units import ALL, FILE, TIME, Code, Unit
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from typing import TypeVar
+
+    from motionlang.mint.compile.body import Body, Line, Whole
+    from motionlang.mint.resolve.problems import Problems
+
+    Made = TypeVar("Made")
+
+# A program of so many lines of Python is compiled at once, a longer one as it is called.
+SHORT = 1000
+# What CPython might refuse, for the depth of its blocks or of its brackets, is compiled at once.
+DEEP, LONG = "\n" + " " * 15, 400
+
+
+class TypedLine:
+    """A line typed at a prompt: its code, the place of each line of it, and what its names stand for.
+
+    `blocks` are the tasks and event handlers by "task blink", "event timer", with their names in the code.
+    """
+
+    __slots__ = ("blocks", "code", "costs", "operations", "places", "specs")
+
+    def __init__(self, whole: Whole, lines: list[Line], file: str) -> None:
+        self.places = [0, *(at for _, at in lines)]
+        text = "\n".join(line for line, _ in lines)
+        self.code = _checked(lambda: compile(text, file, "exec"), self.places, 0, whole.problems)
+        self.specs, self.operations = whole.described(), list(whole.spec_names.values())
+        self.costs = sorted(whole.costs)
+        self.blocks = _blocks(whole)
+
+
+def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
+    """The code of a program."""
+    shared = _shared(whole, bodies)
+    units = _Units()
+    for function, b in bodies.items():
+        units.add(function.python, _head(whole, b) + _dispatched(whole, b))
+        for part in b.parts:
+            if not part.inside:
+                units.add_part(part)
+    units.close()
+    first = _first_values(whole)
+    start = compile(first, FILE, "exec") if first else None
+    blocks = {"main": "main", **_blocks(whole)}
+    code = Code(units.made, start, shared, whole.described(), sorted(whole.costs), blocks, units.places)
+    _compile_now(code, whole.problems)
+    return code
+
+
+def _compile_now(code: Code, problems: Problems) -> None:
+    """Compile what is called at once, and what CPython may refuse."""
+    cells = code.cells()
+    for number, unit in enumerate(code.units):
+        if number == 0 or len(code.places) <= SHORT or _may_be_refused(unit.text):
+            _checked(lambda unit=unit: unit.compile(cells), code.places, unit.before, problems)  # type: ignore[misc]
+
+
+def _blocks(whole: Whole) -> dict[str, str]:
+    return {_key(f): f.python for f in whole.names.functions if f.kind in ("task", "event")}
+
+
+def _key(function: Function) -> str:
+    return f"{function.kind} {function.name.lower()}"
+
+
+def _shared(whole: Whole, bodies: dict[Function, Body]) -> list[str]:
+    """The names of the variables that are cells of the program."""
+    names = [symbol.python for symbol in _of_module(whole)]
+    for function, b in bodies.items():
+        if function.kind != "sub":
+            names += [s.python for s in _own(function) if s.home is not whole.names.main and not b.keeps(s)]
+            names += [s.python for s in _own(function) if b.parts and b.keeps(s)]
+    return names
+
+
+def _of_module(whole: Whole) -> list[Symbol]:
+    return [s for s in whole.names.module.names.values() if s.kind == "variable" and s.shared]
+
+
+def _first_values(whole: Whole) -> str:
+    """Python that gives the shared variables of the module their first values."""
+    plain: dict[str, list[str]] = {}
+    lines = []
+    for symbol in _of_module(whole):
+        text = _first(symbol, False)
+        if "[" in text:
+            lines.append(f"{symbol.python} = {text}")
+        else:
+            plain.setdefault(text, []).append(symbol.python)
+    return "\n".join([f"{' = '.join(names)} = {text}" for text, names in plain.items()] + lines)
+
+
+class _Units:
+    """The units being made; `places[n]` is the place in the program of line n of all their lines."""
+
+    def __init__(self) -> None:
+        self.made: list[Unit] = []
+        self.places = [0]
+        self._names: list[str] = []
+        self._lines: list[Line] = []
+
+    def add(self, name: str, lines: list[Line]) -> None:
+        """A function; short ones share a unit."""
+        if self._lines and len(self._lines) + len(lines) > SIZE:
+            self.close()
+        self._names.append(name)
+        self._lines += lines
+
+    def add_part(self, part: Part) -> None:
+        """A part of the function before it."""
+        self.close()
+        self._names, self._lines = [part.name], part.written(ALL, 0)
+        self.close(is_part=True)
+
+    def close(self, is_part: bool = False) -> None:
+        """The next function begins a unit of its own."""
+        if not self._lines:
+            return
+        before, at = len(self.places) - 1, self._lines[0][1]
+        self.places += [at, at]
+        self.places += [at for _, at in self._lines]
+        text = "\n".join([line for line, _ in self._lines])
+        self.made.append(Unit(tuple(self._names), text, before, is_part))
+        self._names, self._lines = [], []
+
+
+def _may_be_refused(text: str) -> bool:
+    return DEEP in text or max(map(len, text.split("\n"))) > LONG
+
+
+def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
+    """Compile; Python takes twenty loops within one another, so many may stand here around what leaves them all."""
+    try:
+        return work()
+    except SyntaxError as error:
+        if not str(error.msg).startswith("too many"):
+            raise
+        at = places[min(before + (error.lineno or 0), len(places) - 1)]
+        message = "the blocks here are nested more deeply than this program can follow"
+        hint = "a Return, an Exit or a Gosub that leaves them stands in twenty at most; move the inner ones into a sub"
+        problems.add("syntax", message, at, hint)
+        problems.raise_errors()
+        raise
+
+
+def assemble_line(
+    whole: Whole, bodies: dict[Function, Body], known_before: dict[str, Symbol], file: str
+) -> TypedLine:
+    """The code of a line typed at a prompt."""
+    lines: list[Line] = []
+    for key, symbol in whole.names.module.names.items():
+        if symbol.kind == "variable" and known_before.get(key) is not symbol:
+            lines.append((f"{symbol.python} = {_first(symbol, False)}", symbol.at))
+    for b in bodies.values():
+        lines += _head(whole, b) + _dispatched(whole, b)
+    return TypedLine(whole, lines, file)
+
+
+# ------------------------------------------------------------------------------------------------ functions
+
+
+def _dispatched(whole: Whole, b: Body) -> list[Line]:
+    """The lines of a function: those of its dispatcher inside it, where it has labels."""
+    if not b.function.jumps:
+        return b.lines
+    function, indent = b.function, " " * b.indent
+    word = "global" if whole.typed else "nonlocal"
+    own = {symbol.python for symbol in _own(function) if b.keeps(symbol)} & b.outside
+    name = jumps.dispatcher(function)
+    lines = [
+        f"{indent}def {name}(pc):",
+        f"{indent} {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}",
+    ]
+    if own:
+        lines.append(f"{indent} nonlocal {', '.join(sorted(own))}")
+    out = [(line, function.at) for line in lines] + b.lines
+    handlers = label_handlers(function)
+    for number, (label, _) in enumerate(b.stretches()):
+        if label in handlers:
+            out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
+    out.append((f"{indent}yield from {name}(0)", function.at))
+    last = (
+        f"return {function.result.python}"
+        if function.result
+        else "return"
+        if function.kind == "sub"
+        else "return t"
+    )
+    return [*out, (indent + last, function.at)]
+
+
+def _label_handler(whole: Whole, function: Function, label: str, number: int) -> list[str]:
+    """v4: a label with the name of an event, to which nothing jumps, is its handler."""
+    word = "global" if whole.typed else "nonlocal"
+    return [
+        f"def e_{label}(t_, H_):",
+        f" {word} t, H",
+        " t = t_; H = H_",
+        f" yield from {jumps.dispatcher(function)}({number})",
+        " return t",
+        f"E.blocks['event {label}'] = e_{label}; E.listen()",
+    ]
+
+
+def _own(function: Function) -> list[Symbol]:
+    """The variables of a function."""
+    mine = [s for s in function.scope.names.values() if s.kind in ("variable", "parameter")]
+    return mine if function.result is None else [*mine, function.result]
+
+
+def _head(whole: Whole, b: Body) -> list[Line]:
+    """The line `def …` and what must be done on entry."""
+    function = b.function
+    indent = " " * (b.indent - 1)
+    # A sub runs on its caller's time, which therefore lives in cells that all functions share.
+    is_unit = bool(b.parts) and function.kind != "sub"
+    shared_time = function.kind == "sub" or bool(function.calls) or function.jumps or is_unit
+    outside = set() if function.jumps else set(b.outside)
+    if function.kind in ("task", "event") or is_unit:
+        outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))
+    if shared_time:
+        outside.add("t")
+        if not function.plain:
+            outside.add("H")
+    lines = [f"{indent}def {function.python}({_parameters(function, shared_time)}):"]
+    if outside:
+        word = "global" if whole.typed else "nonlocal"
+        lines.append(f"{indent} {word} {', '.join(sorted(outside))}")
+    if function.kind != "sub" and shared_time:
+        lines.append(f"{indent} t = t_; H = H_")
+    if not (whole.typed and function is whole.names.main):
+        lines += [f"{indent} {line}" for line in _own_variables(function, b)]
+    out = [(line, function.at) for line in lines]
+    for part in b.parts:
+        if part.inside:
+            out += part.written(_shared_by(part, function), b.indent - 1)
+    return out
+
+
+def _shared_by(part: Part, function: Function) -> str:
+    """How a part that stands in its sub says what it shares."""
+    known = {*(TIME if not function.plain else "t")}
+    known.update(name for symbol in _own(function) for name in _spellings(symbol))
+    scope = function.scope.outer
+    while scope is not None:
+        known.update(symbol.python for symbol in scope.names.values() if symbol.shared)
+        scope = scope.outer
+    words = findall(r"\b(?:[vpr]_\w+|[tH]|w\d+)\b", "\n".join(line for line, _ in part.lines))
+    return f"nonlocal {', '.join(sorted(known & {*words, 't'}))}"
+
+
+def _parameters(function: Function, shared_time: bool) -> str:
+    if function.kind != "sub":
+        return "t_, H_" if shared_time else "t, H"
+    return ", ".join(name for parameter in function.parameters for name in _spellings(parameter))
+
+
+def _spellings(symbol: Symbol) -> list[str]:
+    """The names in Python of what a variable or a parameter is made of: with its place, or with its sizes."""
+    if symbol.by_ref:
+        return [symbol.python, f"{symbol.python}_k"]
+    sizes = counted(symbol.python, symbol.dimensions) if len(symbol.dimensions) > 1 else []
+    return [symbol.python, *(size for size in sizes if not size.isdecimal())]
+
+
+def _own_variables(function: Function, b: Body) -> list[str]:
+    """First values of the variables that live in the function (those of the parent task may live around it)."""
+    lines = []
+    for symbol in function.scope.names.values():
+        if symbol.kind == "variable" and not (function.kind == "main" and symbol.shared):
+            lines.append(f"{symbol.python} = {_first(symbol, symbol in b.analysed)}")
+    if function.result is not None:
+        lines.append(f"{function.result.python} = {_first(function.result, function.result in b.analysed)}")
+    return lines
+
+
+def _first(symbol: Symbol, followed: bool) -> str:
+    if followed and symbol.type.name == FLOAT:
+        return "0"
+    text = fresh(symbol.type, symbol.dimensions)
+    return f"[{text}]" if symbol.boxed else text

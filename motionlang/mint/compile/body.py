@@ -1,0 +1,323 @@
+"""The Python text of one function as it grows, and how virtual time is written into it.
+
+`t` is machine time at the begin of a basic block and `H` the next moment at which something else wants to happen.
+Statements cost `dt` each; their costs are kept in `pending` and written as one constant per block, `dN` = N * dt.
+What takes note of time runs at `u = t + dN`, after everything that is due until then.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import intervals
+from motionlang.mint.resolve.handlers import handles
+from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.mint.compile.jumps import Turns
+    from motionlang.mint.compile.polling import Poll
+    from motionlang.mint.compile.splitting import Part
+    from motionlang.mint.resolve.names import Names
+    from motionlang.mint.resolve.problems import Problems
+    from motionlang.mint.resolve.symbols import Type
+    from motionlang.mint.syntax import nodes
+
+Spec = tuple[object, ...]
+Line = tuple[str, int]
+
+
+class Value:
+    """An expression in Python: its text, its Mint type, what is known of it, its value where that is known."""
+
+    __slots__ = ("const", "range", "text", "type")
+
+    def __init__(
+        self, text: str, type: str, range: intervals.Range = intervals.FLOAT, const: float | str | None = None
+    ) -> None:
+        self.text, self.type, self.range, self.const = text, type, range, const
+
+    @property
+    def truth(self) -> str:
+        """The text where only its truth counts."""
+        return self.text
+
+    @property
+    def is_number(self) -> bool:
+        return self.type in NUMERIC
+
+
+class Answer(Value):
+    """What is true or false in Python, without brackets: an Integer, 1 or 0, but in a condition as it is."""
+
+    __slots__ = ("_truth",)
+
+    def __init__(self, truth: str) -> None:
+        super().__init__(f"(1 if {truth} else 0)", INTEGER, intervals.BOOL)
+        self._truth = truth
+
+    @property
+    def truth(self) -> str:
+        return f"({self._truth})"
+
+
+class Whole:
+    """What all functions of a program share: names, problems, and the run-time objects the text refers to.
+
+    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs); `costs` are the N for
+    which the text uses `dN`.
+    """
+
+    __slots__ = (
+        "_operations",
+        "axes",
+        "axis_texts",
+        "costs",
+        "guarded",
+        "line",
+        "names",
+        "parts",
+        "problems",
+        "rewritten",
+        "samples",
+        "spec_names",
+        "specs",
+        "suffix",
+        "table",
+        "told",
+        "typed",
+        "written",
+    )
+
+    def __init__(
+        self,
+        table: Table,
+        problems: Problems,
+        names: Names,
+        axes: range,
+        suffix: str,
+        told: frozenset[str] = frozenset(),
+    ) -> None:
+        self.table, self.problems, self.names, self.axes = table, problems, names, axes
+        self.typed, self.suffix = names.typed, suffix
+        self.told = told  # words whose values the machine file says
+        self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
+        self.specs: list[Spec] = []
+        self.spec_names: dict[Spec, str] = {}
+        self._operations: dict[tuple[str, Keyword], str] = {}
+        self.costs: set[int] = set()
+        # What loops that poll may write over and over.
+        self.rewritten: set[Keyword] = set()
+        # What stands before a statement with a reading that changes by itself, by the identity of its node.
+        self.samples: dict[int, str] = {}
+        # The functions whose text has been begun.
+        self.written: set[Function] = set()
+        self.parts = 0  # how many parts there are
+        self.line = problems.line
+        # Whether an ONERROR handler takes what fails, so that the program goes on.
+        self.guarded = handles(names, "onerror")
+
+    def use(self, *spec: object) -> str:
+        """The name, in the generated text, of what `spec` describes."""
+        name = self.spec_names.get(spec)
+        if name is None:
+            name = self.spec_names[spec] = f"k{len(self.specs)}{self.suffix}"
+            self.specs.append(spec)
+        return name
+
+    def described(self) -> list[Spec]:
+        """What the `kN` are, now that it is known which of them loops that poll use."""
+        if self.rewritten:
+            for row in self.rewritten:
+                name = self._operations.get(("write", row))
+                if name is not None:
+                    number = list(self.spec_names.values()).index(name)
+                    self.specs[number] = ("rewrite", *self.specs[number][1:])
+        return self.specs
+
+    def operation(self, how: str, row: Keyword) -> str:
+        """The name of a keyword's operation: "read", "write", "load" or "do"."""
+        name = self._operations.get((how, row))
+        if name is None:
+            name = self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high)
+            self._operations[how, row] = name
+        return name
+
+
+class Body:
+    """One function being written."""
+
+    __slots__ = (
+        "_labels",
+        "_stretches",
+        "analysed",
+        "at",
+        "calls",
+        "deepest",
+        "facts",
+        "function",
+        "indent",
+        "lines",
+        "loops",
+        "noted",
+        "observes",
+        "outside",
+        "parts",
+        "pending",
+        "polls",
+        "scope",
+        "stretch",
+        "targets",
+        "temps",
+        "turns",
+        "values",
+        "waits",
+        "whole",
+    )
+
+    def __init__(self, whole: Whole, function: Function, indent: int) -> None:
+        self.whole, self.function, self.scope = whole, function, function.scope
+        self.lines: list[Line] = []
+        self.indent = indent
+        self.at = function.at
+        self.pending = 0
+        self.temps = 0
+        # Names of outer functions that this one assigns to.
+        self.outside: set[str] = set()
+        self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
+        self._labels: dict[str, int] | None = None
+        self.turns: Turns | None = None
+        # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
+        self.stretch = 0
+        self.polls: list[Poll] = []
+        self.parts: list[Part] = []
+        self.loops: list[tuple[str, str]] = []
+        # How many loops stand within one another at most in what was written last.
+        self.deepest = 0
+        self.facts: dict[int, intervals.Range] = {}
+        self.analysed: set[Symbol] = set()
+        # Variables that are the same wherever they are read, by their spelling.
+        self.values: dict[str, Value] = {}
+        # Variables that were given a value, by their spelling.
+        self.targets: dict[str, tuple[str, Type, Symbol]] = {}
+        # Of the statement being written: does it take note of time, does it call a sub that may wait?
+        self.observes = self.calls = False
+        # Of the function so far: was `t` used as an absolute time; does it hold a `yield`?
+        self.noted = self.waits = False
+
+    # -------------------------------------------------------------------------------------------- lines
+
+    def emit(self, text: str) -> None:
+        self.lines.append((" " * self.indent + text, self.at))
+
+    def temp(self) -> str:
+        self.temps += 1
+        return f"w{self.temps}"
+
+    def cost(self, count: int) -> str:
+        self.whole.costs.add(count)
+        return f"d{count}"
+
+    # --------------------------------------------------------------------------------------------- time
+
+    def begin(self) -> None:
+        """A statement begins: nothing is known of it yet."""
+        self.observes = self.calls = False
+
+    def flush(self) -> None:
+        """Bring `t` up to date."""
+        if self.pending:
+            self.emit(f"t += {self.cost(self.pending)}")
+            self.pending = 0
+
+    def horizon(self, answer: str = "t", then: str = "") -> None:
+        """Let others run when their time has come, `then` look again; `t` is up to date."""
+        self.emit(f"if t >= H: t, H = yield {answer}{then}")
+        self.waits = self.noted = True
+
+    def now(self) -> str:
+        """The name that holds the present time after `settle`."""
+        return "u" if self.pending else "t"
+
+    def settle(self, tell: bool = True) -> None:
+        """Before a statement that takes note of time: let everything happen that is due until then.
+
+        `tell`: the clock is told, as what follows reads it.
+        """
+        if self.calls:
+            self.flush()
+            self.noted = True
+        if not self.observes:
+            return
+        self.noted = self.waits = True
+        if self.pending:
+            cost = self.cost(self.pending)
+            self.emit(f"if (u := t + {cost}) >= H: u, H = yield u; t = u - {cost}")
+        else:
+            self.horizon()
+        if tell:
+            self.emit(f"C.now = {self.now()}")
+
+    def act(self, text: str) -> None:
+        """A statement of one line that may take note of time."""
+        if self.observes:
+            self.settle(False)
+            self.emit(f"C.now = {self.now()}; {text}")
+        else:
+            self.settle()
+            self.emit(text)
+        self.pending += 1
+
+    def wait(self, expression: str) -> None:
+        """Give way until a `Wait` is over."""
+        self.flush()
+        self.emit(f"t, H = yield {expression}")
+        self.waits = self.noted = True
+
+    # ------------------------------------------------------------------------------------------- labels
+
+    def stretches(self) -> list[tuple[str, list[nodes.Stmt]]]:
+        """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
+        if self._stretches is None:
+            from motionlang.mint.compile.jumps import stretches
+
+            self._stretches = stretches(self.function.body)
+        return self._stretches
+
+    def labels(self) -> dict[str, int]:
+        """The number of the stretch that each label leads to."""
+        if self._labels is None:
+            self._labels = {}
+            for number, (label, _) in enumerate(self.stretches()):
+                self._labels.setdefault(label, number)
+        return self._labels
+
+    # ------------------------------------------------------------------------------------------- errors
+
+    def problem(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
+        self.whole.problems.add(code, message, node.at, hint)
+
+    def warn(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
+        self.whole.problems.add(code, message, node.at, hint, "warning")
+
+    # ---------------------------------------------------------------------------------------- variables
+
+    def use_outside(self, symbol: Symbol) -> None:
+        """Note that the function assigns to a variable that lives outside it (or outside its dispatcher)."""
+        if self.function.jumps or not self.keeps(symbol):
+            self.outside.add(symbol.python)
+
+    def keeps(self, symbol: Symbol) -> bool:
+        """Whether a variable lives in this Python function: what others use too does only in subs, which recur."""
+        function = self.function
+        if symbol.home is not function:
+            return False
+        return function.kind == "sub" or not (symbol.shared or (self.whole.typed and function.kind == "main"))
+
+    def range_of(self, symbol: Symbol, node: nodes.Node) -> intervals.Range:
+        """What is known of a variable where `node` reads it."""
+        fact = self.facts.get(id(node))
+        if fact is not None:
+            return fact
+        if symbol.type.name == INTEGER:
+            return intervals.INTEGER
+        return intervals.ANY if symbol in self.analysed else intervals.FLOAT

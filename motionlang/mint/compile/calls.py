@@ -1,0 +1,108 @@
+"""Calls of subs and functions: arguments by value and by reference."""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import intervals
+from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.conversions import converted
+from motionlang.mint.compile.expressions import counted, member, place, unknown, value
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, Symbol, Type
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body
+
+_NOTHING = Value("0", FLOAT, intervals.ANY)
+
+
+def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
+    """The call of a sub, as a value (`wanted`) or as a statement."""
+    callee = symbol.home
+    if wanted and callee.result is None:
+        b.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
+        return _NOTHING
+    args = node.args or []
+    if len(args) != len(callee.parameters):
+        count = len(callee.parameters)
+        b.problem("values", f"{symbol.name} takes {count} value{'s' * (count != 1)}, {len(args)} given", node)
+        return _NOTHING
+    texts = [_argument(b, arg, parameter) for arg, parameter in zip(args, callee.parameters, strict=True)]
+    text = f"{symbol.python}({', '.join(texts)})"
+    b.calls = True
+    if not callee.plain:
+        b.waits = True
+        text = f"(yield from {text})"
+    known = intervals.INTEGER if symbol.type.name == INTEGER else intervals.FLOAT
+    return Value(text, str(symbol.type), known)
+
+
+def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
+    if parameter.is_array:
+        return _array(b, node, parameter)
+    if parameter.by_ref:
+        return _reference(b, node, parameter)
+    found = value(b, node)
+    if parameter.type.name == RECORD:
+        if found.type != str(parameter.type):
+            b.problem("type", f"{parameter.name} must be a {parameter.type}", node)
+        return f"{b.whole.use('env', 'copy')}({found.text})"
+    text = converted(b, found, parameter.type, node)
+    return f"[{text}]" if parameter.boxed else text
+
+
+def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
+    """An array as a whole: a list, and the sizes of one with several subscripts."""
+    wanted = len(parameter.dimensions)
+    found = array(b, node)
+    if found is None or len(found[2]) != wanted:
+        many = "one subscript" if wanted == 1 else f"{wanted} subscripts"
+        b.problem("type", f"{parameter.name} must be given an array with {many}", node)
+        return ", ".join(["[0]", *["1"] * (wanted - 1 and wanted)])
+    text, kind, sizes = found
+    if str(kind) != str(parameter.type):
+        given = node.field if type(node) is nodes.Member else getattr(node, "name", "")
+        b.problem("type", f"{parameter.name} is an array of {parameter.type}, {given} one of {kind}", node)
+    return text if wanted == 1 else ", ".join([text, *counted(text, sizes)])
+
+
+def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None:
+    """The text, the type and the sizes of an array that is named as a whole, a member's too."""
+    if type(node) is nodes.Name and node.args is None:
+        symbol = b.scope.find(node.name)
+        if symbol is not None and symbol.is_array:
+            return symbol.python, symbol.type, symbol.dimensions
+    if type(node) is nodes.Member and node.args is None:
+        owner = member(b, node)
+        if owner is not None and owner[2]:
+            return owner
+    return None
+
+
+def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
+    """A list and a place in it, which the sub reads and writes."""
+    if type(node) is nodes.Name or type(node) is nodes.Member:
+        symbol = b.scope.find(node.name) if type(node) is nodes.Name else None
+        if (symbol is not None and symbol.kind in ("variable", "parameter")) or type(node) is nodes.Member:
+            text, kind, _ = place(b, node)
+            if str(kind) != str(parameter.type):
+                b.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
+                          f"not {kind}", node)  # fmt: skip
+            return _pair(text)
+        if symbol is None and type(node) is nodes.Name and b.whole.table.get(node.name) is None:
+            unknown(b, node)
+            return "[0], 0"
+    found = value(b, node)  # anything else is a value of its own, which the sub may change
+    return f"[{converted(b, found, parameter.type, node)}], 0"
+
+
+def _pair(text: str) -> str:
+    """`name[place]` as the two arguments `name, place`."""
+    if not text.endswith("]"):
+        return f"[{text}], 0"
+    depth = 0
+    for at in range(len(text) - 1, 0, -1):
+        depth += (text[at] == "]") - (text[at] == "[")
+        if depth == 0:
+            break
+    return f"{text[:at]}, {text[at + 1 : -1]}"

@@ -1,0 +1,155 @@
+"""From a syntax tree to Python: functions written line by line, put together by `assembly`.
+
+    def main(t, H): …                 the parent task, tasks and events: generators
+    def s_fill(p_n): …                subs: plain functions, or generators where they may wait
+
+A line typed at a prompt is compiled by itself: its names are the globals of one namespace that lives as long as the
+session.
+"""
+
+from __future__ import annotations
+
+import gc
+
+from motionlang.errors import ProgramError
+from motionlang.mint.compile import jumps
+from motionlang.mint.compile.assembly import assemble, assemble_line
+from motionlang.mint.compile.body import Body, Whole
+from motionlang.mint.compile.overrides import override
+from motionlang.mint.compile.range_analysis import Flow, analysed
+from motionlang.mint.compile.statements import block, hear_of_errors, leave
+from motionlang.mint.keywords import table
+from motionlang.mint.keywords.machine_readings import words
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.syntax.parser import parse
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.mint.compile.assembly import TypedLine
+    from motionlang.mint.resolve.symbols import Function, Scope
+    from motionlang.mint.runtime.code_units import Code
+    from motionlang.mint.syntax.nodes import Module
+    from motionlang.source import Source
+
+DEFAULT_AXES = 8
+
+
+class Compiled:
+    """A program's code, and what there is to say about the program."""
+
+    __slots__ = ("code", "problems")
+
+    def __init__(self, code: Code, problems: Problems) -> None:
+        self.code, self.problems = code, problems
+
+
+def compile_module(module: Module, settings: dict[str, object] | None = None) -> Compiled:
+    """Compile a program; ProgramError with every mistake."""
+    problems = Problems(module)
+    if settings and "fault" in settings:
+        from motionlang.mint.compile.line_triggers import mark
+
+        mark(module, settings, problems)
+    whole = _declared(module, settings, problems, None, "")
+    bodies = {function: _function(whole, function) for function in whole.names.functions}
+    warn_of_misspellings(whole)
+    problems.raise_errors()
+    return Compiled(assemble(whole, bodies), problems)
+
+
+def compile_line(
+    module: Module, settings: dict[str, object] | None, scope: Scope, suffix: str, file: str
+) -> TypedLine:
+    """Compile a line typed at a prompt, whose names are those of `scope`; ProgramError with every mistake."""
+    known_before = dict(scope.names)
+    problems = Problems(module)
+    whole = _declared(module, settings, problems, scope, suffix)
+    bodies = {function: _function(whole, function) for function in whole.names.functions}
+    problems.raise_errors()
+    return assemble_line(whole, bodies, known_before, file)
+
+
+def _declared(
+    module: Module, settings: dict[str, object] | None, problems: Problems, scope: Scope | None, suffix: str
+) -> Whole:
+    """What the functions of a module share, its names declared."""
+    names = Names(table(), problems, scope)
+    names.declare_module(module)
+    return Whole(table(), problems, names, range(_number_of_axes(settings)), suffix, words(settings or {}))
+
+
+def _number_of_axes(settings: dict[str, object] | None) -> int:
+    count = (settings or {}).get("controller.axes", DEFAULT_AXES)
+    return count if isinstance(count, int) else DEFAULT_AXES
+
+
+# ------------------------------------------------------------------------------------------------ functions
+
+
+def _function(whole: Whole, function: Function) -> Body:
+    """The body of one function, indented for where it will stand."""
+    b = Body(whole, function, 1 if whole.typed else 2)
+    whole.written.add(function)
+    if not (whole.typed and function is whole.names.main):
+        b.analysed = analysed(function)
+        if b.analysed:
+            b.facts = Flow(function, b.analysed, whole.table).run()
+    if function.jumps:
+        b.indent += 1
+        jumps.write(b, block)
+        b.indent -= 1
+        return b
+    block(b, function.body)
+    b.flush()
+    hear_of_errors(b)
+    leave(b)
+    if not (function.plain or b.waits):
+        b.emit("yield")
+    return b
+
+
+def warn_of_misspellings(whole: Whole) -> None:
+    """A name that is only ever assigned to and looks like a keyword is a typing error, not a variable."""
+    words: list[str] = []
+    for function in whole.names.functions:
+        for symbol in function.scope.names.values():
+            if symbol.kind != "variable" or symbol.declared or symbol.uses > 0:
+                continue
+            from difflib import get_close_matches
+
+            words = words or [r.name.lower() for r in whole.table if r.simulated and r.kind != "statement"]
+            near = get_close_matches(symbol.name.lower(), words, n=1, cutoff=0.75)
+            row = whole.table.get(near[0]) if near and len(symbol.name) > 2 else None
+            if row is not None:
+                whole.problems.add(
+                    "unknown-word", f"{symbol.name} is given a value that nothing reads", symbol.at,
+                    f"did you mean {row.name}? If it is a variable, declare it with Dim",
+                )  # fmt: skip
+
+
+def compile_text(
+    source: Source, settings: dict[str, object] | None, overrides: Mapping[str, float | str] | None
+) -> Compiled:
+    """Parse and compile a program. ProgramError with every mistake."""
+    collecting = gc.isenabled()
+    gc.disable()  # what is made here lasts to the end or goes by itself, and the collector would look at it every time
+    try:
+        module = _parsed(source, settings)
+        if overrides:
+            override(module, overrides)
+        return compile_module(module, settings)
+    finally:
+        if collecting:
+            gc.enable()
+
+
+def _parsed(source: Source, settings: dict[str, object] | None) -> Module:
+    try:
+        return parse(source)
+    except ProgramError as error:
+        from motionlang.mint.compile.error_recovery import with_other_lines
+
+        raise with_other_lines(source, settings, error) from None

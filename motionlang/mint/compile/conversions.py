@@ -1,0 +1,76 @@
+"""A value that is known beforehand, and the text of a value as another type."""
+
+from __future__ import annotations
+
+from math import isnan
+
+from motionlang.mint.compile import intervals
+from motionlang.mint.compile.body import Value
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING, TIME, Type
+from motionlang.mint.runtime.functions import LONGEST
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body
+    from motionlang.mint.syntax import nodes
+
+# What stands in for a value that is wrong, so that further mistakes are told.
+NOTHING = Value("0", FLOAT, intervals.ANY)
+
+
+def literal(known: float | str) -> Value:
+    """A value that is known beforehand."""
+    if isinstance(known, str):
+        return Value(repr(known), STRING, intervals.ANY, known)
+    kind = INTEGER if type(known) is int and intervals.INT_LOW <= known <= intervals.INT_HIGH else FLOAT
+    if isnan(known) or known in (intervals.INFINITY, -intervals.INFINITY):
+        return Value(f"float('{known}')", FLOAT)
+    if type(known) is int and abs(known) > intervals.EXACT:
+        known = float(known)
+    text = repr(known) if known >= 0 else f"({known!r})"
+    return Value(text, kind, intervals.constant(known), known)
+
+
+def as_float(found: Value) -> str:
+    """The text of a number that must be a Python float."""
+    known = found.const
+    if known.__class__ is int:
+        return f"{found.text}.0" if 0 <= known <= intervals.INT_HIGH else literal(float(known)).text
+    return found.text if found.range[2] == "f" else f"({found.text} + 0.0)"
+
+
+def as_integer(b: Body, found: Value) -> str:
+    """The text of a number that must be a Python int of 32 bits; a fraction is cut off."""
+    const = found.const
+    if const is not None and found.type != STRING and intervals.INT_LOW <= const <= intervals.INT_HIGH:  # type: ignore[operator]
+        return literal(int(const)).text
+    if found.type in (INTEGER, TIME) or intervals.fits_integer(found.range):
+        return found.text
+    return f"{b.whole.use('fn', 'integer')}({found.text})"
+
+
+def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:
+    """The text of a value for a variable of a type; `exact`: a Float must be a Python float."""
+    if type.name == INTEGER and found.is_number:
+        return as_integer(b, found)
+    if type.name == FLOAT and found.is_number:
+        return as_float(found) if exact else found.text
+    if type.name == STRING and found.type == STRING:
+        size = LONGEST if type.size is None else type.size
+        if isinstance(found.const, str) and len(found.const) <= size:
+            return found.text
+        return f"{b.whole.use('fn', 'fit')}({found.text}, {size})"
+    if type.name == TIME and found.is_number:
+        return f"{b.whole.use('env', 'since')}({found.text})"
+    hint = ""
+    if type.name == STRING and found.is_number:
+        hint = "Str makes a text of a number"
+    elif found.type == STRING:
+        hint = "Val makes a number of a text"
+    b.problem("type", f"{article(found.type)} cannot be given to {article(str(type))}", node, hint)
+    return "0"
+
+
+def article(type: str) -> str:
+    """The name of a type with its article."""
+    return f"an {type}" if type[:1] in "AEIOaeio" else f"a {type}"

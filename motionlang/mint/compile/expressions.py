@@ -1,0 +1,335 @@
+"""Expressions: from a node to a `Value`, with the checks that are not known to be needless."""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import intervals, operators
+from motionlang.mint.compile.body import Answer, Value
+from motionlang.mint.compile.conversions import NOTHING, article, as_integer, literal
+from motionlang.mint.resolve.folding import binary as fold_binary
+from motionlang.mint.resolve.folding import unary as fold_unary
+from motionlang.mint.resolve.symbols import (
+    FLOAT,
+    INTEGER,
+    NUMERIC,
+    RECORD,
+    SEMAPHORE,
+    STRING,
+    TIME,
+    Symbol,
+    Type,
+)
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.compile.body import Body
+
+_SAME = frozenset((INTEGER, FLOAT, STRING))
+# Whole numbers that have been written; so many are kept.
+_SEEN: dict[float, Value] = {}
+MOST_SEEN = 20_000
+
+
+def value(b: Body, node: nodes.Expr) -> Value:
+    """The value of any expression; a mistake is noted and something harmless returned."""
+    return _VALUES[node.__class__](b, node)
+
+
+def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
+    """The value of an expression that must be a number."""
+    found = _VALUES[node.__class__](b, node)
+    if found.type not in NUMERIC:
+        b.problem("type", f"{what} is needed here, not {article(found.type)}", node)
+        return NOTHING
+    return found
+
+
+def condition(b: Body, node: nodes.Expr) -> str:
+    """The text of a condition: only its truth counts."""
+    if type(node) is nodes.Binary and node.op in ("And", "Or"):
+        return f"({condition(b, node.left)} {node.op.lower()} {condition(b, node.right)})"
+    if type(node) is nodes.Unary and node.op == "Not":
+        return f"(not {condition(b, node.operand)})"
+    return number(b, node, "a condition").truth
+
+
+# ------------------------------------------------------------------------------------------------- literals
+
+
+def _number(b: Body, node: nodes.Number) -> Value:
+    known = node.value
+    found = _SEEN.get(known)
+    if found is not None and found.const.__class__ is known.__class__:
+        return found
+    if known.__class__ is int and 0 <= known <= intervals.INT_HIGH:
+        found = Value(repr(known), INTEGER, (known, known, "i"), known)
+        if len(_SEEN) < MOST_SEEN:
+            _SEEN[known] = found
+        return found
+    if known.__class__ is float and 0 <= known < intervals.INFINITY:
+        return Value(repr(known), FLOAT, intervals.FLOAT, known)
+    if known in (intervals.INFINITY, -intervals.INFINITY):
+        b.problem("overflow", "the number is too large", node)
+        return NOTHING
+    if intervals.INT_HIGH < known < 1 << 32 and type(known) is int and b.whole.problems.is_pattern(node.at):
+        known -= 1 << 32  # a pattern of 32 bits is an Integer, whatever its highest bit
+    return literal(known)
+
+
+def _string(b: Body, node: nodes.String) -> Value:
+    return literal(node.value)
+
+
+# ---------------------------------------------------------------------------------------------------- names
+
+
+def _name(b: Body, node: nodes.Name) -> Value:
+    if node.args is None:
+        found = b.values.get(node.name)
+        if found is not None:
+            return found
+    symbol = b.scope.find(node.name)
+    result = b.function.result
+    if result is not None and node.args is None and result.name.lower() == node.name.lower():
+        return load(b, node, result)  # inside a function its bare name is the value it will have
+    if symbol is not None:
+        if symbol.kind == "const" and node.args is None:
+            assert symbol.const is not None
+            return literal(symbol.const)
+        if symbol.kind == "define" and node.args is None:
+            return value(b, symbol.node)  # type: ignore[arg-type]
+        if symbol.kind == "sub":
+            from motionlang.mint.compile.calls import call
+
+            return call(b, node, symbol, wanted=True)
+        if symbol.kind in ("variable", "parameter"):
+            return _remembered(b, node, symbol)
+        b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
+        return NOTHING
+    row = b.whole.table.get(node.name)
+    if row is None:
+        unknown(b, node)
+        return NOTHING
+    from motionlang.mint.compile.keyword_use import read
+
+    return read(b, node, row)
+
+
+def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
+    """The value of a variable; of one that is the same wherever it stands it is made once."""
+    found = load(b, node, symbol)
+    if node.args is None and symbol.type.name in _SAME and not symbol.is_array and symbol not in b.analysed:
+        b.values[node.name] = found
+    return found
+
+
+def unknown(b: Body, node: nodes.Name) -> None:
+    """Note a word that is neither declared nor a keyword."""
+    words = [symbol.name for symbol in b.scope.symbols()]
+    words += [row.name for row in b.whole.table if row.kind not in ("statement", "command")]
+    otherwise = (
+        "" if node.args is not None else "a variable must be declared or assigned to before it is read"
+    )
+    if node.name.startswith("_"):
+        words = [word for word in words if word.startswith("_")]
+        otherwise = (
+            f"where the controller has this constant, say what it is: Const {node.name} As Integer = …"
+        )
+    b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise)
+
+
+def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:
+    """Where a variable, an element or a member lives: Python text that can be read and assigned to."""
+    if type(node) is nodes.Member:
+        return _member_place(b, node)
+    assert type(node) is nodes.Name
+    symbol = b.scope.find(node.name)
+    assert symbol is not None
+    if not symbol.is_array:
+        if node.args is not None:
+            b.problem("type", f"{symbol.name} is not an array", node)
+        text = symbol.python
+        if symbol.by_ref:
+            text = f"{text}[{text}_k]"
+        elif symbol.boxed:
+            text = f"{text}[0]"
+        return text, symbol.type, symbol
+    return element(b, node, symbol.python, symbol.name, symbol.dimensions, node.args), symbol.type, None
+
+
+def element(
+    b: Body, node: nodes.Node, text: str, name: str, sizes: tuple[int, ...], args: list[nodes.Expr] | None
+) -> str:
+    """The text of an array's element, its subscripts checked where they are not known to be right."""
+    if args is None:
+        b.problem("index", f"{name} is an array and needs a subscript", node)
+        return f"{text}[1]"
+    if len(args) != len(sizes):
+        given = f"{len(args)} {'is' if len(args) == 1 else 'are'} given"
+        b.problem("index", f"{name} has {_count(len(sizes), 'subscript')}, {given}", node)
+        return f"{text}[1]"
+    counts = counted(text, sizes)
+    parts = [_subscript(b, *each) for each in zip(args, sizes, counts, strict=True)]
+    flat = parts[0]
+    for part, count in zip(parts[1:], counts[1:], strict=True):
+        flat = f"({flat} - 1) * {count} + {part}"
+    return f"{text}[{flat}]"
+
+
+def counted(text: str, sizes: tuple[int, ...]) -> list[str]:
+    """The texts of an array's sizes; those of an array that a sub is given are known when it is called."""
+    if sizes == (0,):
+        return [f"len({text}) - 1"]
+    return [str(size) if size else f"{text}_N{place}" for place, size in enumerate(sizes)]
+
+
+def _subscript(b: Body, node: nodes.Expr, size: int, count: str) -> str:
+    found = number(b, node, "a subscript")
+    if found.const is not None and size:
+        if not 1 <= found.const <= size:  # type: ignore[operator]
+            b.problem("index", f"there is no element {found.const}: the subscript must be 1 to {size}", node,
+                      "the first element of an array has the subscript 1")  # fmt: skip
+        return as_integer(b, found)
+    low, high, kind = found.range
+    if kind == "i" and size and low >= 1 and high <= size:
+        return found.text
+    return f"{b.whole.use('fn', 'subscript')}({found.text}, {count})"
+
+
+def _count(count: int, what: str) -> str:
+    return f"1 {what}" if count == 1 else f"{count} {what}s"
+
+
+def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
+    """The value of a variable or an element."""
+    if symbol.is_array and node.args is None:
+        b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
+        return NOTHING
+    text, type, scalar = (
+        place(b, node) if symbol is not b.function.result else (symbol.python, symbol.type, symbol)
+    )
+    return _loaded(b, text, type, b.range_of(scalar, node) if scalar is not None else None)
+
+
+def _loaded(b: Body, text: str, type: Type, known: intervals.Range | None) -> Value:
+    if type.name == TIME:
+        b.observes = True
+        return Value(f"{b.whole.use('env', 'elapsed')}({text})", INTEGER, intervals.INTEGER)
+    if type.name == SEMAPHORE:
+        return Answer(f"{text}[0] is not None")
+    if known is None:
+        known = intervals.INTEGER if type.name == INTEGER else intervals.FLOAT
+    return Value(text, str(type) if type.name == RECORD else type.name, known)
+
+
+def _member(b: Body, node: nodes.Member) -> Value:
+    text, type, _ = _member_place(b, node)
+    return _loaded(b, text, type, None)
+
+
+def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None]:
+    found = member(b, node)
+    if found is None:
+        return "[0][0]", Type(FLOAT), None
+    text, type_, sizes = found
+    if sizes:
+        text = element(b, node, text, node.field, sizes, node.args)
+    elif node.args is not None:
+        b.problem("type", f"{node.field} is not an array", node)
+    return text, type_, None
+
+
+def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | None:
+    """The text, the type and the sizes of a member as a whole; a mistake is noted."""
+    if type(node.value) is nodes.Name and b.scope.find(node.value.name) is None:
+        if node.value.args is None and b.whole.table.get(node.value.name) is not None:
+            b.problem("syntax", f"behind the dot of {node.value.name} stands a number, not a name", node,
+                      f"write {node.value.name}[{node.field}]")  # fmt: skip
+        else:
+            unknown(b, node.value)
+        return None
+    if type(node.value) not in (nodes.Name, nodes.Member):
+        b.problem("type", "only a variable has members", node)
+        return None
+    owner, kind, _ = place(b, node.value)  # type: ignore[arg-type]
+    if kind.record is None:
+        b.problem(
+            "type", f"{article(str(kind))} has no members", node, "declare the variable with a Type of yours"
+        )
+        return None
+    found = kind.record.members.get(node.field.lower())
+    if found is None:
+        b.whole.problems.unknown(f"{kind.record.name} has no member {node.field}", node.field,
+                                 kind.record.members, node.at)  # fmt: skip
+        return None
+    position, type_, sizes = found
+    return f"{owner}[{position}]", type_, sizes
+
+
+# ------------------------------------------------------------------------------------------------ operators
+
+
+def _unary(b: Body, node: nodes.Unary) -> Value:
+    if node.op == "Not":
+        inner = condition(b, node.operand)
+        return Answer(f"not {inner}")
+    found = number(b, node.operand)
+    if found.const is not None:
+        known = fold_unary(node.op, found.const)
+        if known is not None:
+            return literal(known)
+    if node.op == "+":
+        return found
+    if node.op == "~":
+        return Value(f"(~{as_integer(b, found)})", INTEGER, intervals.INTEGER)
+    if found.type == FLOAT:
+        low, high, kind = found.range
+        return Value(f"(-{found.text})", FLOAT, (-high, -low, kind))
+    return operators.arithmetic(b, "-", literal(0), found)
+
+
+def _binary(b: Body, node: nodes.Binary) -> Value:
+    op = node.op
+    if op == "And" or op == "Or":  # noqa: PLR1714 - quicker
+        return Answer(condition(b, node))
+    left_node, right_node = node.left, node.right
+    left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)
+    if left.type not in NUMERIC or right.type not in NUMERIC:
+        return _other_than_numbers(b, node, left, right)
+    if left.const is not None and right.const is not None:
+        known = fold_binary(op, left.const, right.const)
+        if known is not None:
+            return literal(known)
+        if op in ("/", "\\", "Mod") and right.const == 0:
+            b.problem(
+                "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
+            )
+            return NOTHING
+    return operators.operate(b, op, left, right)
+
+
+def _other_than_numbers(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    if STRING in (left.type, right.type):
+        return operators.text(b, node, left, right)
+    side, found = (node.right, right) if left.is_number else (node.left, left)
+    b.problem("type", f"{node.op} needs numbers, not {article(found.type)}", side)
+    return NOTHING
+
+
+def _omitted(b: Body, node: nodes.Omitted) -> Value:
+    hint = "only a list of values for single axes may leave one out: SPEED(0, 1) = , 20"
+    b.problem("values", "a value is missing here", node, hint)
+    return NOTHING
+
+
+_VALUES: dict[type, Callable[..., Value]] = {
+    nodes.Omitted: _omitted,
+    nodes.Number: _number,
+    nodes.String: _string,
+    nodes.Name: _name,
+    nodes.Member: _member,
+    nodes.Unary: _unary,
+    nodes.Binary: _binary,
+}

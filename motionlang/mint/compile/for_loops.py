@@ -1,0 +1,208 @@
+"""`For`: plain, and in chunks.
+
+A counted loop whose body neither waits nor takes note of time is cut into chunks: as many turns at once as cannot
+reach the horizon at the highest cost a turn can have. Within a chunk nothing is tested, what the turns cost is counted
+in whole statements, and the loop gives way after exactly the turn at which it would have without chunks.
+
+    n = (stop - i) // step + 1           turns that are left
+    w = (H - t) / dWorst                 turns that surely fit
+    if n > w: n = int(w) if w > 1.0 else 1
+    c = n * statements
+    for i in range(i, i + n * step, step): …; c += 1 where a branch costs something
+    i += step
+    t += c * dt
+    if t >= H: t, H = yield (t, how long the turns that are left will take at least)
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import intervals
+from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.conversions import as_float, as_integer, converted, literal
+from motionlang.mint.compile.expressions import number, place
+from motionlang.mint.compile.loops import body_of, flag_for, go_on_leaving, turn
+from motionlang.mint.compile.operators import arithmetic
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, Symbol
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body, Line
+
+
+class Counter:
+    """The parts of a For: its variable as text and symbol, start, limit and step."""
+
+    __slots__ = ("exact", "kind", "start", "step", "stop", "symbol", "text")
+
+    def __init__(self, b: Body, node: nodes.For, symbol: Symbol) -> None:
+        self.symbol = symbol
+        self.text, type_, scalar = place(b, node.variable)
+        self.kind = type_.name
+        self.exact = scalar not in b.analysed
+        self.start = number(b, node.start)
+        self.stop = number(b, node.stop)
+        self.step = number(b, node.step) if node.step is not None else literal(1)
+        if self.step.const == 0:
+            b.problem("range", "a For that counts by 0 never ends", node.step or node)
+        b.settle()
+        first = converted(b, self.start, type_, node.start, self.exact)
+        # Limit and step are worked out once, before the variable has its first value.
+        self.stop, self.step = _kept(b, self.stop), _kept(b, self.step)
+        b.emit(f"{self.text} = {first}")
+
+
+def count(b: Body, node: nodes.For) -> None:
+    """`For variable = start To stop Step step … Next`."""
+    symbol = b.scope.find(node.variable.name)
+    if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
+        name = node.variable.name
+        row = b.whole.table.get(name) if symbol is None else None
+        hint = f"it is a word of Mint, {row.name}; Dim {name} makes a variable of it" if row else ""
+        b.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
+        return
+    if not (symbol.boxed or symbol.by_ref or symbol.is_array):
+        b.use_outside(symbol)
+    counter = Counter(b, node, symbol)
+    b.pending += 1
+    b.flush()
+    flag = flag_for(b, "for", node.body)
+    noted, b.noted = b.noted, False
+    outer, b.lines = b.lines, []
+    parts = len(b.parts)
+    at = b.at
+    b.indent += 1
+    body_of(b, "for", node.body, flag)
+    b.indent -= 1
+    b.at = at
+    body, b.lines = b.lines, outer
+    if b.noted or len(b.parts) > parts or not _can_be_cut(b, node, counter):
+        _plain(b, node, counter, body)
+    else:
+        _chunks(b, counter, body)
+    b.noted = b.noted or noted
+    go_on_leaving(b)
+
+
+def _kept(b: Body, found: Value) -> Value:
+    """A limit that stays what it was when the loop began."""
+    if found.const is not None:
+        return found
+    name = b.temp()
+    b.emit(f"{name} = {found.text}")
+    return Value(name, found.type, found.range)
+
+
+# ---------------------------------------------------------------------------------------------------- plain
+
+
+def _plain(b: Body, node: nodes.For, counter: Counter, body: list[Line]) -> None:
+    b.noted = True
+    b.emit(f"while {_continues(counter)}:")
+    b.lines += body
+    b.indent += 1
+    _next(b, counter, _known(b, node, counter))
+    turn(b)
+    b.indent -= 1
+
+
+def _known(b: Body, node: nodes.For, counter: Counter) -> intervals.Range:
+    """What is known of the variable at Next."""
+    known = b.facts.get(id(node))
+    if known is not None:
+        return known
+    if counter.kind == INTEGER:
+        return intervals.INTEGER
+    return intervals.FLOAT if counter.exact else intervals.ANY
+
+
+def _continues(counter: Counter) -> str:
+    text, stop, step = counter.text, counter.stop, counter.step
+    low, high, kind = step.range
+    if step.const is not None:
+        return f"{text} {'<=' if step.const > 0 else '>='} {stop.text}"  # type: ignore[operator]
+    if kind == "i" and low > 0:
+        return f"{text} <= {stop.text}"
+    if kind == "i" and high < 0:
+        return f"{text} >= {stop.text}"
+    return f"({text} <= {stop.text} if {step.text} >= 0 else {text} >= {stop.text})"
+
+
+def _next(b: Body, counter: Counter, known: intervals.Range) -> None:
+    text, step = counter.text, counter.step
+    total = arithmetic(b, "+", Value(text, counter.kind, known), step)
+    if counter.kind == FLOAT:
+        source = as_float(total) if counter.exact else total.text
+    else:
+        source = as_integer(b, total)
+    b.emit(f"{text} += {step.text}" if source == f"({text} + {step.text})" else f"{text} = {source}")
+
+
+# --------------------------------------------------------------------------------------------------- chunks
+
+
+def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
+    """Whether the variable only counts, in whole numbers that cannot overflow."""
+    step, stop = counter.step.const, counter.stop.range
+    if counter.exact or type(step) is not int or step == 0 or stop[2] != "i":
+        return False
+    known = b.facts.get(id(node))
+    if known is None or known[2] != "i" or counter.start.range[2] != "i":
+        return False
+    reached = intervals.arithmetic("+", counter.kind == INTEGER, known, counter.step.range)
+    return reached[1] == intervals.PLAIN and not _changes(b, node, counter.symbol)
+
+
+def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
+    """Whether the body gives the variable another value."""
+    from motionlang.mint.syntax.traversal import walk
+
+    for each in walk(node.body):
+        target = (
+            each.target
+            if isinstance(each, nodes.Assign)
+            else each.variable
+            if isinstance(each, nodes.For)
+            else None
+        )
+        if type(target) is nodes.Name and target.args is None and b.scope.find(target.name) is symbol:
+            return True
+    return False
+
+
+def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
+    each, b.pending = b.pending + 1, 0
+    worst = each + sum(map(_branch_cost, body))
+    text, stop, step = counter.text, counter.stop.text, counter.step.const
+    n, w, c = b.temp(), b.temp(), b.temp()
+    b.noted = True
+    b.emit(f"while {_continues(counter)}:")
+    b.indent += 1
+    b.emit(f"{n} = {f'{stop} - {text} + 1' if step == 1 else f'({stop} - {text}) // {step} + 1'}")
+    b.emit(f"{w} = (H - t) / {b.cost(worst)}")
+    b.emit(f"if {n} > {w}: {n} = int({w}) if {w} > 1.0 else 1")
+    b.emit(f"{c} = {n} * {each}")
+    turns = f"{n}" if step == 1 else f"{n} * {step}"
+    b.emit(f"for {text} in range({text}, {text} + {turns}{'' if step == 1 else f', {step}'}):")
+    b.lines += [(f" {_counted(line, c)}", at) for line, at in body]
+    if not body:
+        b.emit(" pass")
+    b.emit(f"{text} += {step}")
+    b.emit(f"t += {c} * dt")
+    left = f"({stop} - {text})" if step == 1 else f"(({stop} - {text}) // {step})"
+    b.horizon(f"(t, {left} * {b.cost(each)})")
+    b.indent -= 1
+
+
+_COST = "t += d"
+
+
+def _branch_cost(line: Line) -> int:
+    """The statements that a line of a body adds to its turn."""
+    text = line[0].strip()
+    return int(text[len(_COST) :]) if text.startswith(_COST) else 0
+
+
+def _counted(line: str, counter: str) -> str:
+    """A line of a body with its cost counted in statements."""
+    return line.replace(_COST, f"{counter} += ") if line.lstrip().startswith(_COST) else line

@@ -1,0 +1,213 @@
+"""Labels, Goto and Gosub: a function that has them becomes a dispatcher over the stretches between its labels.
+
+    def j_main(pc):
+     while True:
+      try:
+       if pc == 0: …; pc = 1
+       if pc == 1: …
+      except J as jump: pc = jump.args[0]
+
+A Goto sets `pc`, a Gosub calls the dispatcher at a label, Return leaves that call. Labels stand between statements of
+the outermost level; a jump out of loops is an exception, as Python has no other way out of several at once.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import polling
+from motionlang.mint.compile.expressions import condition
+from motionlang.mint.resolve.symbols import Function
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.compile.body import Body
+    from motionlang.mint.compile.poll_analysis import Look
+    from motionlang.mint.compile.polling import Poll
+
+# In a function of more stretches than this no jump is watched.
+MOST_STRETCHES = 200
+
+
+def dispatcher(function: Function) -> str:
+    """The name of a function's dispatcher."""
+    return f"j_{function.python}"
+
+
+def stretches(body: list[nodes.Stmt]) -> list[tuple[str, list[nodes.Stmt]]]:
+    """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
+    out: list[tuple[str, list[nodes.Stmt]]] = [("", [])]
+    for node in body:
+        if type(node) is nodes.Label:
+            out.append((node.name.lower(), []))
+        else:
+            out[-1][1].append(node)
+    return out
+
+
+def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
+    """The lines of the dispatcher, without its head."""
+    _check(b)
+    first = len(b.lines)
+    b.emit("while True:")
+    b.emit(" try:")
+    b.indent += 2
+    for number, (_, body) in enumerate(b.stretches()):
+        b.stretch = number
+        b.emit(f"if pc == {number}:")
+        b.indent += 1
+        block(b, body)
+        b.flush()
+        b.emit(f"pc = {number + 1}")
+        b.indent -= 1
+    _end(b)
+    b.indent -= 2
+    b.emit(f" except {b.whole.use('env', 'Jump')} as jump: pc = jump.args[0]")
+    head = " " * b.indent
+    b.lines[first:first] = [(head + poll.first("t"), b.function.at) for poll in b.polls]
+
+
+def _end(b: Body) -> None:
+    """The text ends here, and with it the task: also within a Gosub."""
+    if b.function.kind in ("sub", "event"):
+        b.emit("return")
+    else:
+        if b.whole.guarded and b.function.kind == "main":
+            b.horizon()  # ONERROR hears of what the last statement has done wrong
+        b.emit(f"{b.whole.use('env', 'end_main' if b.function.kind == 'main' else 'end_this')}(t)")
+
+
+def _check(b: Body) -> None:
+    """Labels twice."""
+    seen: set[str] = set()
+    for node in b.function.body:
+        if type(node) is not nodes.Label:
+            continue
+        if node.name.lower() in seen:
+            b.problem("duplicate", f"there is already a label {node.name}", node)
+        seen.add(node.name.lower())
+
+
+def jump(b: Body, node: nodes.Jump) -> None:
+    """Goto and Gosub."""
+    labels = b.labels()
+    key = node.name.lower()
+    if key not in labels:
+        at = node.at + 1 + (b.whole.problems.text(node.at + 1) == "#")
+        b.whole.problems.unknown(f"there is no label {node.name}", node.name, [n for n in labels if n], at)
+        return
+    number = labels[key]
+    b.pending += node.kind in ("goto", "gosub")
+    b.flush()
+    b.noted = True
+    leaves_loops = any(kind for kind, _ in b.loops)
+    poll = None
+    if node.kind != "gosub" and number <= b.stretch and not leaves_loops:
+        poll = _watched(b, number)
+    if poll is None:
+        if node.kind != "exit":
+            b.horizon()
+    else:
+        b.polls.append(poll)
+        polling.turn(b, poll)
+    unless = _unless(b, node)
+    if node.kind == "gosub":
+        b.emit(f"yield from {dispatcher(b.function)}({number})")
+    elif leaves_loops:
+        b.emit(f"{unless}raise {b.whole.use('env', 'Jump')}({number})")
+    else:
+        b.emit(f"{unless}pc = {number}; continue")
+
+
+def _unless(b: Body, node: nodes.Jump) -> str:
+    """What stands before a jump that has a condition."""
+    if node.unless is None:
+        return ""
+    test = condition(b, node.unless)
+    b.settle()
+    return f"if not {test}: "
+
+
+def _watched(b: Body, target: int) -> Poll | None:
+    """The watch on a jump back: its turn is whatever lies on a way from the label to the jump."""
+    stretches = b.stretches()
+    if len(stretches) > MOST_STRETCHES:
+        return None
+    if b.turns is None:
+        b.turns = Turns(_ways(b))
+    turn = b.turns.between(target, b.stretch)
+    look = b.turns.looks.get(turn)
+    if look is None:
+        body = [node for number in sorted(turn) for node in stretches[number][1]]
+        look = b.turns.looks[turn] = polling.look_at_jump(b, body)
+    return polling.watched_jump(b, look)
+
+
+class Turns:
+    """The turns that jumps back make in one function; `looks` is what was found in each, however many jumps end it."""
+
+    __slots__ = ("_back", "_found", "_ways", "looks")
+
+    def __init__(self, ways: dict[int, list[int]]) -> None:
+        self._ways = ways
+        self._back: dict[int, list[int]] = {}
+        for number, nexts in ways.items():
+            for each in nexts:
+                self._back.setdefault(each, []).append(number)
+        self._found: dict[tuple[int, int], frozenset[int]] = {}
+        self.looks: dict[frozenset[int], Look] = {}
+
+    def between(self, target: int, jump: int) -> frozenset[int]:
+        """The stretches on the ways from the one that a jump leads to until the one that it stands in."""
+        found = self._found.get((target, jump))
+        if found is None:
+            found = frozenset(_reached(target, self._ways) & _reached(jump, self._back))
+            self._found[target, jump] = found
+        return found
+
+
+def _ways(b: Body) -> dict[int, list[int]]:
+    """Where each stretch leads to: what its Gotos name, each once, and the next one."""
+    from motionlang.mint.syntax.traversal import walk
+
+    labels, ways = b.labels(), {}
+    for number, (_, body) in enumerate(b.stretches()):
+        gotos = [node for node in walk(body) if type(node) is nodes.Jump and not _is_gosub(node)]
+        names = dict.fromkeys(node.name.lower() for node in gotos)
+        ways[number] = [labels[name] for name in names if name in labels]
+        if not body or type(body[-1]) not in (nodes.Jump, nodes.Return, nodes.End) or _goes_on(body[-1]):
+            ways[number].append(number + 1)
+    return ways
+
+
+def _goes_on(node: nodes.Stmt) -> bool:
+    """Whether a jump may lead to what stands behind it."""
+    return type(node) is nodes.Jump and (node.kind == "gosub" or node.unless is not None)
+
+
+def _is_gosub(node: nodes.Node) -> bool:
+    return type(node) is nodes.Jump and node.kind == "gosub"
+
+
+def _reached(start: int, ways: dict[int, list[int]]) -> set[int]:
+    """Everything that lies on the ways from a stretch, with itself."""
+    found, stack = {start}, [start]
+    while stack:
+        for each in ways.get(stack.pop(), ()):
+            if each not in found:
+                found.add(each)
+                stack.append(each)
+    return found
+
+
+def return_(b: Body, node: nodes.Return) -> None:
+    """Return from a Gosub."""
+    b.pending += 1
+    b.flush()
+    b.noted = True
+    b.emit("return")
+
+
+def label(b: Body, node: nodes.Label) -> None:
+    """Labels are where stretches begin; one that stands elsewhere has been reported."""

@@ -1,0 +1,432 @@
+"""Keywords where they are used: read in an expression, written by `=`, given as a command.
+
+The row of the table tells everything: access, index, unit, range. What the run does with it is the business of
+`motionlang.mint.runtime.binding`, found by the row's verb.
+"""
+
+from __future__ import annotations
+
+from math import isnan
+
+from motionlang.mint.compile import intervals, unsimulated_use
+from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.conversions import as_float, as_integer, literal
+from motionlang.mint.compile.expressions import condition, number, value
+from motionlang.mint.resolve.folding import constant
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
+from motionlang.mint.runtime.task import PARENT
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.compile.body import Body
+
+# Units of keywords whose values are whole numbers; "text" is a String, every other one a Float.
+WHOLE = frozenset(("bool", "bits", "integer", "ms", "counts"))
+_OTHERS = WHOLE | {"text"}
+_NOTHING = Value("0", FLOAT, intervals.ANY)
+# The text of a value that is left out; no value that is given is written so.
+OMITTED = "None"
+
+
+def type_of(unit: str) -> str:
+    """The Mint type of a keyword's value."""
+    return INTEGER if unit in WHOLE else STRING if unit == "text" else FLOAT
+
+
+# -------------------------------------------------------------------------------------------------- reading
+
+
+def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+    """The value of a keyword, a function or a constant."""
+    if b.whole.samples and id(node) in b.whole.samples:
+        b.emit(b.whole.samples[id(node)])
+    if row.kind == "constant":
+        if node.args is not None:
+            b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)
+        return literal(constant(row.verb, row.unit))
+    if row.kind == "function":
+        return _function(b, node, row)
+    if row.kind == "statement":
+        b.problem("type", f"{row.name} is a statement and has no value", node)
+        return _NOTHING
+    if "R" not in row.access:
+        what = "is a command and has no value" if row.access == "C" else "can be written but not read"
+        b.problem("write-only", f"{row.name} {what}", node)
+        return _NOTHING
+    if row.name == "IDLE" and node.args and len(node.args) > 1:
+        return value(b, _each_of(node, node.args))
+    unsimulated_use.warn(b, node, row)
+    b.observes = True
+    if row.name == "IDLE" and _default_axes(b, node, row):
+        operation, axes = b.whole.operation("read", row), b.whole.use("env", "default_axes")
+        return Value(f"int(all(map({operation}, {axes}())))", INTEGER, intervals.BOOL)
+    if _default_axes(b, node, row):
+        arguments = [f"{b.whole.use('env', 'default_axes')}()[0]"]
+    else:
+        arguments = indices(b, node, row, single=True)
+    arguments += unsimulated_use.place(b, node, row)
+    if row.unit == "text":
+        return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", STRING, intervals.ANY)
+    kind = type_of(row.unit)
+    range_ = (
+        intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
+    )
+    return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
+
+
+def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
+    """`IDLE[0, 1]` as people write it after a move of several axes: `IDLE[0] And IDLE[1]`."""
+    parts: list[nodes.Expr] = [nodes.Name(node.at, node.name, [arg], node.axes) for arg in args]
+    whole = parts[0]
+    for part in parts[1:]:
+        whole = nodes.Binary(node.at, "And", whole, part)
+    return whole
+
+
+def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
+    wanted = row.index.split(", ") if row.index else []
+    args = node.args or []
+    if row.name == "Mid" and len(args) == 2:
+        wanted = wanted[:2]
+    if len(args) != len(wanted):
+        b.problem("values", f"{row.name} takes {_many(len(wanted), 'value')}, {len(args)} given", node,
+                  f"{row.name}({row.index})")  # fmt: skip
+        return _NOTHING
+    if row.name == "IIf":
+        return _immediate_if(b, node, args)
+    found = [_argument(b, arg, kind, row) for arg, kind in zip(args, wanted, strict=True)]
+    texts = ", ".join(each.text for each in found)
+    if row.name == "Rnd":
+        return Value(f"{b.whole.use('env', 'random')}()", FLOAT, intervals.FLOAT)
+    if row.unit != "same":
+        kind = type_of(row.unit)
+        return Value(f"{b.whole.use('fn', row.verb)}({texts})", kind,
+                     intervals.INTEGER if kind == INTEGER else intervals.FLOAT)  # fmt: skip
+    kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
+    known_range = _same_range(row.verb, [each.range for each in found])
+    if kind == INTEGER:
+        known_range = intervals.to_integer(known_range)
+    return Value(f"{b.whole.use('fn', row.verb)}({texts})", kind, known_range)
+
+
+def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
+    if kind != "text":
+        return number(b, node)
+    found = value(b, node)
+    if found.type != STRING:
+        b.problem("type", f"{row.name} needs a text, not a number", node, "Str makes a text of a number")
+    return found
+
+
+def _same_range(verb: str, found: list[intervals.Range]) -> intervals.Range:
+    kinds = {each[2] for each in found}
+    if kinds != {"i"}:
+        return intervals.FLOAT if kinds == {"f"} else intervals.ANY
+    if verb == "least":
+        return (min(each[0] for each in found), min(each[1] for each in found), "i")
+    if verb == "greatest":
+        return (max(each[0] for each in found), max(each[1] for each in found), "i")
+    return (0, max(abs(found[0][0]), abs(found[0][1])), "i")
+
+
+def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
+    test = condition(b, args[0])
+    yes, no = value(b, args[1]), value(b, args[2])
+    if (yes.type == STRING) is not (no.type == STRING):
+        b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
+        return _NOTHING
+    kind = yes.type if yes.type == no.type else FLOAT
+    joined = intervals.join(yes.range, no.range)
+    assert joined is not None
+    return Value(f"({yes.text} if {test} else {no.text})", kind, joined)
+
+
+# -------------------------------------------------------------------------------------------------- indices
+
+
+def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
+    """The texts of what stands in a keyword's brackets: its axes, channels, or nothing."""
+    args = node.args
+    kind = row.index
+    if unsimulated_use.is_loose(row):
+        return unsimulated_use.indices(b, node)
+    if args and len(args) == 1 and kind in _ONE:
+        arg = args[0]
+        text = b.whole.axis_texts.get(arg.value) if arg.__class__ is nodes.Number else None
+        return [text or _index(b, arg, kind)]
+    if kind == "none":
+        if args:
+            b.problem("values", f"{row.name} takes nothing in brackets", node)
+        return []
+    names = kind.split(", ")
+    if names[-1] == "array":
+        from motionlang.mint.compile.path_use import with_arrays
+
+        return with_arrays(b, node, row, names)
+    if args is None or not args:
+        if len(names) > 1:
+            b.problem("values", f"{row.name} needs {row.index} in brackets", node)
+        return ["0"] * len(names)
+    many = names[-1] in ("axis", "axes") and not single
+    if len(args) != len(names) and not (many and len(args) >= len(names)):
+        wanted = _many(1, names[0]) if len(names) == 1 else f"{_many(len(names), 'value')} ({kind})"
+        b.problem("values", f"{row.name} takes {wanted} in brackets, {len(args)} given", node)
+        return ["0"] * len(names)
+    what = [*names, *[names[-1]] * (len(args) - len(names))]
+    return [_index(b, arg, kind) for arg, kind in zip(args, what, strict=True)]
+
+
+# What can stand alone in brackets.
+_ONE = frozenset(("axis", "axes", "channel"))
+
+
+def _index(b: Body, node: nodes.Expr, kind: str) -> str:
+    if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:
+        return b.whole.axis_texts[node.value]
+    if kind == "task":
+        return _task(b, node)
+    if kind == "distance":
+        return as_float(number(b, node, "a distance"))
+    found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
+    if found.const is not None:
+        if found.const != int(found.const):
+            b.problem("range", f"{found.const} is not the number of an {kind}", node)
+        elif kind in ("axis", "axes") and found.const not in b.whole.axes:
+            last = b.whole.axes[-1]
+            b.problem(
+                "axis", f"there is no axis {found.const}", node, f"this controller has axes 0 to {last}"
+            )
+            return "0"
+    return as_integer(b, found)
+
+
+def _task(b: Body, node: nodes.Expr) -> str:
+    """The name of a task, which is not an expression."""
+    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    if symbol is None and type(node) is nodes.Name and node.name.lower() == PARENT.lower():
+        return repr(PARENT)
+    if symbol is None or symbol.kind != "task":
+        tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
+        word = node.name if type(node) is nodes.Name else ""
+        b.whole.problems.unknown(f"there is no task {word}".rstrip(), word, tasks, node.at)
+        return "''"
+    return repr(symbol.name.lower())
+
+
+def _many(count: int, what: str) -> str:
+    plural = {"axis": "axes", "index": "indices"}.get(what, f"{what}s")
+    return f"{count} {what if count == 1 else plural}"
+
+
+# -------------------------------------------------------------------------------------------------- writing
+
+
+def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """`KEYWORD(axes) = values`."""
+    if not unsimulated_use.can_be_given(row):
+        b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
+        for each in node.values:
+            value(b, each)
+        return
+    unsimulated_use.warn(b, target, row, by=node)
+    if row.verb == "wait":
+        if target.args or node.repeat:
+            b.problem("values", "WAIT = ms names no axis and one time", target, "WAIT = 100 waits for 100 ms")
+        wait(b, node, node.values)
+        return
+    if row.kind == "move" and row.index == "axes":
+        from motionlang.mint.compile.path_use import write_path
+
+        write_path(b, node, target, row)
+        return
+    if _default_axes(b, target, row):
+        _write_to_defaults(b, node, row)
+        return
+    axes = indices(b, target, row, single=False)
+    values = _values(b, node, row, max(1, len(axes)) if row.index in ("axis", "axes") else 1)
+    if values is None:
+        return
+    _settle_for(b, row)
+    if row.index in ("axis", "axes"):
+        for axis, text in zip(axes, values, strict=True):
+            if text != OMITTED:
+                _store(b, node, row, [axis], text)
+    else:
+        _store(b, node, row, axes, values[0])
+    b.pending += 1
+
+
+def _settle_for(b: Body, row: Keyword) -> None:
+    """Operations tell the clock themselves; readings in their values need it before."""
+    tell = b.observes
+    b.observes = True
+    b.settle(tell)
+
+
+def _default_axes(b: Body, target: nodes.Name, row: Keyword) -> bool:
+    """Whether a keyword without brackets means the axes of AXES."""
+    return target.args is None and row.index in ("axis", "axes") and b.whole.names.uses_axes
+
+
+def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword) -> None:
+    """`SPEED = 10, 20` after `AXES[0, 1]`: how many axes there are is known when the program runs."""
+    texts = _given(b, node, row)
+    _settle_for(b, row)
+    axis, text = b.temp(), b.temp()
+    pairs = b.whole.use("env", "pairs")
+    b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):")
+    b.indent += 1
+    if OMITTED in texts:
+        b.emit(f"if {text} is {OMITTED}: continue")
+    _store(b, node, row, [axis], text)
+    b.indent -= 1
+    b.pending += 1
+
+
+def _why_not(row: Keyword) -> str:
+    if row.kind == "constant":
+        return "is a constant and cannot be changed"
+    if row.kind in ("function", "statement"):
+        return f"is a {row.kind} and cannot be assigned to"
+    return "is a command and takes no value" if row.access == "C" else "can be read but not written"
+
+
+def _instead(row: Keyword, name: str) -> str:
+    if name.lower() == row.short.lower():
+        return f"{name} is short for {row.name}; Dim {name} makes a variable of it"
+    if row.access == "C" and row.kind == "command":
+        return f"write {row.name}(0) without ="
+    if row.group == "v4":
+        return "a variable of this name must be declared with Dim"
+    return {"VEL": "SPEED sets the speed of moves", "IDLE": "PAUSE IDLE waits for the end of a move"}.get(
+        row.name, ""
+    )
+
+
+def _given(b: Body, node: nodes.Assign, row: Keyword) -> list[str]:
+    """The texts of the values of an assignment, of one left out the text `OMITTED`."""
+    return [OMITTED if type(each) is nodes.Omitted else _value(b, each, row) for each in node.values]
+
+
+def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] | None:
+    texts = _given(b, node, row)
+    if node.repeat and 0 < len(texts) < count:
+        texts += texts[-1:] * (count - len(texts))
+    if len(texts) != count:
+        given = _many(len(node.values), "value")
+        hint = "end the list with ; to give the last value to all further axes" if len(texts) < count else ""
+        b.problem("values", f"{row.name} needs {_many(count, 'value')} here, {given} given", node, hint)
+        return None
+    return texts
+
+
+def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
+    found = value(b, node)
+    if found.type == FLOAT and found.const is None and found.range[2] == "f" and row.unit not in _OTHERS:
+        return found.text
+    if row.unit == "text":
+        if found.type != STRING:
+            b.problem("type", f"{row.name} takes a text, not a number", node)
+        return found.text
+    if not found.is_number:
+        b.problem("type", f"{row.name} takes a number, not a text", node)
+        return "0"
+    if found.const is not None:
+        _check_range(b, node, row, float(found.const))
+    return as_integer(b, found) if row.unit in WHOLE and row.unit != "ms" else as_float(found)
+
+
+def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
+    low, high = row.low, row.high
+    if (low is not None and given < low) or (high is not None and given > high) or isnan(given):
+        limits = f"it takes {low:.10g} to {high:.10g}" if low is not None and high is not None else ""
+        b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
+
+
+def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
+    if row.kind == "move":
+        load(b, row, [*where, text, str(b.whole.line(node.at))])
+        return
+    row = unsimulated_use.written(row)
+    line = (
+        [str(b.whole.line(node.at))] if row.group == "motion" else unsimulated_use.place(b, node.target, row)
+    )
+    _operate(b, "write" if "W" in row.access else "do", row, [*where, text, *line])
+
+
+def load(b: Body, row: Keyword, arguments: list[str]) -> None:
+    """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
+    now, wait = b.now(), b.whole.use("env", "load")
+    back = f"; t = u - {b.cost(b.pending)}" if b.pending else ""
+    call = f"{b.whole.operation('load', row)}({', '.join([now, 'H', *arguments])})"
+    b.emit(f"if (H := {call}) is None: {now}, H = yield from {wait}({now}){back}")
+
+
+def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
+    """Call an operation at the present time; it answers with the horizon, which it may have brought nearer."""
+    b.emit(f"H = {b.whole.operation(how, row)}({', '.join([b.now(), 'H', *arguments])})")
+
+
+# ------------------------------------------------------------------------------------------------- commands
+
+
+def command(b: Body, node: nodes.Call, row: Keyword) -> None:
+    """A keyword that stands alone: `GO(0, 1)`, `WAIT(100)`."""
+    target = node.target
+    if row.verb == "wait":
+        wait(b, target, target.args or [])
+        return
+    if row.verb == "line":
+        from motionlang.mint.compile.terminal_use import line
+
+        line(b, node)
+        return
+    if row.access != "C" or row.kind == "statement":
+        _not_a_command(b, target, row)
+        return
+    unsimulated_use.warn(b, target, row, by=node)
+    if _default_axes(b, target, row):
+        default = f"{b.whole.use('env', 'default_axes')}()"
+        where = [default if row.index == "axes" else f"{default}[0]"]
+    else:
+        where = indices(b, target, row, single=False)
+        if row.index == "axes":
+            where = [f"({', '.join(where)},)"]
+    _settle_for(b, row)
+    if not row.simulated:
+        where += unsimulated_use.place(b, target, row)
+    elif row.index in ("axes", "axis") or row.group == "motion":
+        where.append(str(b.whole.line(node.at)))
+    _operate(b, "do", row, where)
+    b.pending += 1
+
+
+def _not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
+    shown = row.name if target.args is None else f"{row.name}(…)"
+    if row.kind == "statement":
+        b.problem("syntax", f"{row.name} cannot stand here", target, row.help)
+    elif "W" in row.access:
+        b.problem("not-a-command", f"{row.name} needs a value", target, f"{shown} = value")
+    else:
+        b.problem(
+            "not-a-command",
+            f"{row.name} has a value and cannot stand alone",
+            target,
+            f"PRINT {shown} shows it",
+        )
+
+
+def wait(b: Body, node: nodes.Node, values: list[nodes.Expr]) -> None:
+    """`WAIT = ms` and `WAIT(ms)`."""
+    row = b.whole.table.get("WAIT")
+    assert row is not None
+    if len(values) != 1:
+        b.problem("values", f"WAIT needs 1 value, {len(values)} given", node, "WAIT = 100 waits for 100 ms")
+        return
+    text = _value(b, values[0], row)
+    b.flush()
+    b.settle()
+    b.wait(f"{b.whole.use('env', 'wait')}(t, {text})")
+    b.pending += 1

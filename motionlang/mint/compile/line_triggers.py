@@ -1,0 +1,59 @@
+"""Lines at which the machine file lets something happen: what tells the world that the program has come to one.
+
+Before the first statement of such a line a call of a hidden word is put, which no program can write. To the compiler it
+is a command like any other, so it happens between statements and at its own moment.
+"""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.mint.resolve.problems import Problems
+
+WORD = "(line)"
+
+
+def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problems) -> None:
+    """Put the calls into the tree; a line without a statement is a mistake of the machine file."""
+    faults: list[Mapping[str, int]] = settings.get("fault", [])  # type: ignore[assignment]
+    wanted = {entry["line"] for entry in faults if "line" in entry}
+    if not wanted:
+        return
+    missing = set(wanted)
+    for body in _bodies(module):
+        _mark_body(module, body, wanted, missing)
+    for line in sorted(missing):
+        message = f"the machine file lets a fault happen at line {line}, where no statement begins"
+        found = Diagnostic("machine-file", message, line, hint="name a line on which a statement begins")
+        problems.found["machine-file", -line] = found
+
+
+def _bodies(module: nodes.Module) -> list[list[nodes.Stmt]]:
+    """Every list of statements, also the inner ones."""
+    roots = [value for name in type(module).__slots__ if isinstance(value := getattr(module, name), list)]
+    found = [root for root in roots if root and isinstance(root[0], nodes.Stmt)]
+    for node in walk([each for root in roots for each in root]):
+        for slot in type(node).__slots__:
+            value = getattr(node, slot)
+            if isinstance(value, list) and value and isinstance(value[0], nodes.Stmt):
+                found.append(value)
+    return found
+
+
+def _mark_body(module: nodes.Module, body: list[nodes.Stmt], wanted: set[int], missing: set[int]) -> None:
+    position = 0
+    while position < len(body):
+        node = body[position]
+        line = module.line(node.at)
+        if line in wanted and line in missing:
+            missing.discard(line)
+            name = nodes.Name(node.at, WORD, [nodes.Number(node.at, line)])
+            body.insert(position, nodes.Call(node.at, name))
+            position += 1
+        position += 1

@@ -1,0 +1,175 @@
+"""Loops and what leaves them.
+
+The cost of a turn is added once, at its end, and the horizon is tested there, so a loop can neither hold up the
+machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one statement each.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import polling
+from motionlang.mint.compile.expressions import condition
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body
+    from motionlang.mint.compile.polling import Poll
+
+COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+
+
+def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
+    """The statements of a loop."""
+    from motionlang.mint.compile.statements import block
+
+    b.loops.append((kind, flag))
+    block(b, body)
+    b.loops.pop()
+
+
+def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
+    """The end of a turn: pay for it, and let others run when it is time."""
+    b.pending += cost
+    b.flush()
+    if poll is None:
+        b.horizon()
+    else:
+        polling.turn(b, poll)
+
+
+def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
+    """A flag for an Exit that has to leave inner loops first, "" where there is none."""
+    if not leaves(body, kind, inside=True):
+        return ""
+    flag = b.temp()
+    b.emit(f"{flag} = False")
+    return flag
+
+
+def go_on_leaving(b: Body) -> None:
+    """After a loop: an Exit may have meant a loop further out."""
+    for _, flag in b.loops:
+        if flag:
+            b.emit(f"if {flag}: break")
+
+
+def while_(b: Body, node: nodes.While) -> None:
+    """`While condition … End While`."""
+    test = condition(b, node.condition)
+    observes, calls = b.observes, b.calls
+    b.pending += 1
+    b.flush()
+    flag = flag_for(b, "while", node.body)
+    b.noted = True
+    poll = polling.watched(b, node.body, node.condition)
+    if observes or calls:
+        b.emit("while True:")
+        b.indent += 1
+        b.settle()
+        b.emit(f"if not {test}: break")
+    else:
+        b.emit(f"while {test}:")
+        b.indent += 1
+    at = b.at
+    body_of(b, "while", node.body, flag)
+    b.at = at
+    turn(b, poll)
+    b.indent -= 1
+    go_on_leaving(b)
+
+
+def repeat(b: Body, node: nodes.Repeat) -> None:
+    """`Repeat … Until condition`."""
+    b.flush()
+    flag = flag_for(b, "repeat", node.body)
+    b.noted = True
+    poll = polling.watched(b, node.body, node.condition)
+    b.emit("while True:")
+    b.indent += 1
+    body_of(b, "repeat", node.body, flag)
+    b.at = node.condition.at
+    b.begin()
+    test = condition(b, node.condition)
+    b.settle()
+    b.pending += 1
+    b.flush()
+    b.emit(f"if {test}: break")
+    turn(b, poll, 0)
+    b.indent -= 1
+    go_on_leaving(b)
+
+
+def endless(b: Body, node: nodes.Loop) -> None:
+    """`Loop … End Loop`."""
+    b.flush()
+    flag = flag_for(b, "loop", node.body)
+    b.noted = True
+    poll = polling.watched(b, node.body)
+    b.emit("while True:")
+    b.indent += 1
+    at = b.at
+    body_of(b, "loop", node.body, flag)
+    b.at = at
+    turn(b, poll)
+    b.indent -= 1
+    go_on_leaving(b)
+
+
+# ------------------------------------------------------------------------------------------------- leaving
+
+
+def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
+    """`Exit` and `Exit For …`: the innermost loop, or the innermost of that kind."""
+    name = f"Exit {kind.capitalize()}".rstrip()
+    around = [(k, flag) for k, flag in b.loops if k]
+    if not kind:
+        inner = [k for k, _ in around if k != "select"]
+        if not inner:
+            b.problem("stray-end", "Exit stands outside a loop", node)
+            return
+        kind = inner[-1]
+    if all(k != kind for k, _ in around):
+        b.problem("stray-end", f"{name} stands outside a {kind.capitalize()}", node)
+        return
+    b.flush()
+    b.noted = True
+    innermost, _ = around[-1]
+    if innermost != kind:
+        flag = next(flag for k, flag in reversed(around) if k == kind)
+        b.emit(f"{flag} = True")
+    b.emit("break")
+
+
+def leaves(body: list[nodes.Stmt], kind: str, inside: bool = False) -> bool:
+    """Whether an Exit in `body` leaves a block of `kind` around it; `inside`: from within an inner Python loop."""
+    return any(_leaves(node, kind, inside, False, False) for node in body)
+
+
+# Python's own parser descends with every `elif`; with more cases than this a Select is written as tests one by one.
+MANY_CASES = 100
+
+
+def is_loop(node: nodes.Select) -> bool:
+    """Whether a Select is a loop in Python, of one turn, which `break` leaves."""
+    return len(node.cases) > MANY_CASES or any(leaves(case.body, "select") for case in node.cases)
+
+
+_KINDS: dict[type, str] = {nodes.For: "for", nodes.While: "while", nodes.Repeat: "repeat", nodes.Loop: "loop"}
+
+
+def _leaves(node: nodes.Stmt, kind: str, inside: bool, in_loop: bool, nested: bool) -> bool:
+    """`in_loop`: a Mint loop lies between; `nested`: a Python loop does, which may also be a Select's."""
+    if type(node) is nodes.Exit:
+        wanted = node.kind or ("" if in_loop or kind == "select" else kind)
+        return wanted == kind and (nested or not inside)
+    if type(node) is nodes.Select:
+        if kind == "select":
+            return False
+        nested = nested or is_loop(node)
+        return any(_leaves(each, kind, inside, in_loop, nested) for case in node.cases for each in case.body)
+    if type(node) in _KINDS:
+        if _KINDS[type(node)] == kind:
+            return False
+        in_loop = nested = True
+    bodies = (getattr(node, "body", None), getattr(node, "orelse", None))
+    return any(_leaves(each, kind, inside, in_loop, nested) for body in bodies if body for each in body)

@@ -1,0 +1,99 @@
+"""Operators: from the values of both sides to that of the whole, with a check where it may not fit."""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import intervals
+from motionlang.mint.compile.body import Answer, Value
+from motionlang.mint.compile.conversions import NOTHING, article, as_float, as_integer, literal
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body
+    from motionlang.mint.syntax import nodes
+
+_COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+_ARITHMETIC = frozenset("+-*")
+_BITS = {"&": "&", "|": "|", "Xor": "^"}
+
+
+def operate(b: Body, op: str, left: Value, right: Value) -> Value:
+    """`left op right` for two numbers."""
+    if op in _ARITHMETIC:
+        return arithmetic(b, op, left, right)
+    if op in _COMPARISONS:
+        return Answer(f"{left.text} {_COMPARISONS[op]} {right.text}")
+    if op == "/":
+        return Value(f"({left.text} / {right.text})", FLOAT, intervals.FLOAT)
+    if op == "^":
+        return Value(f"{b.whole.use('fn', 'power')}({left.text}, {right.text})", FLOAT, intervals.FLOAT)
+    if op == "\\":
+        return _quotient(b, left, right)
+    if op == "Mod":
+        return _remainder(b, left, right)
+    if op in _BITS:
+        known = intervals.INTEGER
+        if op == "&" and min(left.range[0], right.range[0]) >= 0:
+            known = (0, min(left.range[1], right.range[1], intervals.INT_HIGH), "i")
+        return Value(f"({as_integer(b, left)} {_BITS[op]} {as_integer(b, right)})", INTEGER, known)
+    shift = b.whole.use("fn", "shift_left" if op == "<<" else "shift_right")
+    return Value(f"{shift}({left.text}, {right.text})", INTEGER, intervals.INTEGER)
+
+
+def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
+    """`left op right` for + - *, with a check where the result may not fit."""
+    integer = left.type != FLOAT != right.type
+    if left.range[2] == "f" or right.range[2] == "f":
+        return Value(f"({left.text} {op} {right.text})", INTEGER if integer else FLOAT)
+    known, how = intervals.arithmetic(op, integer, left.range, right.range)
+    kind = INTEGER if integer else FLOAT
+    if how == intervals.COERCED:
+        if right.const is not None:
+            return Value(f"({left.text} {op} {as_float(right)})", kind, known)
+        return Value(f"({as_float(left)} {op} {right.text})", kind, known)
+    text = f"{left.text} {op} {right.text}"
+    if how == intervals.CHECKED:
+        over = b.whole.use("fn", "overflow")
+        return Value(
+            f"(z if {intervals.INT_LOW} <= (z := {text}) <= {intervals.INT_HIGH} else {over}(z))", kind, known
+        )
+    return Value(f"({text})", kind, known)
+
+
+def _quotient(b: Body, left: Value, right: Value) -> Value:
+    a, c = left.range, right.range
+    if intervals.fits_integer(a) and intervals.fits_integer(c):
+        if a[0] >= 0 and c[0] > 0:
+            return Value(f"({left.text} // {right.text})", INTEGER, intervals.quotient(a, c))
+        known = intervals.quotient(a, c)
+    else:
+        known = intervals.INTEGER
+    return Value(f"{b.whole.use('fn', 'divide')}({left.text}, {right.text})", INTEGER, known)
+
+
+def _remainder(b: Body, left: Value, right: Value) -> Value:
+    a, c = left.range, right.range
+    kind = INTEGER if FLOAT not in (left.type, right.type) else FLOAT
+    if a[2] == "i" and c[2] == "i":
+        known = intervals.remainder(a, c)
+        if a[0] >= 0 and c[0] > 0:
+            return Value(f"({left.text} % {right.text})", kind, known)
+    else:
+        known = intervals.FLOAT if "f" in (a[2], c[2]) else intervals.ANY
+    return Value(f"{b.whole.use('fn', 'modulo')}({left.text}, {right.text})", kind, known)
+
+
+def text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    """`left op right` where one of them is a text; a mistake is noted where the other one is not."""
+    if left.type != STRING or right.type != STRING:
+        hint = "Str makes a text of a number" if node.op in ("+", "&") else ""
+        b.problem("type", f"{node.op} cannot take {article(left.type)} and {article(right.type)}", node, hint)
+        return NOTHING
+    if node.op in ("+", "&"):
+        if isinstance(left.const, str) and isinstance(right.const, str):
+            return literal(left.const + right.const)
+        return Value(f"({left.text} + {right.text})", STRING, intervals.ANY)
+    if node.op in _COMPARISONS:
+        return Answer(f"{left.text} {_COMPARISONS[node.op]} {right.text}")
+    b.problem("type", f"{node.op} needs numbers, not texts", node)
+    return NOTHING

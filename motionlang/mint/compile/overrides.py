@@ -1,0 +1,90 @@
+"""`--set NAME=VALUE`: another value for a constant, or for what a variable is first given."""
+
+from __future__ import annotations
+
+from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+
+def override(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
+    """Put the values into the tree; ProgramError for names that the program does not have."""
+    wanted = {name.lower(): value for name, value in overrides.items()}
+    names: list[str] = []
+    done: set[str] = set()
+    for body in (*(block.body for block in module.startup), module.body):
+        _replace(body, wanted, done, names)
+    missing = [name for name in overrides if name.lower() not in done]
+    if missing:
+        raise ProgramError([_unknown(name, names) for name in missing])
+
+
+def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
+    """The same for a line that is typed: a name that it does not have may come in another line."""
+    wanted = {name.lower(): value for name, value in overrides.items()}
+    if wanted:
+        _replace(module.body, wanted, set(), [])
+
+
+def _unknown(name: str, names: list[str]) -> Diagnostic:
+    near = nearest(name, names)
+    has = (
+        f"the program's own names are {', '.join(names)}" if names else "the program has no names of its own"
+    )
+    hint = f"did you mean {near}?" if near else has
+    return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
+
+
+def _replace(
+    body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]
+) -> None:
+    """In the order of the text: the first value a name is given is the one that is replaced.
+
+    Where that value is made of the name's own (`n = n + 1`), or stands in no line of the parent, Dim gives it.
+    """
+    from motionlang.mint.syntax.traversal import walk
+
+    bare: dict[str, nodes.Variable] = {}
+    for node in sorted(walk(body), key=lambda each: each.at):
+        if type(node) is nodes.Const:
+            if _take(node.name, wanted, done, names):
+                node.value = _literal(node.at, wanted[node.name.lower()])
+        elif type(node) is nodes.Dim:
+            for variable in node.variables:
+                if not variable.values and not variable.dimensions:
+                    bare.setdefault(variable.name.lower(), variable)
+                if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
+                    variable.values = [_literal(variable.at, wanted[variable.name.lower()])]
+        elif type(node) is nodes.Assign and type(node.target) is nodes.Name:
+            plain, key = node.target.args is None, node.target.name.lower()
+            if plain and not _reads_itself(node, key) and _take(node.target.name, wanted, done, names):
+                node.values = [_literal(node.at, wanted[key])]
+            elif plain and key in bare and _take(node.target.name, wanted, done, names):
+                bare[key].values = [_literal(bare[key].at, wanted[key])]
+    for key, variable in bare.items():
+        if _take(variable.name, wanted, done, names):
+            variable.values = [_literal(variable.at, wanted[key])]
+
+
+def _reads_itself(node: nodes.Assign, key: str) -> bool:
+    from motionlang.mint.syntax.traversal import walk
+
+    return any(type(each) is nodes.Name and each.name.lower() == key for each in walk(node.values))
+
+
+def _take(name: str, wanted: dict[str, float | str], done: set[str], names: list[str]) -> bool:
+    """Whether this is the place for a value; notes the name for the message about those that are not found."""
+    if name not in names:
+        names.append(name)
+    key = name.lower()
+    if key not in wanted or key in done:
+        return False
+    done.add(key)
+    return True
+
+
+def _literal(at: int, value: float | str) -> nodes.Expr:
+    return nodes.String(at, value) if isinstance(value, str) else nodes.Number(at, value)

@@ -1,0 +1,76 @@
+"""Keywords that take more than one value an axis: paths of several axes, and tables given as arrays."""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import keyword_use
+from motionlang.mint.resolve.symbols import NUMERIC
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.compile.body import Body
+
+
+def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """`VECTORA(0, 1) = 10, 20` and `CIRCLER(0, 1) = 10, 0, 90`: all axes and all values in one move.
+
+    The row's unit lists the units of the values, "uu" once for each axis; a single unit is that of every axis.
+    """
+    values = [keyword_use._value(b, each, row) for each in node.values]
+    if keyword_use._default_axes(b, target, row):
+        axes = f"{b.whole.use('env', 'default_axes')}()"
+    else:
+        found = keyword_use.indices(b, target, row, single=False)
+        _check(b, node, target, row, len(found))
+        axes = f"({', '.join(found)},)"
+    keyword_use._settle_for(b, row)
+    line = str(b.whole.line(node.at))
+    keyword_use.load(b, row, [axes, f"({', '.join(values)},)", line])
+    b.pending += 1
+
+
+def _check(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
+    """The number of axes and of values, where the axes are written down."""
+    units = row.unit.split(", ")
+    wanted = units.count("uu") if len(units) > 1 else 0
+    if (wanted and axes != wanted) or axes < 2:
+        needed = f"{wanted} axes" if wanted else "2 axes or more"
+        b.problem("values", f"{row.name} needs {needed} in brackets, {axes} given", target, _form(row))
+        return
+    count = len(units) if wanted else axes
+    if len(node.values) != count or node.repeat:
+        b.problem(
+            "values", f"{row.name} needs {count} values here, {len(node.values)} given", node, _form(row)
+        )
+
+
+def _form(row: Keyword) -> str:
+    return row.example.split("\n")[0]
+
+
+def with_arrays(b: Body, node: nodes.Name, row: Keyword, names: list[str]) -> list[str]:
+    """The texts of what stands in the brackets of a word that takes arrays; those left out are NULL."""
+    args = list(node.args or [])
+    least = len(names) - names.count("array") + 1
+    if not least <= len(args) <= len(names):
+        b.problem("values", f"{row.name} takes {row.index} in brackets, {len(args)} given", node, _form(row))
+        return ["0"] * (len(names) - names.count("array")) + ["None"] * names.count("array")
+    found = []
+    for kind, arg in zip(names, args, strict=False):
+        found.append(_array(b, arg, row) if kind == "array" else keyword_use._index(b, arg, kind))
+    return found + ["None"] * (len(names) - len(args))
+
+
+def _array(b: Body, node: nodes.Expr, row: Keyword) -> str:
+    """An array as a whole, or None for NULL and 0."""
+    if type(node) is nodes.Number and node.value == 0:
+        return "None"
+    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    if symbol is None and type(node) is nodes.Name and node.name.lower() == "null":
+        return "None"
+    if symbol is None or len(symbol.dimensions) != 1 or symbol.type.name not in NUMERIC:
+        b.problem("type", f"{row.name} needs an array of numbers with one subscript here", node,
+                  "NULL stands for a table that is not given")  # fmt: skip
+        return "None"
+    return symbol.python

@@ -1,0 +1,122 @@
+"""Long blocks are cut into parts, each a function of its own.
+
+What CPython's compiler needs for one function grows with the square of its jumps, so ten thousand statements in a row
+would take a second and a hundred thousand minutes. Statements that are not left by an Exit, a Return or a jump are
+moved into a part, and a call of it stands in their place:
+
+    yield from q1()
+
+The text of the statements stays what it is, so virtual time passes in the same steps. A part shares the time and the
+variables of its function. Those of tasks and event handlers, of which each runs once at a time, become cells of the
+program, and their parts units of their own; a sub may be called again before it ends, and its parts stand within it.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body, Line
+
+# A block with more lines than LONGEST is cut into parts of about SIZE lines.
+LONGEST = 600
+SIZE = 200
+# A block that stands so deep is a part; so is a statement in a loop that is so many loops within one another: Python
+# takes twenty, and of ours each may be two, or have a `try` around it.
+DEEPEST = 60
+MOST_LOOPS = 8
+
+# What leaves a part, or calls what only the function around it knows.
+_LEAVES = ("return", "pc = ", "yield from j_")
+
+
+class Part:
+    """A part by its name; its lines are indented for the body of a function in the outermost place.
+
+    `inside`: it stands in its function.
+    """
+
+    __slots__ = ("inside", "lines", "name", "waits")
+
+    def __init__(self, name: str, lines: list[Line], waits: bool, inside: bool) -> None:
+        self.name, self.lines, self.waits, self.inside = name, lines, waits, inside
+
+    def written(self, names: str, indent: int) -> list[Line]:
+        """The whole function; `names` are those it shares."""
+        at, more = self.lines[0][1], " " * indent
+        head = [f" def {self.name}():", f"  {names}"]
+        end = ["  if 0: yield"] if self.waits else []  # it is a generator wherever the yields in its text are
+        lines = [*((line, at) for line in head), *self.lines, *((line, at) for line in end)]
+        return [(more + line, where) for line, where in lines] if indent else lines
+
+
+def cut(b: Body, first: int, ends: list[int]) -> None:
+    """Cut the lines of a block from `first` on into parts; its statements end before the lines `ends`."""
+    if b.whole.typed:
+        return
+    statements = [b.lines[start:end] for start, end in zip([first, *ends], ends, strict=False)]
+    while sum(map(len, statements)) > LONGEST:
+        shorter = _shortened(b, statements)
+        if len(shorter) == len(statements):
+            break
+        statements = shorter
+    b.lines[first:] = [line for statement in statements for line in statement]
+
+
+def fold(b: Body, first: int) -> bool:
+    """Move all lines from `first` on into a part, if that may be done."""
+    lines = b.lines[first:]
+    if b.whole.typed or not lines or _is_left(lines):
+        return False
+    b.lines[first:] = _part(b, lines)
+    return True
+
+
+def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
+    """The statements with runs of them replaced by calls."""
+    out: list[list[Line]] = []
+    run: list[list[Line]] = []
+    length = 0
+    for statement in statements:
+        movable = not _is_left(statement)
+        if run and (not movable or length + len(statement) > SIZE):
+            out += _moved(b, run, length)
+            run, length = [], 0
+        if movable:
+            run.append(statement)
+            length += len(statement)
+        else:
+            out.append(statement)
+    return out + _moved(b, run, length)
+
+
+def _is_left(statement: list[Line]) -> bool:
+    """Whether some way leads out of the statement to another place than behind it."""
+    loops: list[int] = []
+    for line, _ in statement:
+        text = line.lstrip(" ")
+        depth = len(line) - len(text)
+        while loops and depth <= loops[-1]:
+            loops.pop()
+        breaks = text == "break" or (text.startswith("if ") and text.endswith(": break"))
+        if text.startswith(_LEAVES) or text.endswith("; continue") or (breaks and not loops):
+            return True
+        if text.startswith(("while ", "for ")) and text.endswith(":"):
+            loops.append(depth)
+    return False
+
+
+def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
+    """A run of statements in a part of its own, where it is long enough for that, and the call of it."""
+    if len(run) < 2 or length < SIZE // 2:
+        return run
+    return [_part(b, [line for statement in run for line in statement])]
+
+
+def _part(b: Body, lines: list[Line]) -> list[Line]:
+    """Move lines into a part; the call of it."""
+    waits = any("yield " in line for line, _ in lines)
+    b.whole.parts += 1
+    name = f"q{b.whole.parts}"
+    moved = [(line[b.indent - 2 :], at) for line, at in lines]
+    b.parts.append(Part(name, moved, waits, b.function.kind == "sub"))
+    return [(f"{' ' * b.indent}{'yield from ' if waits else ''}{name}()", lines[0][1])]

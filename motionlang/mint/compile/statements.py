@@ -1,0 +1,478 @@
+"""Statements: each writes its Python lines into a `Body`."""
+
+from __future__ import annotations
+
+from motionlang.mint.compile import for_loops, jumps, keyword_use, loops, pause, splitting, terminal_use
+from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.calls import call
+from motionlang.mint.compile.conversions import article, converted
+from motionlang.mint.compile.expressions import condition, place, unknown, value
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.compile.body import Body
+
+
+def block(b: Body, body: list[nodes.Stmt]) -> None:
+    """Statements one after the other."""
+    guarded = b.whole.guarded and not _handles_errors(b)
+    first, outer, b.deepest = len(b.lines), b.deepest, len(b.loops)
+    ends = []
+    for node in body:
+        begin = len(b.lines)
+        b.at = node.at
+        b.observes = b.calls = False
+        if guarded and type(node) in _CAN_FAIL:
+            _guard(b, node)
+        else:
+            _STATEMENTS[type(node)](b, node)
+        if b.loops and b.deepest - len(b.loops) >= splitting.MOST_LOOPS and splitting.fold(b, begin):
+            b.deepest = len(b.loops)
+        ends.append(len(b.lines))
+    if len(b.lines) - first > splitting.LONGEST:
+        splitting.cut(b, first, ends)
+    b.deepest = max(outer, b.deepest)
+
+
+def _handles_errors(b: Body) -> bool:
+    """Whether these are statements of ONERROR itself, whose own failures end the program."""
+    return b.function.name.lower() == "onerror" or (
+        b.function.jumps and b.stretches()[b.stretch][0] == "onerror"
+    )
+
+
+def _guard(b: Body, node: nodes.Stmt) -> None:
+    """A statement whose failure is ONERROR's business; the program goes on with the next one."""
+    b.flush()
+    b.emit("try:")
+    b.indent += 1
+    before = len(b.lines)
+    _STATEMENTS[type(node)](b, node)
+    b.flush()
+    if len(b.lines) == before:
+        b.emit("pass")
+    b.indent -= 1
+    b.at = node.at
+    b.noted = True
+    b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
+    b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
+    b.emit(" t, H = yield t")  # ONERROR comes before the next statement, also before one that only computes
+    b.waits = True
+
+
+def inner(b: Body, body: list[nodes.Stmt]) -> None:
+    """An indented block that starts and ends with `t` up to date."""
+    b.indent += 1
+    before = len(b.lines)
+    block(b, body)
+    b.flush()
+    if len(b.lines) == before:
+        b.emit("pass")
+    elif b.indent % splitting.DEEPEST == 0:
+        splitting.fold(b, before)
+    b.indent -= 1
+
+
+# ------------------------------------------------------------------------------------------------ assigning
+
+
+def _assign(b: Body, node: nodes.Assign) -> None:
+    target: nodes.Expr = node.target
+    if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:
+        _give(b, node, *b.targets[target.name])
+        return
+    if type(target) is nodes.Name:
+        symbol = b.scope.find(target.name)
+        while symbol is not None and symbol.kind == "define" and target.args is None:
+            target = symbol.node  # type: ignore[assignment]
+            if type(target) is not nodes.Name:
+                b.problem("type", f"{symbol.name} stands for an expression and cannot be assigned to", node)
+                return
+            symbol = b.scope.find(target.name)
+        result = b.function.result
+        if result is not None and target.args is None and target.name.lower() == result.name.lower():
+            b.use_outside(result)
+            _give(b, node, result.python, result.type, result)
+            return
+        if symbol is None:
+            _assign_keyword(b, node, target)
+            return
+        if symbol.kind not in ("variable", "parameter"):
+            what = "a constant" if symbol.kind == "const" else f"a {symbol.kind}"
+            b.problem("read-only", f"{symbol.name} is {what} and cannot be assigned to", target)
+            return
+    _assign_variable(b, node, target)  # type: ignore[arg-type]
+
+
+def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
+    row = b.whole.table.get(target.name)
+    if row is None:
+        unknown(b, target)
+        for each in node.values:
+            value(b, each)
+        return
+    keyword_use.write(b, node, target, row)
+
+
+def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
+    text, kind, scalar = place(b, target)
+    if scalar is not None:
+        if not (scalar.boxed or scalar.by_ref):
+            b.use_outside(scalar)
+        if type(target) is nodes.Name and target.args is None:
+            b.targets[target.name] = text, kind, scalar
+    _give(b, node, text, kind, scalar)
+
+
+def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | None) -> None:
+    if len(node.values) != 1:
+        b.problem("values", f"a variable takes one value, {len(node.values)} given", node)
+        return
+    if node.repeat:
+        b.problem("values", "a ; after the value is for words with axes; a variable has none", node)
+        return
+    if kind.name == RECORD and symbol is not None and symbol.is_array:
+        b.problem("type", "an array cannot be assigned to as a whole", node)
+        return
+    found = value(b, node.values[0])
+    if kind.name == SEMAPHORE:
+        _take_or_give(b, text, converted(b, found, Type(INTEGER), node.values[0]))
+        return
+    if kind.name == RECORD:
+        _give_record(b, node, text, kind, found)
+        return
+    source = converted(b, found, kind, node.values[0], exact=symbol not in b.analysed)
+    if kind.name == TIME:
+        b.observes = True
+    b.act(f"{text} = {source}")
+
+
+def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Value) -> None:
+    if found.type != str(kind):
+        b.problem("type", f"{article(found.type)} cannot be given to {article(str(kind))}", node)
+        return
+    b.act(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
+
+
+def _take_or_give(b: Body, text: str, wanted: str) -> None:
+    """`s = _TRUE` waits until no other task holds a semaphore and takes it, `s = _FALSE` gives it back."""
+    b.observes = True
+    b.flush()
+    b.settle()
+    take, wait = b.whole.use("env", "take"), b.whole.use("env", "wait_for_semaphore")
+    b.emit(f"while not {take}({text}, {wanted}): t, H = yield {wait}(t, {text})")
+    b.emit("H = t")
+    b.pending += 1
+
+
+def zero(kind: Type) -> str:
+    """The text of a new variable's value."""
+    if kind.name == RECORD and kind.record is not None:
+        splitting = [fresh(member, sizes) for _, member, sizes in kind.record.members.values()]
+        return f"[{', '.join(splitting)}]"
+    return {INTEGER: "0", FLOAT: "0.0", STRING: "''", TIME: "0.0", SEMAPHORE: "[None]"}.get(kind.name, "None")
+
+
+def fresh(kind: Type, sizes: tuple[int, ...]) -> str:
+    """The text of a new variable or array; element 0 of an array is never used."""
+    if not sizes:
+        return zero(kind)
+    count = 1
+    for size in sizes:
+        count *= size
+    if kind.name == RECORD:
+        return f"[None] + [{zero(kind)} for _ in range({count})]"
+    return f"[{zero(kind)}] * {count + 1}"
+
+
+def _dim(b: Body, node: nodes.Dim) -> None:
+    _initialise(b, node)
+    if node.nv:
+        for variable in node.variables:
+            symbol = b.scope.find(variable.name)
+            if symbol is not None and symbol.kind == "variable":
+                where = "" if b.function.kind == "main" else f"{b.function.name.lower()}."
+                b.emit(f"{b.whole.use('env', 'keep')}({where + symbol.name.lower()!r}, {symbol.python})")
+
+
+def _initialise(b: Body, node: nodes.Dim) -> None:
+    for variable in node.variables:
+        if not variable.values:
+            continue
+        symbol = b.scope.find(variable.name)
+        if symbol is None or symbol.kind != "variable":
+            continue
+        if symbol.is_array:
+            _fill(b, variable, symbol)
+        elif len(variable.values) > 1:
+            b.problem("values", f"{variable.name} is one value, {len(variable.values)} given", variable)
+        else:
+            found = value(b, variable.values[0])
+            text, kind, _ = place(b, nodes.Name(variable.at, variable.name))
+            source = converted(b, found, kind, variable.values[0], exact=symbol not in b.analysed)
+            b.settle()
+            if not symbol.boxed:
+                b.use_outside(symbol)
+            b.emit(f"{text} = {source}")
+
+
+def _fill(b: Body, variable: nodes.Variable, symbol: Symbol) -> None:
+    count = 1
+    for size in symbol.dimensions:
+        count *= size
+    if len(variable.values) > count:
+        b.problem(
+            "values",
+            f"{variable.name} has {count} elements, {len(variable.values)} values are given",
+            variable,
+        )
+        return
+    texts = [converted(b, value(b, each), symbol.type, each) for each in variable.values]
+    b.settle()
+    b.emit(f"{symbol.python}[1:{len(texts) + 1}] = [{', '.join(texts)}]")
+
+
+def _nothing(b: Body, node: nodes.Stmt) -> None:
+    """Declarations cost nothing and do nothing when the program passes them."""
+
+
+# --------------------------------------------------------------------------------------------------- calling
+
+
+def _call(b: Body, node: nodes.Call) -> None:
+    target = node.target
+    symbol = b.scope.find(target.name)
+    if symbol is not None and symbol.kind == "sub":
+        found = call(b, target, symbol, wanted=False)
+        b.act(found.text)
+    elif symbol is not None:
+        b.problem("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target,
+                  f"write {symbol.name} = value to give it one" if symbol.kind == "variable" else "")  # fmt: skip
+    else:
+        row = b.whole.table.get(target.name)
+        if row is None:
+            unknown_command(b, target)
+        else:
+            keyword_use.command(b, node, row)
+
+
+# Words of the grammar that begin a statement and are easily written wrong.
+_FIRST_WORDS = ("Pause", "Print", "Return", "Input", "Repeat")
+
+
+def unknown_command(b: Body, target: nodes.Name) -> None:
+    """Note a word that should do something and is not known; what only has a value is no suggestion."""
+    words = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
+    words += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
+    words += _FIRST_WORDS
+    b.whole.problems.unknown(f"{target.name} is neither a keyword nor a sub of this program", target.name, words,
+                             target.at)  # fmt: skip
+
+
+def _task(b: Body, node: nodes.Run | nodes.End, name: str) -> Symbol | None:
+    """The task that a statement names, or the diagnostic of one that there is not."""
+    symbol = b.scope.find(name)
+    if symbol is not None and symbol.kind == "task":
+        return symbol
+    tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
+    b.whole.problems.unknown(f"there is no task {name}", name, tasks, node.at)
+    return None
+
+
+def _run(b: Body, node: nodes.Run) -> None:
+    symbol = _task(b, node, node.name)
+    if symbol is None:
+        return
+    b.observes = True
+    b.settle()
+    b.emit(f"{b.whole.use('env', 'start_task')}({symbol.name.lower()!r}, {symbol.python})")
+    b.flush()
+    b.emit("H = t")  # the new task may have something to do before the next event
+    b.pending += 1
+
+
+# --------------------------------------------------------------------------------------------------- choosing
+
+
+def _if(b: Body, node: nodes.If) -> None:
+    _warn_of_else_if(b, node.orelse)
+    test = condition(b, node.condition)
+    b.settle()
+    b.pending += 1
+    noted, b.noted = b.noted, False
+    outer, b.lines = b.lines, []
+    owed, b.pending = b.pending, 0
+    at = b.at
+    b.emit(f"if {test}:")
+    inner(b, node.body)
+    if node.orelse:
+        b.at = at
+        b.emit("else:")
+        inner(b, node.orelse)
+    written, b.lines = b.lines, outer
+    b.pending = owed
+    b.at = at
+    if b.noted:
+        b.flush()
+    b.lines += written
+    b.noted = b.noted or noted
+
+
+def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
+    """`Else If b Then x = 1` may be meant for an Else with an If of one line: what follows then belongs to the Else."""
+    chained = orelse[0] if len(orelse) == 1 else None
+    if type(chained) is not nodes.If or len(chained.body) < 2:
+        return
+    line = b.whole.line
+    first, last, here = line(chained.body[0].at), line(chained.body[-1].at), line(chained.at)
+    if here == first < last and b.whole.problems.text(chained.at).lower() == "else":
+        hint = "write ElseIf, or Else on a line of its own"
+        b.warn("else-if", "this is read as an ElseIf, to which all lines up to its end belong", chained, hint)
+
+
+def _select(b: Body, node: nodes.Select) -> None:
+    subject = value(b, node.subject)
+    tests = [_case_test(b, case, subject, name) for name in (b.temp(),) for case in node.cases]
+    name = f"w{b.temps}"
+    b.settle()
+    b.pending += 1
+    b.flush()
+    b.emit(f"{name} = {subject.text}")
+    once = loops.is_loop(node)
+    if once:
+        b.emit("while True:")
+        b.indent += 1
+    b.loops.append(("select" if once else "", ""))
+    _cases(b, node, tests)
+    b.loops.pop()
+    if once:
+        b.emit("break")
+        b.indent -= 1
+        loops.go_on_leaving(b)
+
+
+def _cases(b: Body, node: nodes.Select, tests: list[str]) -> None:
+    word, many = "if", len(node.cases) > loops.MANY_CASES
+    for case, test in zip(node.cases, tests, strict=True):
+        b.at = case.at
+        if case.tests or not (many or word == "if"):
+            b.emit(f"{word} {test}:" if case.tests else "else:")
+        else:
+            b.emit("if True:")
+        inner(b, case.body)
+        if many:
+            b.emit(" break")
+        else:
+            word = "elif"
+        if not case.tests:
+            break
+
+
+def _case_test(b: Body, case: nodes.Case, subject: Value, name: str) -> str:
+    return " or ".join(_one_test(b, test, subject, name) for test in case.tests) or "True"
+
+
+def _one_test(b: Body, test: nodes.CaseTest, subject: Value, name: str) -> str:
+    sides = [value(b, side) for side in (test.value, test.high) if side is not None]
+    for side in sides:
+        if (side.type == STRING) is not (subject.type == STRING):
+            b.problem("type", f"a {side.type} cannot be compared with the {subject.type} of the Select", test)
+    if test.op == "To":
+        return f"{sides[0].text} <= {name} <= {sides[1].text}"
+    return f"{name} {loops.COMPARISONS[test.op]} {sides[0].text}"
+
+
+# --------------------------------------------------------------------------------------------------- ending
+
+
+def hear_of_errors(b: Body) -> None:
+    """At the end of the program ONERROR hears of what the last statement has done wrong."""
+    if b.function.kind == "main" and b.whole.guarded:
+        b.horizon()
+
+
+def _end(b: Body, node: nodes.End) -> None:
+    if node.name is not None:
+        symbol = _task(b, node, node.name)
+        if symbol is None:
+            return
+        b.observes = True
+        b.act(f"{b.whole.use('env', 'end_task')}({symbol.name.lower()!r})")
+        return
+    b.flush()
+    b.noted = True
+    hear_of_errors(b)
+    if b.function.kind == "main" and not b.function.jumps:
+        b.emit("return t")
+    else:
+        b.emit(f"{b.whole.use('env', 'end_main')}(t)")
+
+
+def leave(b: Body) -> None:
+    """Leave the function."""
+    b.flush()
+    b.noted = True
+    result = b.function.result
+    if b.function.jumps:
+        b.emit("return")
+    elif b.function.kind == "sub":
+        b.emit(f"return {result.python}" if result is not None else "return")
+    else:
+        b.emit("return t")
+
+
+def _exit(b: Body, node: nodes.Exit) -> None:
+    kind = node.kind
+    if kind in ("sub", "function", "task", "event"):
+        wanted = {"function": "sub"}.get(kind, kind)
+        if b.function.kind != wanted or (kind == "function") is not (b.function.result is not None):
+            b.problem("stray-end", f"Exit {kind.capitalize()} stands outside a {kind.capitalize()}", node)
+            return
+        leave(b)
+        return
+    loops.leave_loop(b, node, kind)
+
+
+def _return(b: Body, node: nodes.Return) -> None:
+    if b.function.jumps:
+        jumps.return_(b, node)
+    elif b.function.kind == "main":
+        b.problem("stray-end", "Return has nothing to go back to: no Gosub leads here", node)
+    else:
+        leave(b)
+
+
+_STATEMENTS: dict[type, Callable[..., None]] = {
+    nodes.Assign: _assign,
+    nodes.Call: _call,
+    nodes.Print: terminal_use.print_,
+    nodes.Input: terminal_use.input_,
+    nodes.Dim: _dim,
+    nodes.Const: _nothing,
+    nodes.Define: _nothing,
+    nodes.If: _if,
+    nodes.Select: _select,
+    nodes.For: for_loops.count,
+    nodes.While: loops.while_,
+    nodes.Repeat: loops.repeat,
+    nodes.Loop: loops.endless,
+    nodes.Exit: _exit,
+    nodes.Pause: pause.pause,
+    nodes.Run: _run,
+    nodes.End: _end,
+    nodes.Label: jumps.label,
+    nodes.Jump: jumps.jump,
+    nodes.Return: _return,
+    nodes.Auto: _nothing,
+}
+
+
+# What ONERROR can be told of; the statements inside a loop are guarded each for itself.
+_CAN_FAIL = frozenset(
+    (nodes.Assign, nodes.Call, nodes.Print, nodes.Input, nodes.Dim, nodes.If, nodes.Select, nodes.For, nodes.While,
+     nodes.Repeat, nodes.Pause, nodes.Run)
+)  # fmt: skip

@@ -1,0 +1,150 @@
+"""PRINT, LINE and INPUT."""
+
+from __future__ import annotations
+
+from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.conversions import article, converted
+from motionlang.mint.compile.expressions import number, place, unknown, value
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.compile.body import Body
+
+
+def print_(b: Body, node: nodes.Print) -> None:
+    """`PRINT items`, and LINE where it has formats or a `;`."""
+    if node.word:
+        _line_of_items(b, node)
+        return
+    where = _terminal(b, node.terminal)
+    texts = [_shown(b, item) for item in node.items]
+    if not node.items or not node.items[-1].separator:
+        texts.append("'\\n'")
+    b.observes = True
+    b.act(_printed(b, " + ".join(_joined(texts)), where))
+
+
+def _terminal(b: Body, node: nodes.Expr | None) -> str:
+    """The text of the number after a `#`, nothing where there is none."""
+    if node is None:
+        return ""
+    return converted(b, number(b, node, "the number of a terminal"), Type(INTEGER), node)
+
+
+def _use(b: Body, verb: str) -> str:
+    """An operation on terminals that no keyword stands for."""
+    return b.whole.use("read", f"terminal.{verb}", "PRINT", "", "none", None, None)
+
+
+def _printed(b: Body, text: str, where: str = "") -> str:
+    """What prints a text; where nothing speaks of terminals it is the console alone that prints."""
+    if not where and not b.whole.names.uses_terminal:
+        return f"P({text})"
+    return f"{_use(b, 'printer')}({', '.join(filter(None, (text, where)))})"
+
+
+def _joined(texts: list[str]) -> list[str]:
+    """Literal texts that stand side by side as one."""
+    out: list[str] = []
+    for text in texts:
+        if out and out[-1][0] in "'\"" and text[0] in "'\"":
+            out[-1] = repr(_unquoted(out[-1]) + _unquoted(text))
+        else:
+            out.append(text)
+    return out
+
+
+def _unquoted(text: str) -> str:
+    from ast import literal_eval
+
+    return str(literal_eval(text))
+
+
+def _shown(b: Body, item: nodes.PrintItem) -> str:
+    found = value(b, item.value)
+    if item.using:
+        return _using(b, item, found)
+    if found.type == STRING:
+        return found.text if found.const is not None else f"({found.text})"
+    if found.type not in NUMERIC:
+        b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
+        return "''"
+    return f"{b.whole.use('show', 'float' if found.type == FLOAT else 'integer')}({found.text})"
+
+
+def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:
+    kind = {STRING: "text", FLOAT: "float"}.get(found.type, "integer")
+    widths = [_width(b, each, first=index == 0) for index, each in enumerate(item.using)]
+    if len(widths) > 2:
+        b.problem("values", f"USING takes a width and decimals, {len(widths)} values given", item)
+        return "''"
+    return f"{b.whole.use('using', kind)}({', '.join([found.text, *widths])})"
+
+
+def _width(b: Body, node: nodes.Expr, first: bool) -> str:
+    found = value(b, node)
+    if found.type in NUMERIC:
+        return converted(b, found, Type(INTEGER), node)
+    what = "a width is" if first else "decimals are"
+    hint = "" if first else "a comma behind the width brings the decimals; a semicolon ends the item"
+    b.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
+    return "0"
+
+
+def line(b: Body, node: nodes.Call) -> None:
+    """`LINE row, values`: print from the begin of a row of the screen on."""
+    args = node.target.args or []
+    _print_on_row(
+        b, node, args[0] if args else None, [nodes.PrintItem(each.at, each, [], "") for each in args[1:]]
+    )
+
+
+def _line_of_items(b: Body, node: nodes.Print) -> None:
+    row = b.whole.table.get(node.word)
+    if row is None or row.verb != "line" or b.scope.find(node.word) is not None:
+        b.problem("syntax", f"USING and ; stand among the values of PRINT and LINE, not of {node.word}", node)
+        return
+    _print_on_row(b, node, node.row, node.items)
+
+
+def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: list[nodes.PrintItem]) -> None:
+    if where is None:
+        b.problem("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
+        return
+    row = converted(b, number(b, where, "the number of a row"), Type(INTEGER), where)
+    texts = [_shown(b, item) for item in items]
+    b.observes = True
+    start = f"{b.whole.use('env', 'row')}({row})"
+    b.act(_printed(b, " + ".join([start, *_joined(texts)])))
+
+
+def input_(b: Body, node: nodes.Input) -> None:
+    """`INPUT "prompt", variable`."""
+    target: nodes.Expr = node.target
+    if type(target) is nodes.Name and (b.scope.find(target.name) is None):
+        unknown(b, target)
+        return
+    text, kind, _ = place(b, node.target)
+    if type(target) is nodes.Name and (symbol := b.scope.find(target.name)) is not None:
+        if symbol.kind not in ("variable", "parameter"):
+            b.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", target)
+            return
+        if not (symbol.is_array or symbol.boxed or symbol.by_ref):
+            b.use_outside(symbol)
+    where = _terminal(b, node.terminal)
+    b.observes = True
+    b.flush()
+    b.settle()
+    ask, typed, arguments = b.whole.use("env", "input"), b.whole.use("env", "typed"), ""
+    if where or b.whole.names.uses_terminal:
+        one = b.temp()
+        b.emit(f"{one} = {_use(b, 'place')}({where or -1})")
+        ask, typed, arguments, where = _use(b, "question"), _use(b, "answer"), f", {one}", one
+    if node.prompt is not None:
+        b.emit(_printed(b, value(b, node.prompt).text, where))
+    b.wait(f"{ask}(t{arguments})")
+    found = Value(f"{typed}({kind.name == STRING}{arguments})", STRING if kind.name == STRING else FLOAT)
+    b.emit(f"{text} = {converted(b, found, kind, node)}")
+    b.pending += 1

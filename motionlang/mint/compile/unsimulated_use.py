@@ -1,0 +1,129 @@
+"""Words that are known and not simulated where a program uses them: the warning, and what their operations are given.
+
+What becomes of them in the run is the business of the operations of `mint/keywords/no_effect` and
+`mint/keywords/unsimulated`; the sorting stands in the rows of the latter. As nobody knows their brackets for certain,
+any number of values may stand in them.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords import unsimulated
+from motionlang.mint.keywords.no_effect import VERB as KEPT
+from motionlang.mint.resolve.symbols import STRING
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.compile.body import Body
+
+CODE = "not-simulated"
+# What follows the meaning of a word that ends the run where the program comes to it.
+_ENDS = "the run ends here"
+_WHEN_WRITTEN = {
+    unsimulated.MOTION: f"{_ENDS}, unless it is given 0",
+    unsimulated.FACTOR: f"{_ENDS}, unless it is given 1",
+}
+
+
+def is_loose(row: Keyword) -> bool:
+    """Whether anything may stand in the brackets of a word, and after it."""
+    return unsimulated.is_known(row.verb) and row.index not in ("axis", "axes")
+
+
+def can_be_given(row: Keyword) -> bool:
+    """Whether a word takes a value: a command of which nobody knows more may, too."""
+    return "W" in row.access or (row.access == "C" and unsimulated.is_known(row.verb))
+
+
+def written(row: Keyword) -> Keyword:
+    """The row by which a word is written: some are simulated only where they are read."""
+    if row.name not in unsimulated.WRITTEN:
+        return row
+    changed = _changed.get(row.name)
+    if changed is None:
+        from copy import copy
+
+        changed = _changed[row.name] = copy(row)
+        changed.verb, changed.simulated = unsimulated.JUMP, False
+    return changed
+
+
+_changed: dict[str, Keyword] = {}
+
+
+def place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
+    """What the operations of such a word are given last: the line, and the place of the word in the program."""
+    if row.verb == KEPT:
+        return [str(b.whole.line(node.at))]
+    if not unsimulated.is_known(row.verb):
+        return []
+    at = -1 if b.whole.typed else node.at  # a sub that was typed may run when another line is executed
+    return [str(b.whole.line(node.at)), str(at)]
+
+
+def indices(b: Body, node: nodes.Name) -> list[str]:
+    """The texts of whatever stands in the brackets; of an array only that it is there."""
+    from motionlang.mint.compile.expressions import value
+
+    texts = []
+    for arg in node.args or ():
+        if type(arg) is nodes.Name and arg.args is None and _is_whole(b, arg):
+            texts.append("0")
+            continue
+        found = value(b, arg)
+        texts.append(found.text if found.is_number or found.type == STRING else "0")
+    return texts
+
+
+def _is_whole(b: Body, node: nodes.Name) -> bool:
+    """Whether a name stands for an array, or for none."""
+    symbol = b.scope.find(node.name)
+    return node.name.lower() == "null" if symbol is None else symbol.is_array
+
+
+# ------------------------------------------------------------------------------------------------ warning
+
+
+def warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
+    """Say of a word that it is not simulated, and what becomes of it; `by` writes it or carries it out."""
+    writes = by is not None
+    if writes:
+        row = written(row)
+    if row.simulated:
+        return
+    if row.verb == KEPT or _is_kept(row, by):
+        _once(b, node, row, f"{row.name} is kept but has no effect")
+    elif row.verb == unsimulated.COMMAND:
+        _once(b, node, row, f"{row.name} is a word of Mint that is not simulated: it has no effect")
+    elif writes or row.name.upper() not in b.whole.told:
+        _ending(b, node, row, writes)
+
+
+def _is_kept(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
+    """Whether a word takes what it is given and changes nothing by it, as far as can be seen."""
+    if by is None:
+        return row.verb == unsimulated.FACTOR
+    values = getattr(by, "values", ())
+    harmless = {unsimulated.MOTION: 0, unsimulated.FACTOR: 1}.get(row.verb)
+    return row.verb == unsimulated.VALUE or (
+        bool(values) and all(getattr(each, "value", None) == harmless for each in values)
+    )
+
+
+def _once(b: Body, node: nodes.Node, row: Keyword, message: str) -> None:
+    if all(message != each.message for each in b.whole.problems.found.values()):
+        b.warn(CODE, message, node, f"{row.name}: {row.help}")
+
+
+def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
+    if writes and row.access == "C":
+        end = _ENDS
+    elif writes:
+        end = _WHEN_WRITTEN.get(row.verb, _ENDS)
+    else:
+        end = f"{_ENDS}, unless it was written before or the machine file says it in [mint.readings]"
+    b.warn(
+        CODE, f"{row.name} is a word of Mint that is not simulated", node, f"{row.name}: {row.help}; {end}"
+    )
+    b.whole.problems.ends.add((CODE, node.at))

@@ -1,0 +1,215 @@
+"""Cam boxes: outputs that are switched at positions of an axis or an encoder, at the very moment of each.
+
+The positions are pairs, on and off, in a table of the program whose element 1 is the count. A box goes by what the
+table, the scale and the wrap are when it is switched on.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from itertools import pairwise
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.controller.triggers.position_zones import Cells
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
+from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.keywords.sensing_operations import Encoders, channel_of
+from motionlang.mint.keywords.table_motion_cams import elements
+from motionlang.mint.runtime.binding import scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+LAST_BOX = 31
+# The sources, numbered as LATCHSOURCE numbers them.
+AXIS, ENCODER, AUX_ENCODER = 0, 1, 2
+
+
+class Source:
+    """What a box looks at: a track, and how the positions of the program become its counts."""
+
+    __slots__ = ("per_unit", "period", "physical", "track", "zero")
+
+    def __init__(
+        self, track: Axis, zero: float, per_unit: float, wrap: float, physical: bool = False
+    ) -> None:
+        self.track, self.zero, self.per_unit, self.physical = track, zero, per_unit, physical
+        self.period = abs(wrap * per_unit)
+
+    def counts(self, position: float) -> float:
+        return (position - self.zero) * self.per_unit
+
+
+def source_of(environment: Environment, kind: int, channel: int) -> Source:
+    """The track a cam box watches, and what its counts are in user units. Refusal where there is none."""
+    controller = environment.controller
+    if kind == AXIS:
+        scale = scale_of(environment, channel)
+        wrap = environment.wraps.get(channel, 0.0)
+        return Source(controller.axes[channel], scale.zero, scale.counts, wrap)
+    encoders = environment.part(Encoders if kind == ENCODER else AuxEncoders)
+    shown = (
+        encoders.setting("zero", channel),
+        encoders.per_unit(channel),
+        encoders.setting("ENCODERWRAP", channel),
+    )
+    if kind == AUX_ENCODER:
+        return Source(controller.encoder(AUXILIARY + channel), *shown)
+    if channel in controller.encoders:
+        return Source(controller.encoders[channel], *shown)
+    return Source(controller.axes[channel], *shown, physical=True)
+
+
+class CamBox:
+    """One box: what drives its output, where, and how many seconds ahead."""
+
+    def __init__(self, environment: Environment, number: int) -> None:
+        self._environment, self.number = environment, number
+        self.output, self.kind, self.channel, self.lead = 0, AXIS, 0, 0.0
+        self.table: Sequence[float] | None = None
+        self._states: list[int] = []
+        self._cells: Cells | None = None
+
+    @property
+    def enabled(self) -> bool:
+        return self._cells is not None
+
+    def enable(self, enabled: bool) -> None:
+        """Begin to switch the output, which at once shows where the source is, or leave it as it is."""
+        if self._cells is not None:
+            self._cells.remove()
+            self._cells = None
+        if not enabled:
+            return
+        source = source_of(self._environment, self.kind, self.channel)
+        edges, self._states = self._edges(source)
+        view = None
+        if self.lead:
+            from motionlang.profile.ahead import Ahead
+
+            view = partial(Ahead, lead=self.lead)
+        self._cells = Cells(
+            self._environment.controller,
+            source.track,
+            edges,
+            self._show,
+            source.period,
+            source.physical,
+            view,
+        )
+        self._show(self._cells.index)
+
+    def _show(self, index: int) -> None:
+        states = self._states
+        if self._cells is not None and self._cells.period:
+            state = states[(index - 1) % len(states)]
+        else:
+            state = states[index - 1] if index else 0
+        self._environment.controller.set_output(self.output, state)
+
+    def _edges(self, source: Source) -> tuple[list[float], list[int]]:
+        """Where the output changes, rising, and what it is from there on, forward."""
+        places = self._positions()
+        found: list[tuple[float, int]] = []
+        for begin, end in zip(places[::2], places[1::2], strict=True):
+            if not source.period and begin >= end:
+                raise self._wrong(f"it is on from {begin:g} to {end:g}")
+            low, high = (
+                sorted((source.counts(begin), source.counts(end)))
+                if not source.period
+                else ((source.counts(begin), source.counts(end))[:: 1 if source.per_unit > 0 else -1])
+            )
+            found += [(low, 1), (high, 0)]
+        if source.period:
+            found = sorted((place % source.period, state) for place, state in found)
+        for (place, state), (other, following) in pairwise(found):
+            if place >= other or state == following:
+                raise self._wrong("its stretches touch or overlap")
+        return [place for place, _ in found], [state for _, state in found]
+
+    def _positions(self) -> list[float]:
+        if self.table is None:
+            raise Refusal("range", f"cam box {self.number} has no positions",
+                          f"write CAMBOXDATA({self.number}, …) first")  # fmt: skip
+        places = elements(self.table, "CAMBOXDATA")
+        if len(places) % 2:
+            raise self._wrong(f"{len(places)} positions are no pairs")
+        return places
+
+    def _wrong(self, what: str) -> Refusal:
+        return Refusal(
+            "range", f"cam box {self.number}: {what}", "the table is pairs of positions: on, off, on, off …"
+        )
+
+
+class CamBoxes:
+    """The boxes, each from its first use on."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._boxes: dict[int, CamBox] = {}
+        environment.controller.listeners.append(self._heard)
+
+    def box(self, number: int) -> CamBox:
+        checked(number, LAST_BOX, "cam box")
+        if number not in self._boxes:
+            self._boxes[number] = CamBox(self._environment, number)
+        return self._boxes[number]
+
+    def _heard(self, what: str, axis: int) -> None:
+        """A new scale puts the positions elsewhere."""
+        if what == "scale":
+            for box in self._boxes.values():
+                if box.enabled and box.kind == AXIS and box.channel == axis:
+                    box.enable(True)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_box(environment: Environment, row: Row) -> Operation:
+    box = environment.part(CamBoxes).box
+    return lambda number: int(box(number).enabled)
+
+
+def write_box(environment: Environment, row: Row) -> Operation:
+    """CAMBOX: begin with the data as they are now, or end."""
+    box = environment.part(CamBoxes).box
+
+    def write(number: int, enabled: int) -> None:
+        row.check(enabled)
+        box(number).enable(bool(enabled))
+
+    return write
+
+
+def do_data(environment: Environment, row: Row) -> Operation:
+    """CAMBOXDATA: output, source, lead in ms and table; a box at work begins anew with them."""
+    boxes = environment.part(CamBoxes)
+
+    def do(
+        number: int, output: int, kind: int, channel: int, time: int, table: Sequence[float] | None
+    ) -> None:
+        box = boxes.box(number)
+        checked(output, LAST_CHANNEL, "output")
+        checked(kind, AUX_ENCODER, "source of a cam box")
+        if not 0 <= time <= 32767:
+            raise Refusal("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
+        look = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
+        look(environment, channel)
+        enabled = box.enabled
+        box.enable(False)
+        box.output, box.kind, box.channel, box.lead, box.table = output, kind, channel, time / 1000.0, table
+        if enabled:
+            box.enable(True)
+
+    return do

@@ -1,0 +1,126 @@
+"""The moment at which a quantity of a capture passes a level: solved, or told by what changes it."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.triggers.position_zones import Cells
+from motionlang.mint.keywords import captures_quantities as quantities
+from motionlang.mint.keywords.camboxes_operations import AUX_ENCODER, AXIS, ENCODER, source_of
+from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
+from motionlang.mint.keywords.io_outputs import Analogue
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.keywords.camboxes_operations import Source
+    from motionlang.mint.runtime.environment import Environment
+    from motionlang.profile import Profile
+
+    Told = Callable[[bool], None]
+    View = Callable[[Profile], Profile]
+
+_KINDS = {
+    quantities.MEASURED: AXIS,
+    quantities.DEMAND: AXIS,
+    quantities.ENCODER: ENCODER,
+    quantities.AUX_ENCODER: AUX_ENCODER,
+}
+
+
+def watch(
+    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: Told
+) -> Callable[[], None]:
+    """Call `told(rising)` whenever a quantity passes a level, until what this answers with is called.
+
+    `absolute` looks at it without its sign. Of digital channels `where` is the channel, and the level is that it is on.
+    """
+    if quantity in (quantities.INPUTS, quantities.OUTPUTS):
+        return _watch_bit(environment, quantity, where, told)
+    quantities.check(environment, quantity, where)
+    if quantity in (quantities.ADC, quantities.DAC):
+        return _watch_analogue(environment, quantity, where, level, absolute, told)
+    has_motor = quantities.is_of_axis(quantity) and environment.controller.has_motor(where)
+    if quantity in _KINDS:
+        source = source_of(environment, _KINDS[quantity], where)
+        view = _as_it_is if has_motor and quantity == quantities.DEMAND else None
+        return _watch_motion(environment, source, source.counts, view, (level, absolute), told)
+    if quantity == quantities.SPEED or (quantity == quantities.MEASURED_SPEED and not has_motor):
+        from motionlang.profile.rate import Rate
+
+        source = source_of(environment, AXIS, where)
+        source.period, scale = 0.0, environment.controller.axes[where].scale
+        return _watch_motion(
+            environment, source, lambda value: scale.to_counts(value, "uu/s"), Rate, (level, absolute), told
+        )
+    motor = " of a simulated motor" if has_motor else ""
+    words = f"a capture cannot be triggered by {quantities.NAMES[quantity].lower()}{motor}"
+    raise Refusal("not-simulated", words, "positions, speeds, encoders and channels can trigger it")
+
+
+def _as_it_is(profile: Profile) -> Profile:
+    """The demand, where the motor is somewhere else."""
+    return profile
+
+
+def _watch_motion(
+    environment: Environment,
+    source: Source,
+    counts: Callable[[float], float],
+    view: View | None,
+    level: tuple[float, bool],
+    told: Told,
+) -> Callable[[], None]:
+    value, absolute = level
+    both = absolute and not source.period and value > 0.0
+    edges = sorted({counts(value), counts(-value)} if both else {counts(value)})
+    if source.period:
+        edges = [edges[0] % source.period]
+    forward = source.per_unit > 0
+    last = 0
+
+    def changed(index: int) -> None:
+        nonlocal last
+        before, last = last, index
+        told(index != 1 if both else (index > before) is forward)
+
+    cells = Cells(environment.controller, source.track, edges, changed, source.period, source.physical, view)
+    last = cells.index
+    return cells.remove
+
+
+def _watch_analogue(
+    environment: Environment, quantity: int, where: int, level: float, absolute: bool, told: Told
+) -> Callable[[], None]:
+    controller, analogue = environment.controller, environment.part(Analogue)
+    is_input = quantity == quantities.ADC
+    channels = controller.analogue_inputs if is_input else controller.analogue_outputs
+
+    def is_above() -> bool:
+        value = analogue.read(where) if is_input else float(channels[where])
+        return (abs(value) if absolute else value) >= level
+
+    above = is_above()
+
+    def changed(channel: int, value: float) -> None:
+        nonlocal above
+        before, above = above, is_above()
+        if channel == where and above is not before:
+            told(above)
+
+    channels.listeners.append(changed)
+    return lambda: channels.listeners.remove(changed)
+
+
+def _watch_bit(environment: Environment, quantity: int, where: int, told: Told) -> Callable[[], None]:
+    controller = environment.controller
+    is_input = quantity == quantities.INPUTS
+    channels = controller.inputs if is_input else controller.outputs
+    checked(where, LAST_CHANNEL, "channel")
+
+    def changed(channel: int, value: float) -> None:
+        if channel == where:
+            told(channels.inverted(channel) if is_input else bool(value))
+
+    channels.listeners.append(changed)
+    return lambda: channels.listeners.remove(changed)

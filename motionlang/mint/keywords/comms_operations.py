@@ -1,0 +1,102 @@
+"""The comms array and NetData, read and written by the program, and the events of what the host writes there."""
+
+from __future__ import annotations
+
+from motionlang.controller.io.host_memory import AREAS, product
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+# Which elements raise an event, by product (ABB AN00198 p. 19): first, last, only where the value has changed.
+Span = tuple[int, int, bool]
+EVENTS: dict[str, dict[str, Span]] = {
+    "es": {"comms": (1, 5, False)},
+    "e150": {"netdata": (0, 31, True)},
+    "e180": {"netdata": (0, 31, True)},
+    "e190": {"netdata": (0, 31, True)},
+    "e100": {"comms": (1, 10, True), "netdata": (0, 31, True)},
+}
+
+
+class HostEvents:
+    """Raises COMMS1, NETDATA0 and so on for what the host writes."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._raise = environment.events.raise_
+        self._spans = EVENTS[product(environment.machine.model)]
+        environment.machine.host.listeners.append(self._written)
+
+    def _written(self, area: str, element: int, changed: bool) -> None:
+        first, last, only_changes = self._spans.get(area, (0, -1, True))
+        if first <= element <= last and (changed or not only_changes):
+            self._raise(area, element)
+
+
+def read_real(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element: memory.real(area, element)
+
+
+def write_real(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element, value: memory.set_real(area, element, value)
+
+
+def read_whole(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element: memory.integer(area, element)
+
+
+def write_whole(environment: Environment, row: Row) -> Operation:
+    area, memory = _area(row), environment.machine.host
+    return lambda element, value: memory.set_integer(area, element, value)
+
+
+# MODBUSPARAMETER: the area that clients see, and its values.
+ENABLE, MAPPING = 0, 3
+MAPPINGS = ("comms", "netdata")
+
+
+class ModbusParameters:
+    """The set-up of Modbus servers, by bus and parameter. A served program's clients see what the mapping says."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._host = environment.machine.host
+        self._values: dict[tuple[int, int], int] = {}
+
+    def read(self, bus: int, parameter: int) -> int:
+        if parameter == MAPPING:
+            return MAPPINGS.index(self._host.mapping)
+        return self._values.get((bus, parameter), int(parameter == ENABLE))
+
+    def write(self, bus: int, parameter: int, value: int) -> None:
+        self._values[bus, parameter] = value
+        if parameter == MAPPING:
+            self._host.mapping = MAPPINGS[min(value, 1)]
+
+
+def read_modbus_parameter(environment: Environment, row: Row) -> Operation:
+    return environment.part(ModbusParameters).read
+
+
+def write_modbus_parameter(environment: Environment, row: Row) -> Operation:
+    """MODBUSPARAMETER."""
+    parameters = environment.part(ModbusParameters)
+
+    def write(bus: int, parameter: int, value: int) -> None:
+        row.check(value)
+        parameters.write(bus, parameter, value)
+
+    return write
+
+
+def _area(row: Row) -> str:
+    area = {"NET": "netdata", "DPR": "dpr"}.get(row.name[:3], "comms")
+    assert area in AREAS
+    return area

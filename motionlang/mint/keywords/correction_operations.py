@@ -1,0 +1,67 @@
+"""MOVECORRECTION and TIMESCALE."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+
+def write_correction(environment: Environment, row: Row) -> Operation:
+    """MOVECORRECTION: user units more of the move under way; refused where the axis is idle."""
+    controller = environment.controller
+
+    def write(axis: int, value: float, line: int) -> None:
+        row.check(value)
+        counts = scale_of(environment, axis).to_counts(value)
+        if controller.is_idle(axis):
+            words = f"axis {axis} is on no move that could be corrected"
+            raise Refusal("range", words, "INCR begins a move where the axis is at rest")
+        controller.retarget_by(axis, counts, row.name, line)
+
+    return write
+
+
+class TimeScales:
+    """The seconds in the unit of time of every axis, through whatever changes its other factors."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._axes = environment.controller.axes
+        self._seconds: dict[int, float] = {}
+        environment.controller.listeners.append(self._heard)
+
+    def set(self, axis: int, seconds: float) -> None:
+        self._seconds[axis] = self._axes[axis].scale.rate = seconds
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        self._seconds.pop(axis, None)
+        self._axes[axis].scale.rate = 1.0
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "scale" and axis in self._seconds:
+            self._axes[axis].scale.rate = self._seconds[axis]
+
+
+def write_time(environment: Environment, row: Row) -> Operation:
+    """TIMESCALE: the seconds in the axis's unit of time."""
+    scales = environment.part(TimeScales)
+
+    def write(axis: int, seconds: float) -> None:
+        row.check(seconds)
+        scales.set(axis_of(environment, axis), seconds)
+
+    return write
+
+
+def read_time(environment: Environment, row: Row) -> Operation:
+    return lambda axis: float(scale_of(environment, axis).rate)

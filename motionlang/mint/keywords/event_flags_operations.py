@@ -1,0 +1,87 @@
+"""Events that the program raises or drops by itself, and those of keys.
+
+The type of an event is the place of its kind in the order of urgency, which is also its bit in EVENTPENDING. What
+follows says which of the kind: a bank and a bit pattern of inputs, the number of a latch, a bit pattern of elements,
+locations or buses.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.machine.machine import CONSOLE
+from motionlang.mint.keywords.event_kinds import KINDS, SINGLE
+from motionlang.mint.keywords.io_inputs import BANK
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+# Kinds whose first datum is a bank, and kinds whose first datum is a number; the others take a bit pattern.
+_BANKED, _NUMBERED = ("in", "fastin"), ("latch",)
+
+
+class Keys:
+    """The event of the terminal: keys have been pressed."""
+
+    def __init__(self, environment: Environment) -> None:
+        events = environment.events
+        machine = environment.machine
+        terminals = {entry.get("terminal", CONSOLE) for entry in machine.settings.get("key", ())}  # type: ignore[attr-defined]
+        for number in sorted({CONSOLE, *terminals}):
+            machine.operator_at(number).listeners.append(lambda: events.raise_("terminalreceive"))
+
+
+def _kind(row: Row, type_: int) -> str:
+    if not 0 <= type_ < len(KINDS):
+        raise Refusal(
+            "event", f"{row.name}: there is no event of type {type_}", f"they are 0 to {len(KINDS) - 1}"
+        )
+    return KINDS[type_]
+
+
+def _numbers(kind: str, first: int, second: int) -> list[int]:
+    """Which events of a kind the data name."""
+    if kind in SINGLE:
+        return [0]
+    if kind in _NUMBERED:
+        return [first]
+    start, pattern = (first * BANK, second) if kind in _BANKED else (0, first)
+    return [start + k for k in range(BANK) if pattern >> k & 1]
+
+
+def do_pend(environment: Environment, row: Row) -> Operation:
+    """EVENTPEND."""
+    events = environment.events
+
+    def do(type_: int, first: int, second: int) -> None:
+        kind = _kind(row, type_)
+        numbers = [number for number in _numbers(kind, first, second) if events.handles(kind, number)]
+        if not numbers:
+            words = f"the program has no handler of {kind.upper()} for {first}, {second}"
+            raise Refusal("event", words if kind not in SINGLE else f"the program has no handler of {kind.upper()}",
+                          f"write Event {kind.upper()}{'' if kind in SINGLE else '0'} … End Event")  # fmt: skip
+        for number in numbers:
+            events.raise_(kind, number)
+
+    return do
+
+
+def do_unpend(environment: Environment, row: Row) -> Operation:
+    """EVENTUNPEND: what waits is dropped; of a kind with numbers all that wait where the data name none."""
+    events = environment.events
+
+    def do(type_: int, first: int, second: int) -> None:
+        kind = _kind(row, type_)
+        numbers = _numbers(kind, first, second)
+        events.pending[:] = [
+            (rank, number)
+            for rank, number in events.pending
+            if rank != type_ or (numbers and number not in numbers)
+        ]
+
+    return do

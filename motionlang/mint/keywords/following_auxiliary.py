@@ -1,0 +1,91 @@
+"""Auxiliary encoders: turned by the machine file's `[[encoder]]`, or by the program with AUXENCODERSPEED."""
+
+from __future__ import annotations
+
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.keywords.sensing_operations import Encoders
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+LAST_ENCODER = 63
+
+
+class AuxEncoders(Encoders):
+    """The auxiliary encoders, which are no axis's."""
+
+    def counts(self, channel: int) -> float:
+        return self._controller.encoder_position(AUXILIARY + channel)
+
+    def velocity(self, channel: int) -> float:
+        return self._controller.encoder_velocity(AUXILIARY + channel)
+
+    def turn(self, channel: int, speed: float) -> None:
+        """Let an encoder run at a speed, in its units, from now on."""
+        self._controller.drive_encoder(AUXILIARY + channel, speed * self.per_unit(channel))
+
+
+def _channel(channel: int) -> int:
+    return checked(channel, LAST_ENCODER, "auxiliary encoder")
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_position(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(AuxEncoders)
+    return lambda channel: encoders.read(_channel(channel))
+
+
+def write_position(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(AuxEncoders)
+    return lambda channel, value: encoders.write(_channel(channel), value)
+
+
+def read_velocity(environment: Environment, row: Row) -> Operation:
+    encoders = environment.part(AuxEncoders)
+    return lambda channel: encoders.speed(_channel(channel))
+
+
+def read_speed(environment: Environment, row: Row) -> Operation:
+    return read_velocity(environment, row)
+
+
+def write_speed(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERSPEED: the encoder turns at so many units a second from now on."""
+    encoders = environment.part(AuxEncoders)
+
+    def write(channel: int, speed: float) -> None:
+        row.check(speed)
+        encoders.turn(_channel(channel), speed)
+
+    return write
+
+
+def read_setting(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERSCALE, -PRESCALE and -WRAP."""
+    encoders, name, whole = environment.part(AuxEncoders), row.name[3:], row.unit == "integer"
+
+    def read(channel: int) -> float:
+        value = encoders.setting(name, _channel(channel))
+        return int(value) if whole else value
+
+    return read
+
+
+def write_setting(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERSCALE, -PRESCALE and -WRAP."""
+    encoders, name = environment.part(AuxEncoders), row.name[3:]
+
+    def write(channel: int, value: float) -> None:
+        row.check(value)
+        encoders.set(name, _channel(channel), value)
+
+    return write

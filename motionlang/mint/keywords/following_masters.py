@@ -1,0 +1,139 @@
+"""Masters: what MASTERSOURCE and MASTERCHANNEL name, and the settings of following."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.io.encoder import AUXILIARY
+from motionlang.mint.keywords.axis_settings import reading
+from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.keywords.limits_operations import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.axis import Axis
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+AXIS, ENCODER, AUX_ENCODER = range(3)
+LAST_ENCODER = 63
+DEFAULTS = {
+    "MASTERSOURCE": 0.0,
+    "MASTERCHANNEL": 0.0,
+    "MASTERDISTANCE": 0.0,
+    "FOLLOWMODE": 0.0,
+    "FOLLOWNUMERATOR": 1.0,
+    "FOLLOWDENOM": 1.0,
+    "GEARING": 100.0,
+    "GEARINGMODE": 0.0,
+    "OFFSETMODE": 0.0,
+    "OFFSETDISTANCE": 0.0,
+    "CAMAMPLITUDE": 1.0,
+    "CAMSTART": 1.0,
+    "CAMEND": 0.0,
+}
+
+
+class Master:
+    """An axis or an encoder that others follow: its track, its number for the controller, counts per unit."""
+
+    __slots__ = ("encoder", "number", "per_unit", "track", "zero")
+
+    def __init__(self, track: Axis, number: int, encoder: bool, per_unit: float, zero: float = 0.0) -> None:
+        self.track, self.number, self.encoder = track, number, encoder
+        self.per_unit, self.zero = per_unit, zero
+
+    def refuse(self, environment: Environment, axis: int) -> None:
+        """Refuse to be the master of itself."""
+        if self.track is environment.controller.axes[axis]:
+            words = f"axis {axis} cannot follow axis {self.number}: it would follow itself"
+            raise Refusal("axis", words, f"write MASTERCHANNEL({axis}) first")
+
+    def to_counts(self, position: float) -> float:
+        """A position in units of the master, in counts."""
+        return position * self.per_unit + self.zero
+
+
+def master(environment: Environment, source: int, channel: int) -> Master:
+    """The master that a source and a channel name; the refusal of one that does not exist."""
+    from motionlang.mint.keywords.sensing_operations import Encoders
+
+    controller = environment.controller
+    if source == AXIS:
+        a = controller.axes[axis_of(environment, channel)]
+        return Master(a, channel, False, a.scale.counts, a.scale.zero)
+    checked(channel, LAST_ENCODER, "encoder")
+    if source == AUX_ENCODER:
+        from motionlang.mint.keywords.following_auxiliary import AuxEncoders
+
+        number, per_unit = AUXILIARY + channel, environment.part(AuxEncoders).per_unit(channel)
+        return Master(controller.encoder(number), number, True, per_unit)
+    per_unit = environment.part(Encoders).per_unit(channel)
+    if channel in controller.axes and channel not in controller.encoders:
+        return Master(controller.axes[channel], channel, False, per_unit)
+    return Master(controller.encoder(channel), channel, True, per_unit)
+
+
+class Masters:
+    """The settings of following, by keyword and axis, and the ratios in force."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._settings: dict[tuple[str, int], float] = {}
+        self.ratios: dict[int, float] = {}
+
+    def setting(self, name: str, axis: int) -> float:
+        return self._settings.get((name, axis), DEFAULTS[name])
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        self._settings[name, axis] = value
+
+    def of(self, axis: int) -> Master:
+        """The master of an axis."""
+        return master(
+            self._environment,
+            int(self.setting("MASTERSOURCE", axis)),
+            int(self.setting("MASTERCHANNEL", axis)),
+        )
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        for name in DEFAULTS:
+            self._settings.pop((name, axis), None)
+        self.ratios.pop(axis, None)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_setting(environment: Environment, row: Row) -> Operation:
+    """Whom an axis follows, and how: the settings of masters, gears, offsets and cams."""
+    return reading(environment, row, environment.part(Masters).setting)
+
+
+def write_setting(environment: Environment, row: Row) -> Operation:
+    """Whom an axis follows, and how; a GEARINGMODE is noted, for it corrects nothing."""
+    masters, name = environment.part(Masters), row.name
+
+    def write(axis: int, value: float) -> None:
+        row.check(value)
+        masters.set(name, axis_of(environment, axis), value)
+        if name == "GEARINGMODE" and value:  # what it corrects a lag by is not told
+            environment.machine.without_effect.setdefault(name, [])
+
+    return write
+
+
+def distance(environment: Environment, axis: int, word: str) -> tuple[Master, float]:
+    """The master of an axis and its MASTERDISTANCE in counts."""
+    masters = environment.part(Masters)
+    over = masters.setting("MASTERDISTANCE", axis)
+    if not over:
+        raise Refusal(
+            "range", f"{word} needs the distance of the master", f"write MASTERDISTANCE({axis}) first"
+        )
+    found = masters.of(axis)
+    return found, over * found.per_unit

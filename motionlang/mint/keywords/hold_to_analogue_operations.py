@@ -1,0 +1,152 @@
+"""HTA: an axis that is moved so that an analogue input holds its value (MN1270 p. 89).
+
+Velocity = HTAKPROP error + HTADAMPING change of the error + HTAKINT sum of the errors, once a tick of the profiler; the
+error is the value that is wanted minus the one that is measured, percent, and 0 within HTADEADBAND.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.axis_settings import forget, reading
+from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.motion.sampled_velocity import Track
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+DEFAULTS = {"HTAKPROP": 1.0}
+
+
+class Hold:
+    """One axis that holds an input: what is wanted, percent, and what its law remembers."""
+
+    __slots__ = ("axis", "before", "filtered", "holds", "total", "track", "wanted")
+
+    track: Track
+
+    def __init__(self, holds: Holds, axis: int, wanted: float) -> None:
+        self.holds, self.axis, self.wanted = holds, axis, wanted
+        self.before: float | None = None
+        self.filtered: float | None = None
+        self.total = 0.0
+
+    def decide(self) -> tuple[float, bool]:
+        """The velocity for the next period, counts/s, and whether it may yet change while the input stays."""
+        setting, axis = self.holds.setting, self.axis
+        error, lively = self._error()
+        change = error - self.before if self.before is not None else 0.0
+        self.before = error
+        self.total += error
+        speed = setting("HTAKPROP", axis) * error + setting("HTADAMPING", axis) * change
+        speed += setting("HTAKINT", axis) * self.total
+        a = self.holds.environment.controller.axes[axis]
+        velocity = a.scale.to_counts(speed, "uu/s")
+        return max(-a.speed, min(velocity, a.speed)), lively or bool(change or error)
+
+    def _error(self) -> tuple[float, bool]:
+        setting, axis = self.holds.setting, self.axis
+        channel = int(setting("HTACHANNEL", axis))
+        measured = self.holds.environment.part(Analogue).read(channel)
+        share = setting("HTAFILTER", axis)
+        before = measured if self.filtered is None else self.filtered
+        self.filtered = share * before + (1.0 - share) * measured
+        error = self.wanted - self.filtered
+        lively = abs(self.filtered - measured) > 1e-6
+        return (0.0 if abs(error) <= setting("HTADEADBAND", axis) else error), lively
+
+
+class Holds:
+    """The settings of holding, by keyword and axis, and the axes that hold."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        self._settings: dict[tuple[str, int], float] = {}
+        self._holding: dict[int, Hold] = {}
+        environment.controller.analogue_inputs.listeners.append(self._changed)
+
+    def setting(self, name: str, axis: int) -> float:
+        return self._settings.get((name, axis), DEFAULTS.get(name, 0.0))
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        self._settings[name, axis] = value
+        hold = self.holding(axis)
+        if hold is not None:
+            hold.track.wake()
+
+    def holding(self, axis: int) -> Hold | None:
+        """What holds an axis now."""
+        hold = self._holding.get(axis)
+        return hold if hold is not None and hold.track.holds else None
+
+    def start(self, axis: int, wanted: float, line: int) -> None:
+        """Let an axis hold a value, percent; one that holds already goes on with it."""
+        hold = self.holding(axis)
+        if hold is not None:
+            hold.wanted = wanted
+            hold.track.wake()
+            return
+        hold = Hold(self, axis, wanted)
+        hold.track = self.environment.controller.track(axis, hold.decide, "HTA", line)
+        self._holding[axis] = hold
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        forget(self._settings, axis)
+
+    def _changed(self, channel: int, value: float) -> None:
+        for axis in list(self._holding):
+            hold = self.holding(axis)
+            if hold is not None and self.setting("HTACHANNEL", axis) == channel:
+                hold.track.wake()
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_hold(environment: Environment, row: Row) -> Operation:
+    """HTA: what the axis holds, percent; 0 where it holds nothing."""
+    holds = environment.part(Holds)
+
+    def read(axis: int) -> float:
+        hold = holds.holding(axis_of(environment, axis))
+        return hold.wanted if hold is not None else 0.0
+
+    return read
+
+
+def write_hold(environment: Environment, row: Row) -> Operation:
+    """HTA: move so that the analogue input holds a value, percent."""
+    holds = environment.part(Holds)
+
+    def write(axis: int, value: float, line: int) -> None:
+        row.check(value)
+        scale_of(environment, axis)
+        holds.start(axis, value, line)
+
+    return write
+
+
+def read_setting(environment: Environment, row: Row) -> Operation:
+    """HTACHANNEL and the gains of the law."""
+    return reading(environment, row, environment.part(Holds).setting)
+
+
+def write_setting(environment: Environment, row: Row) -> Operation:
+    """HTACHANNEL and the gains of the law; an axis that holds goes by them at once."""
+    holds, name = environment.part(Holds), row.name
+
+    def write(axis: int, value: float) -> None:
+        row.check(value)
+        if name == "HTACHANNEL":
+            checked(int(value), LAST_ANALOGUE, "analogue input")
+        holds.set(name, axis_of(environment, axis), value)
+
+    return write

@@ -1,0 +1,190 @@
+"""Digital inputs as the program sees them: active levels, debouncing, latched edges, and the events they raise.
+
+A bank is 32 channels. An input's value in the machine file is its electrical level. INSTATE is that level; IN and INX
+are the state that remains after INPUTDEBOUNCE and INPUTACTIVELEVEL or, for an input whose INPUTMODE bit says so, the
+edge that has come since it was read last.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.defaults import PATTERNS
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.clock import Event
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+BANK = 32
+LAST_CHANNEL = 999
+# Seconds between two samples of an input.
+SAMPLE = 1e-3
+
+
+class Inputs:
+    """All digital inputs of one program; `listeners` hear (channel, on) of every change of a state."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._controller = environment.controller
+        self._environment = environment
+        self._patterns: dict[tuple[str, int], int] = {}
+        self._debounce: dict[int, int] = {}
+        # Channels whose state lags behind their level: the state they still have, and when it will change.
+        self._held: dict[int, tuple[bool, Event]] = {}
+        self._edges: set[int] = set()
+        self.listeners: list[Callable[[int, bool], None]] = []
+        self._controller.inputs.listeners.append(self._level_changed)
+
+    # -------------------------------------------------------------------------------------------- settings
+
+    def pattern(self, name: str, bank: int) -> int:
+        return self._patterns.get((name, bank), PATTERNS[name])
+
+    def set_pattern(self, name: str, bank: int, bits: int) -> None:
+        self._patterns[name, bank] = bits
+
+    def debounce(self, bank: int) -> int:
+        return self._debounce.get(bank, 0)
+
+    def set_debounce(self, bank: int, samples: int) -> None:
+        self._debounce[bank] = samples
+
+    def active_level(self, bank: int) -> int:
+        low = self._controller.inputs.active_low
+        return _signed(sum(1 << k for k in range(BANK) if bank * BANK + k not in low))
+
+    def set_active_level(self, bank: int, bits: int) -> None:
+        inputs = self._controller.inputs
+        here = range(bank * BANK, (bank + 1) * BANK)
+        low = {channel for channel in here if not bits >> (channel - here[0]) & 1}
+        inputs.set_active_low((inputs.active_low - set(here)) | low)
+
+    # --------------------------------------------------------------------------------------------- reading
+
+    def is_on(self, channel: int) -> bool:
+        """The state of an input."""
+        held = self._held.get(channel)
+        return self._controller.inputs.inverted(channel) if held is None else held[0]
+
+    def read(self, channel: int) -> bool:
+        """The state of an input, or whether its edge has come; reading forgets the edge."""
+        if not self._bit("INPUTMODE", channel):
+            return self.is_on(channel)
+        found = channel in self._edges
+        if found:
+            self._edges.discard(channel)
+            self._environment.acts += 1
+        return found
+
+    def _bit(self, name: str, channel: int) -> int:
+        return self.pattern(name, channel // BANK) >> channel % BANK & 1
+
+    # --------------------------------------------------------------------------------------------- changes
+
+    def _level_changed(self, channel: int, value: float) -> None:
+        samples = self._debounce.get(channel // BANK, 0)
+        if not samples:
+            self._state_changed(channel, self.is_on(channel))
+            return
+        clock, state = self._controller.clock, self._controller.inputs.inverted(channel)
+        held = self._held.pop(channel, None)
+        if held is not None:
+            held[1].cancel()
+            if held[0] is state:
+                return  # it has bounced back
+        event = clock.at(clock.now + samples * SAMPLE, lambda: self._settled(channel))
+        self._held[channel] = (not state, event)
+
+    def _settled(self, channel: int) -> None:
+        del self._held[channel]
+        self._state_changed(channel, self.is_on(channel))
+
+    def _state_changed(self, channel: int, on: bool) -> None:
+        if self._bit("INPUTPOSTRIGGER" if on else "INPUTNEGTRIGGER", channel):
+            self._edges.add(channel)
+            if self._bit("IMASK", channel):
+                self._environment.events.raise_("in", channel)
+        for listener in tuple(self.listeners):
+            listener(channel, on)
+
+
+def _signed(bits: int) -> int:
+    return bits - (1 << BANK) if bits >> (BANK - 1) & 1 else bits
+
+
+def bits_of(bank: int, is_on: Callable[[int], object]) -> int:
+    """The channels of a bank as an Integer."""
+    checked(bank, LAST_CHANNEL // BANK, "bank")
+    first = bank * BANK
+    return _signed(sum(1 << k for k in range(BANK) if is_on(first + k)))
+
+
+def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
+    """The number, or the refusal of a channel or bank that does not exist."""
+    if not 0 <= number <= last:
+        raise Refusal("channel", f"there is no {what} {number}", f"they are numbered 0 to {last}")
+    return number
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def read_bank(environment: Environment, row: Row) -> Operation:
+    inputs = environment.part(Inputs)
+    return lambda bank: bits_of(bank, inputs.read)
+
+
+def read_bit(environment: Environment, row: Row) -> Operation:
+    inputs = environment.part(Inputs)
+    return lambda channel: int(inputs.read(checked(channel)))
+
+
+def read_level_bank(environment: Environment, row: Row) -> Operation:
+    levels = environment.controller.inputs
+    return lambda bank: bits_of(bank, levels.__getitem__)
+
+
+def read_level_bit(environment: Environment, row: Row) -> Operation:
+    levels = environment.controller.inputs
+    return lambda channel: int(levels[checked(channel)] != 0)
+
+
+def read_active_level(environment: Environment, row: Row) -> Operation:
+    inputs = environment.part(Inputs)
+    return lambda bank: inputs.active_level(checked(bank, LAST_CHANNEL // BANK, "bank"))
+
+
+def write_active_level(environment: Environment, row: Row) -> Operation:
+    inputs = environment.part(Inputs)
+    return lambda bank, bits: inputs.set_active_level(checked(bank, LAST_CHANNEL // BANK, "bank"), bits)
+
+
+def read_pattern(environment: Environment, row: Row) -> Operation:
+    inputs, name = environment.part(Inputs), row.name
+    return lambda bank: inputs.pattern(name, checked(bank, LAST_CHANNEL // BANK, "bank"))
+
+
+def write_pattern(environment: Environment, row: Row) -> Operation:
+    inputs, name = environment.part(Inputs), row.name
+    return lambda bank, bits: inputs.set_pattern(name, checked(bank, LAST_CHANNEL // BANK, "bank"), bits)
+
+
+def read_debounce(environment: Environment, row: Row) -> Operation:
+    inputs = environment.part(Inputs)
+    return lambda bank: inputs.debounce(checked(bank, LAST_CHANNEL // BANK, "bank"))
+
+
+def write_debounce(environment: Environment, row: Row) -> Operation:
+    """INPUTDEBOUNCE: samples for which an input must stay as it is."""
+    inputs = environment.part(Inputs)
+
+    def write(bank: int, samples: int) -> None:
+        row.check(samples)
+        inputs.set_debounce(checked(bank, LAST_CHANNEL // BANK, "bank"), samples)
+
+    return write

@@ -1,0 +1,123 @@
+"""Digital outputs, in banks of 32, and analogue channels in percent."""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.defaults import ANALOGUE
+from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+LAST_BANK = LAST_CHANNEL // BANK
+
+
+def read_bank(environment: Environment, row: Row) -> Operation:
+    outputs = environment.controller.outputs
+    return lambda bank: bits_of(bank, outputs.__getitem__)
+
+
+def write_bank(environment: Environment, row: Row) -> Operation:
+    outputs = environment.controller.outputs
+    return lambda bank, bits: outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
+
+
+def read_bit(environment: Environment, row: Row) -> Operation:
+    output = environment.controller.output
+    return lambda channel: int(output(checked(channel, LAST_CHANNEL, "output")) != 0)
+
+
+def write_bit(environment: Environment, row: Row) -> Operation:
+    set_output = environment.controller.set_output
+    return lambda channel, value: set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
+
+
+def read_active_level(environment: Environment, row: Row) -> Operation:
+    outputs = environment.controller.outputs
+    return lambda bank: bits_of(bank, lambda channel: channel not in outputs.active_low)
+
+
+def write_active_level(environment: Environment, row: Row) -> Operation:
+    """OUTPUTACTIVELEVEL: a bit of 0 makes an output of the bank active low."""
+    outputs = environment.controller.outputs
+
+    def write(bank: int, bits: int) -> None:
+        first = checked(bank, LAST_BANK, "bank") * BANK
+        low = {first + k for k in range(BANK) if not bits >> k & 1}
+        outputs.set_active_low((outputs.active_low - set(range(first, first + BANK))) | low)
+
+    return write
+
+
+# ------------------------------------------------------------------------------------------------- analogue
+
+LAST_ANALOGUE = 63
+
+
+class Analogue:
+    """The settings of the analogue inputs, by keyword and channel."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._inputs = environment.controller.analogue_inputs
+        self._settings: dict[tuple[str, int], float] = {}
+
+    def setting(self, name: str, channel: int) -> float:
+        return self._settings.get((name, channel), ANALOGUE[name])
+
+    def set(self, name: str, channel: int, value: float) -> None:
+        self._settings[name, channel] = value
+
+    def read(self, channel: int) -> float:
+        """Percent: the input times the gain plus the offset, without the dead band, within the range."""
+        return self.shown(channel, float(self._inputs[channel]))
+
+    def shown(self, channel: int, level: float) -> float:
+        """The same of any level of the input."""
+        value = level * self.setting("ADCGAIN", channel) / 100.0
+        value += self.setting("ADCOFFSET", channel)
+        if abs(value - self.setting("ADCDEADBANDOFFSET", channel)) < self.setting("ADCDEADBAND", channel):
+            value = self.setting("ADCDEADBANDOFFSET", channel)
+        lowest = 0.0 if self.setting("ADCMODE", channel) else -100.0
+        return max(lowest, min(100.0, value))
+
+
+def read_adc(environment: Environment, row: Row) -> Operation:
+    analogue = environment.part(Analogue)
+    return lambda channel: analogue.read(checked(channel, LAST_ANALOGUE, "analogue input"))
+
+
+def read_adc_setting(environment: Environment, row: Row) -> Operation:
+    analogue, name = environment.part(Analogue), row.name
+    return lambda channel: analogue.setting(name, checked(channel, LAST_ANALOGUE, "analogue input"))
+
+
+def write_adc_setting(environment: Environment, row: Row) -> Operation:
+    """ADCGAIN, ADCOFFSET and the like, percent, and ADCMODE."""
+    analogue, name = environment.part(Analogue), row.name
+
+    def write(channel: int, value: float) -> None:
+        row.check(value)
+        analogue.set(name, checked(channel, LAST_ANALOGUE, "analogue input"), value)
+
+    return write
+
+
+def read_dac(environment: Environment, row: Row) -> Operation:
+    outputs = environment.controller.analogue_outputs
+    return lambda channel: float(outputs[checked(channel, LAST_ANALOGUE, "analogue output")])
+
+
+def write_dac(environment: Environment, row: Row) -> Operation:
+    """DAC, percent."""
+    set_output = environment.controller.set_analogue_output
+
+    def write(channel: int, value: float) -> None:
+        row.check(value)
+        set_output(checked(channel, LAST_ANALOGUE, "analogue output"), value)
+
+    return write

@@ -1,0 +1,86 @@
+"""Outputs that show the state of the controller: that an axis is on, that something is wrong."""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.limits_operations import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+NONE = -1
+
+
+class Signals:
+    """The outputs, by axis for DRIVEENABLEOUTPUT; an output that is assigned shows the state at once."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._controller = environment.controller
+        self.enabled: dict[int, int] = {}
+        self.errors = NONE
+        self._controller.listeners.append(self._heard)
+
+    def assign(self, axis: int, output: int) -> None:
+        self.enabled[axis] = output
+        self._show(axis)
+
+    def assign_errors(self, output: int) -> None:
+        self.errors = output
+        self._show_errors()
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        self.enabled.pop(axis, None)
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "switched":
+            self._show(axis)
+        if what in ("fault", "switched", "cleared"):
+            self._show_errors()
+
+    def _show(self, axis: int) -> None:
+        output = self.enabled.get(axis, NONE)
+        if output != NONE:
+            self._controller.set_output(output, int(self._controller.is_enabled(axis)))
+
+    def _show_errors(self) -> None:
+        if self.errors != NONE:
+            controller = self._controller
+            controller.set_output(self.errors, int(any(controller.faults(axis) for axis in controller.axes)))
+
+
+def read_enable_output(environment: Environment, row: Row) -> Operation:
+    enabled = environment.part(Signals).enabled
+    return lambda axis: enabled.get(axis_of(environment, axis), NONE)
+
+
+def write_enable_output(environment: Environment, row: Row) -> Operation:
+    """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
+    signals = environment.part(Signals)
+
+    def write(axis: int, output: int) -> None:
+        row.check(output)
+        signals.assign(axis_of(environment, axis), output)
+
+    return write
+
+
+def read_error_output(environment: Environment, row: Row) -> Operation:
+    signals = environment.part(Signals)
+    return lambda: signals.errors
+
+
+def write_error_output(environment: Environment, row: Row) -> Operation:
+    """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
+    signals = environment.part(Signals)
+
+    def write(output: int) -> None:
+        row.check(output)
+        signals.assign_errors(output)
+
+    return write

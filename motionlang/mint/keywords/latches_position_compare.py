@@ -1,0 +1,183 @@
+"""Position compare: an output that is switched at the very moment an axis passes a position."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.triggers.position_zones import Cells
+from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.triggers.watch import Watch
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+# COMPAREMODE, from memory: the output comes on at position 0 and stays on; it is on between positions 0 and 1.
+AT, BETWEEN = 0, 1
+
+
+class Compare:
+    """The compare of one axis: `positions` in counts, the output it drives (-1: none)."""
+
+    def __init__(self, environment: Environment, axis: int) -> None:
+        self._environment, self._controller = environment, environment.controller
+        self._axis = axis
+        self.mode, self.output = AT, -1
+        self.positions = [0.0, 0.0]
+        self.enabled = self.passed = False
+        self._cells: Cells | None = None
+        self._watch: Watch | None = None
+
+    def enable(self, enabled: bool) -> None:
+        """Begin to compare with the positions as they are now, or end it."""
+        self._forget()
+        self.enabled = enabled
+        if not enabled:
+            return
+        self.passed = False
+        turn = self._turn()
+        if self.mode == BETWEEN:
+            self._cells = self._watched(self.positions, turn, self._moved)
+            if self._cells.index % 2:
+                self._inside(True)
+        elif turn:
+            self._cells = self._watched(self.positions[:1], turn, lambda _: self._inside(True))
+        else:
+            self._watch = self._controller.watch(self._axis, self.positions[0], lambda _: self._inside(True))
+
+    def _turn(self) -> float:
+        """The counts of a turn, 0 where the axis does not wrap."""
+        wrap = self._environment.wraps.get(self._axis)
+        return abs(self._controller.axes[self._axis].scale.to_counts(wrap, "uu")) if wrap else 0.0
+
+    def _watched(self, positions: list[float], turn: float, change: Callable[[int], None]) -> Cells:
+        """Positions to watch; on an axis that wraps they come again in every turn."""
+        track = self._controller.axes[self._axis]
+        edges = [position % turn for position in positions] if turn else positions
+        return Cells(self._controller, track, sorted(edges), change, turn)
+
+    def set(self, name: str, value: int) -> None:
+        setattr(self, name, value)
+        if self.enabled:
+            self.enable(True)
+
+    def place(self, register: int, position: float) -> None:
+        """Set a position; a compare that is at work goes by it from now on."""
+        self.positions[register] = position
+        if self.enabled:
+            self.enable(True)
+
+    def _moved(self, index: int) -> None:
+        """Below both positions, between them, or above both; a new zero may jump from one to another."""
+        self._inside(bool(index % 2))
+
+    def _inside(self, inside: bool) -> None:
+        self.passed = self.passed or inside
+        if self.output >= 0:
+            self._controller.set_output(self.output, int(inside))
+
+    def _forget(self) -> None:
+        if self._cells is not None:
+            self._cells.remove()
+        if self._watch is not None:
+            self._controller.unwatch(self._axis, self._watch)
+        self._cells = self._watch = None
+
+
+class Compares:
+    """The compare of every axis, from its first use on."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._compares: dict[int, Compare] = {}
+
+    def compare(self, axis: int) -> Compare:
+        axis_of(self._environment, axis)
+        if axis not in self._compares:
+            self._compares[axis] = Compare(self._environment, axis)
+        return self._compares[axis]
+
+    def of_output(self, output: int) -> list[Compare]:
+        """Those that drive an output."""
+        checked(output, LAST_CHANNEL, "output")
+        return [each for each in self._compares.values() if each.output == output]
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        if axis in self._compares:
+            self._compares.pop(axis).enable(False)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+_NAMES = {"COMPAREMODE": "mode", "COMPAREOUTPUT": "output"}
+
+
+def read_setting(environment: Environment, row: Row) -> Operation:
+    compare, name = environment.part(Compares).compare, _NAMES[row.name]
+    return lambda axis: getattr(compare(axis), name)
+
+
+def write_setting(environment: Environment, row: Row) -> Operation:
+    """COMPAREMODE and COMPAREOUTPUT; a compare at work begins anew."""
+    compare, name = environment.part(Compares).compare, _NAMES[row.name]
+
+    def write(axis: int, value: int) -> None:
+        row.check(value)
+        compare(axis).set(name, value)
+
+    return write
+
+
+def read_position(environment: Environment, row: Row) -> Operation:
+    """COMPAREPOS, user units."""
+    compare = environment.part(Compares).compare
+
+    def read(axis: int, register: int) -> float:
+        position = compare(axis).positions[checked(register, 1, "compare register")]
+        return scale_of(environment, axis).position_to_user(position)
+
+    return read
+
+
+def write_position(environment: Environment, row: Row) -> Operation:
+    """COMPAREPOS, user units; a compare at work goes by it at once."""
+    compare = environment.part(Compares).compare
+
+    def write(axis: int, register: int, value: float) -> None:
+        row.check(value)
+        checked(register, 1, "compare register")
+        compare(axis).place(register, scale_of(environment, axis).position_to_counts(value))
+
+    return write
+
+
+def read_passed(environment: Environment, row: Row) -> Operation:
+    compare = environment.part(Compares).compare
+    return lambda axis: int(compare(axis).passed)
+
+
+def read_enable(environment: Environment, row: Row) -> Operation:
+    compares = environment.part(Compares)
+    return lambda output: int(any(each.enabled for each in compares.of_output(output)))
+
+
+def write_enable(environment: Environment, row: Row) -> Operation:
+    """COMPAREENABLE: every compare that drives the output."""
+    compares = environment.part(Compares)
+
+    def write(output: int, enabled: int) -> None:
+        found = compares.of_output(output)
+        if enabled and not found:
+            what = f"output {output} is that of no position compare"
+            raise Refusal("output", what, f"COMPAREOUTPUT(0) = {output} gives it to axis 0")
+        for each in found:
+            each.enable(bool(enabled))
+
+    return write

@@ -1,0 +1,155 @@
+"""Ending motion and starting afresh: STOP and its mode, RESET, DEFAULT."""
+
+from __future__ import annotations
+
+from math import inf
+
+from motionlang.controller.axis import DEFAULTS
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.limits_operations import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+# STOPMODE: how STOP brings an axis to rest.
+AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
+# What DEFAULT gives back to an axis, beside the numbers of `DEFAULTS`.
+_SETTINGS: dict[str, object] = {
+    "accel_time": None,
+    "decel_time": None,
+    "buffer_size": int(DEFAULTS["buffer_size"]),
+    "error_decel": DEFAULTS["decel"],
+    "shape": "trapezoid",
+    "feedrate_mode": 0,
+    "override": 1.0,
+    "buffer_low": -1,
+    "move_id": 0,
+    "accel_jerk_time": None,
+    "decel_jerk_time": None,
+    "s_ramp": None,
+    "own_rates": None,
+    "max_speed": inf,
+    "max_accel": inf,
+    "max_decel": inf,
+    "contour_mode": False,
+    "contour_angle": 0.0,
+    "blend_mode": False,
+    "blend_distance": 0.0,
+    "suspend_time": 0.1,
+}
+
+
+class StopModes:
+    """STOPMODE of every axis."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.modes: dict[int, int] = {}
+
+    def default(self, axis: int) -> None:
+        self.modes.pop(axis, None)
+
+
+def stop(environment: Environment, axis: int, mode: int) -> None:
+    """Bring an axis to rest in one of the ways of STOPMODE."""
+    controller = environment.controller
+    if mode == CRASH:
+        controller.abort(axis, "stop")
+        return
+    a = controller.axes[axis]
+    before = a.decel, a.decel_time
+    if mode == AT_ERROR_DECEL:
+        a.decel, a.decel_time = a.error_decel, None
+    controller.stop(axis)
+    a.decel, a.decel_time = before
+
+
+def reset(environment: Environment, axis: int) -> None:
+    """Errors cleared, moves forgotten, position zero, drive on."""
+    controller = environment.controller
+    controller.abort(axis)
+    controller.clear_faults(axis)
+    controller.enable(axis)
+    controller.define_position(axis, 0.0)
+
+
+def _default(environment: Environment, axis: int) -> None:
+    controller = environment.controller
+    if not controller.is_idle(axis):
+        raise Refusal("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
+    for name, value in {**DEFAULTS, **_SETTINGS}.items():
+        controller.configure(axis, name, value)
+    controller.set_scale(axis, 1.0)
+    for part in environment.parts():
+        forget: Callable[[int], None] | None = getattr(part, "default", None)
+        if forget is not None:
+            forget(axis)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def do_stop(environment: Environment, row: Row) -> Operation:
+    """STOP: each axis as its STOPMODE says; one that there is not stops none."""
+    modes = environment.part(StopModes).modes
+
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in axes:
+            axis_of(environment, axis)
+        for axis in axes:
+            stop(environment, axis, modes.get(axis, AT_DECEL))
+
+    return do
+
+
+def read_stop_mode(environment: Environment, row: Row) -> Operation:
+    modes = environment.part(StopModes).modes
+    return lambda axis: modes.get(axis_of(environment, axis), AT_DECEL)
+
+
+def write_stop_mode(environment: Environment, row: Row) -> Operation:
+    """STOPMODE."""
+    modes = environment.part(StopModes).modes
+
+    def write(axis: int, mode: int) -> None:
+        row.check(mode)
+        modes[axis_of(environment, axis)] = mode
+
+    return write
+
+
+def do_reset(environment: Environment, row: Row) -> Operation:
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            reset(environment, axis)
+
+    return do
+
+
+def do_reset_all(environment: Environment, row: Row) -> Operation:
+    def do() -> None:
+        for axis in environment.controller.axes:
+            reset(environment, axis)
+
+    return do
+
+
+def do_default(environment: Environment, row: Row) -> Operation:
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            _default(environment, axis)
+
+    return do
+
+
+def do_default_all(environment: Environment, row: Row) -> Operation:
+    def do() -> None:
+        for axis in environment.controller.axes:
+            _default(environment, axis)
+
+    return do

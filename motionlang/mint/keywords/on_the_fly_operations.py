@@ -1,0 +1,53 @@
+"""INCA, INCR and SUSPEND: what changes the motion in progress."""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import finite, scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+
+def write_by(environment: Environment, row: Row) -> Operation:
+    """INCR: the target moves by user units, of a move under way too."""
+
+    def write(axis: int, value: float, line: int) -> None:
+        finite(row, value)
+        counts = scale_of(environment, axis).to_counts(value)
+        environment.controller.retarget_by(axis, counts, row.name, line)
+
+    return write
+
+
+def write_to(environment: Environment, row: Row) -> Operation:
+    """INCA: a new target, user units, of a move under way too."""
+
+    def write(axis: int, value: float, line: int) -> None:
+        finite(row, value)
+        counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
+        environment.controller.retarget_to(axis, counts, row.name, line)
+
+    return write
+
+
+def read_suspend(environment: Environment, row: Row) -> Operation:
+    controller = environment.controller
+    return lambda axis: int(controller.is_suspended(axis_of(environment, axis)))
+
+
+def write_suspend(environment: Environment, row: Row) -> Operation:
+    """SUSPEND: 1 rests, 0 goes on."""
+    controller = environment.controller
+
+    def write(axis: int, value: int, line: int) -> None:
+        row.check(value)
+        (controller.suspend if value else controller.resume)(axis_of(environment, axis))
+
+    return write

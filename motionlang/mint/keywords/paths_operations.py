@@ -1,0 +1,117 @@
+"""Lines, arcs and helices of several axes, and what becomes of their corners."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import refuse_stopping, scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+
+def _ready(environment: Environment, row: Row, axes: Sequence[int], values: Sequence[float]) -> bool:
+    """Whether all axes have room; refuses what the row does not take, such as with axes that AXES named."""
+    units = row.unit.split(", ")
+    wanted, count = (units.count("uu"), len(units)) if len(units) > 1 else (max(2, len(axes)), len(axes))
+    if len(axes) != wanted or len(values) != count:
+        words = f"{row.name} is given {len(axes)} axes and {len(values)} values"
+        raise Refusal("values", words, f"it takes {wanted} axes and {count} values")
+    for axis in axes:
+        scale_of(environment, axis)
+        refuse_stopping(environment, axis)
+    return all(environment.controller.room(axis) > 0 for axis in axes)
+
+
+def _loaded(environment: Environment, axes: Sequence[int]) -> None:
+    if environment.loaded is not None:
+        environment.loaded(axes[0])
+
+
+def load_line(environment: Environment, row: Row) -> Operation:
+    """VECTORA and VECTORR: a line, user units of each axis."""
+    controller = environment.controller
+    relative = row.name.endswith("R")
+
+    def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
+        if not _ready(environment, row, axes, values):
+            return True
+        scales = [scale_of(environment, axis) for axis in axes]
+        if relative:
+            counts = [scale.to_counts(value) for scale, value in zip(scales, values, strict=True)]
+            controller.load_line_by(axes, counts, row.name, line)
+        else:
+            turns = [environment.turn(axis) for axis in axes]
+            counts = [
+                s.position_to_counts(v + turn) for s, v, turn in zip(scales, values, turns, strict=True)
+            ]
+            controller.load_line(axes, counts, row.name, line)
+        _loaded(environment, axes)
+        return False
+
+    return load
+
+
+def load_arc(environment: Environment, row: Row) -> Operation:
+    """CIRCLEA, CIRCLER, HELIXA and HELIXR: the centre in user units, the angle in degrees."""
+    controller = environment.controller
+    relative = row.name.endswith("R")
+
+    def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
+        if not _ready(environment, row, axes, values):
+            return True
+        x, y, angle, *rest = values
+        counts = []
+        for axis, value in zip(axes, (x, y, *rest), strict=True):
+            scale = scale_of(environment, axis)
+            counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))
+        controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
+        _loaded(environment, axes)
+        return False
+
+    return load
+
+
+_MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
+
+
+def read_mode(environment: Environment, row: Row) -> Operation:
+    setting, name = environment.controller.setting, _MODES[row.name]
+    return lambda axis: int(bool(setting(axis_of(environment, axis), name)))
+
+
+def write_mode(environment: Environment, row: Row) -> Operation:
+    """A path is either run through or blended: Mint's error 158."""
+    controller, name = environment.controller, _MODES[row.name]
+    other = next(each for each in _MODES if each != row.name)
+
+    def write(axis: int, mode: int) -> None:
+        row.check(mode)
+        axis_of(environment, axis)
+        if mode and controller.setting(axis, _MODES[other]):
+            raise Refusal("contour-and-blend", f"{row.name} cannot be set while {other} is",
+                          f"write {other}({axis}) = 0 first")  # fmt: skip
+        controller.configure(axis, name, bool(mode))
+
+    return write
+
+
+def do_blend(environment: Environment, row: Row) -> Operation:
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in [axis_of(environment, axis) for axis in axes]:
+            environment.controller.blend(axis)
+
+    return do
+
+
+def read_angle(environment: Environment, row: Row) -> Operation:
+    def read(x: int, y: int) -> float:
+        return environment.controller.vector_angle(axis_of(environment, x), axis_of(environment, y))
+
+    return read

@@ -1,0 +1,142 @@
+"""What the types of presets do, on top of the verbs of moves, jogs and references."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.keywords.presets_operations import Presets
+
+    Way = Callable[["Preset"], None]
+
+COMMAND = "PRESETMOVE"
+
+
+class Preset:
+    """One preset on one axis, with its values in counts and seconds."""
+
+    __slots__ = ("axis", "line", "number", "presets")
+
+    def __init__(self, presets: Presets, axis: int, number: int, line: int) -> None:
+        self.presets, self.axis, self.number, self.line = presets, axis, number, line
+
+    def value(self, name: str) -> float:
+        return self.presets.entry(name, self.number)
+
+    @property
+    def place(self) -> float:
+        """PRESETMOVEPOSITION in counts, without a zero."""
+        return self.presets.controller.axes[self.axis].scale.to_counts(self.value("PRESETMOVEPOSITION"))
+
+    def speed(self, name: str) -> float | None:
+        """A speed in counts/s, None where the axis's own is meant."""
+        scale = self.presets.controller.axes[self.axis].scale
+        return abs(scale.to_counts(self.value(name), "uu/s")) or None
+
+    def rate(self, name: str, speed: float | None) -> float | None:
+        """A rate in counts/s², None where the axis's own is meant."""
+        a = self.presets.controller.axes[self.axis]
+        time = self.presets.entry(name, self.number, 1)
+        if time:
+            return (speed or a.speed) / time * 1000.0
+        return abs(a.scale.to_counts(self.value(name), "uu/s2")) or None
+
+    def rates(self, speed: float | None) -> tuple[float | None, float | None]:
+        return self.rate("PRESETACCEL", speed), self.rate("PRESETDECEL", speed)
+
+
+def begin(presets: Presets, axis: int, number: int, line: int) -> None:
+    """Start a preset on an axis, whatever that is doing."""
+    kind = int(presets.entry("PRESETMOVETYPE", number))
+    if not 0 < kind < len(WAYS):
+        raise Refusal("range", f"preset {number} is nothing", f"write PRESETMOVETYPE({number}, 0) first")
+    WAYS[kind](Preset(presets, axis, number, line))
+
+
+def _home(preset: Preset) -> None:
+    from motionlang.mint.keywords.homing_operations import Homes
+
+    homes = preset.presets.environment.part(Homes)
+    homes.begin(preset.axis, int(preset.value("PRESETMOVEHOMETYPE")), preset.line)
+
+
+def _jog(preset: Preset) -> None:
+    controller = preset.presets.controller
+    speed = preset.speed("PRESETJOGSPEED") or controller.axes[preset.axis].speed
+    sign = -1.0 if preset.value("PRESETJOGDIRECTION") else 1.0
+    controller.jog(preset.axis, sign * speed, COMMAND, preset.line, preset.rates(speed), True)
+
+
+def _move(preset: Preset, by: bool) -> None:
+    """A move that keeps the preset's own speed and rates, whatever is written meanwhile."""
+    controller, speed = preset.presets.controller, preset.speed("PRESETMOVESPEED")
+    a = controller.axes[preset.axis]
+    before = a.own_rates
+    controller.configure(preset.axis, "own_rates", (speed, *preset.rates(speed)))
+    try:
+        if by:
+            controller.move_by(preset.axis, preset.place, COMMAND, preset.line)
+        else:
+            controller.move_to(preset.axis, preset.place + a.scale.zero, COMMAND, preset.line)
+    finally:
+        controller.configure(preset.axis, "own_rates", before)
+
+
+def _position(preset: Preset) -> None:
+    controller = preset.presets.controller
+    controller.define_position(preset.axis, preset.place + controller.axes[preset.axis].scale.zero)
+
+
+def _speed(preset: Preset) -> None:
+    from motionlang.profile.reference import Slope
+
+    controller = preset.presets.controller
+    scale = controller.axes[preset.axis].scale
+    velocity = scale.to_counts(preset.value("PRESETMOVESPEED"), "uu/s")
+    own = controller.rates(controller.axes[preset.axis], controller.axes[preset.axis].speed)
+    accel, decel = (rate or its for rate, its in zip(preset.rates(abs(velocity)), own, strict=True))
+    slopes = Slope(accel), Slope(decel)
+    controller.refer_speed(preset.axis, velocity, slopes, 0.0, "SPEEDREF", preset.line)
+
+
+def _torque(preset: Preset) -> None:
+    from motionlang.mint.keywords.torque_operations import TorqueReferences
+
+    references = preset.presets.environment.part(TorqueReferences)
+    references.set("TORQUEREF", preset.axis, preset.value("PRESETMOVEPARAMETER"))
+    references.run(preset.axis)
+
+
+def _stop(preset: Preset) -> None:
+    from motionlang.mint.keywords.limits_resetting import AT_DECEL, StopModes, stop
+
+    environment = preset.presets.environment
+    stop(environment, preset.axis, environment.part(StopModes).modes.get(preset.axis, AT_DECEL))
+
+
+def _suspend(preset: Preset) -> None:
+    preset.presets.controller.suspend(preset.axis)
+
+
+def _cancel(preset: Preset) -> None:
+    preset.presets.controller.abort(preset.axis)
+    preset.presets.controller.clear_faults(preset.axis)
+
+
+# By the number of PRESETMOVETYPE, in the order in which the library lists the commands of presets.
+WAYS: tuple[Way, ...] = (
+    lambda preset: None,
+    _home,
+    _jog,
+    lambda preset: _move(preset, False),
+    lambda preset: _move(preset, True),
+    _position,
+    _speed,
+    _torque,
+    _stop,
+    _suspend,
+    _cancel,
+)

@@ -1,0 +1,230 @@
+"""Preset moves: a table of motions of which an input, or the program, starts the one that is selected."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.axis_settings import forget
+from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
+from motionlang.mint.keywords.limits_operations import axis_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+LAST_PRESET = 63
+STAYS, STEPS, GOES_ON = range(3)
+BY_PROGRAM, BY_INPUTS = range(2)
+# What an axis's settings are until they are written; the others are 0.
+DEFAULTS = {"PRESETTRIGGERINPUT": -1, "PRESETSELECTORINPUT": -1, "PRESETINPUTSMAX": 4}
+# The shortest rest, seconds, between two presets that follow each other by themselves.
+_SHORTEST = 1e-3
+
+
+class Presets:
+    """The table, by keyword, preset and format, in user units; and what starts them, by keyword and axis."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        self.controller = environment.controller
+        self.table: dict[tuple[str, int, int], float] = {}
+        self._settings: dict[tuple[str, int], int] = {}
+        self._lines: dict[int, int] = {}
+        # The axes whose next preset follows by itself, with the number of the start it follows: a rest that
+        # began for another one, before the presets were disabled and enabled again, ends nothing.
+        self._going_on: dict[int, int] = {}
+        self._starts = 0
+        environment.part(Inputs).listeners.append(self._changed)
+        self.controller.listeners.append(self._heard)
+
+    def entry(self, name: str, preset: int, format: int = 0) -> float:
+        return self.table.get((name, preset, format), 0.0)
+
+    def setting(self, name: str, axis: int) -> int:
+        return self._settings.get((name, axis), DEFAULTS.get(name, 0))
+
+    def set(self, name: str, axis: int, value: int, line: int) -> None:
+        """Set what starts presets; without a trigger input it is the enabling, or the choice of another preset."""
+        before = self.setting(name, axis)
+        self._settings[name, axis] = value
+        enabled = self.setting("PRESETMOVEENABLE", axis)
+        if name == "PRESETMOVEENABLE":
+            if value == before:
+                return
+            self._going_on.pop(axis, None)
+        if name in ("PRESETMOVEENABLE", "PRESETINDEX"):
+            self._lines[axis] = line
+            if enabled and self.setting("PRESETTRIGGERINPUT", axis) < 0:
+                self.start(axis)
+
+    def inputs(self, axis: int) -> int:
+        """The number that the selector inputs say."""
+        first, count = self.setting("PRESETSELECTORINPUT", axis), self.setting("PRESETINPUTSMAX", axis)
+        if first < 0:
+            return 0
+        is_on = self.environment.part(Inputs).is_on
+        return sum(1 << k for k in range(count) if is_on(first + k))
+
+    def selected(self, axis: int) -> int:
+        """The preset that is next."""
+        by_inputs = self.setting("PRESETINDEXSOURCE", axis) == BY_INPUTS
+        return self.inputs(axis) if by_inputs else self.setting("PRESETINDEX", axis)
+
+    def start(self, axis: int) -> None:
+        """Start the preset that is selected, and select the one after it where the mode says so."""
+        from motionlang.mint.keywords.presets_moves import begin
+
+        preset, mode = self.selected(axis), self.setting("PRESETINDEXMODE", axis)
+        self._going_on.pop(axis, None)
+        begin(self, axis, preset, self._lines.get(axis, 0))
+        if mode != STAYS:
+            self._settings["PRESETINDEX", axis] = self._after(preset)
+        if mode == GOES_ON:
+            self._starts += 1
+            self._going_on[axis] = self._starts
+            if self.controller.is_idle(axis):
+                self._rest(axis)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        forget(self._settings, axis)
+
+    def _after(self, preset: int) -> int:
+        """The next preset of the table that is anything, behind the last one the first."""
+        known = sorted(
+            number for (name, number, _), kind in self.table.items() if name == "PRESETMOVETYPE" and kind
+        )
+        return next((number for number in known if number > preset), known[0] if known else preset)
+
+    def _changed(self, channel: int, on: bool) -> None:
+        for name, axis in list(self._settings):
+            enabled = name == "PRESETMOVEENABLE" and self._settings[name, axis]
+            if on and enabled and self.setting("PRESETTRIGGERINPUT", axis) == channel:
+                self._start(axis)
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "idle" and axis in self._going_on:
+            self._rest(axis)
+
+    def _rest(self, axis: int) -> None:
+        """Rest for PRESETDWELLTIME, then go on."""
+        clock = self.environment.clock
+        seconds = max(self.setting("PRESETDWELLTIME", axis) / 1000.0, _SHORTEST)
+        follows = self._going_on[axis]
+        clock.at(clock.now + seconds, lambda: self._go_on(axis, follows))
+
+    def _go_on(self, axis: int, follows: int) -> None:
+        if self._going_on.get(axis) == follows and self.controller.is_idle(axis):
+            self._start(axis)
+
+    def _start(self, axis: int) -> None:
+        """Start a preset while the program does something else: what goes wrong is told to ONERROR."""
+        try:
+            self.start(axis)
+        except Refusal as refusal:
+            refusal.line = refusal.line or self._lines.get(axis, 0)
+            self.controller.mishap(refusal)
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def _preset(preset: int) -> int:
+    return checked(preset, LAST_PRESET, "preset")
+
+
+def read_entry(environment: Environment, row: Row) -> Operation:
+    """A field of a preset in the table, user units; 0 until it is written."""
+    presets, name, whole = environment.part(Presets), row.name, row.unit == "integer"
+
+    def read(preset: int) -> float:
+        value = presets.entry(name, _preset(preset))
+        return int(value) if whole else value
+
+    return read
+
+
+def write_entry(environment: Environment, row: Row) -> Operation:
+    """A field of a preset in the table, user units."""
+    table, name = environment.part(Presets).table, row.name
+
+    def write(preset: int, value: float) -> None:
+        row.check(value)
+        table[name, _preset(preset), 0] = value
+
+    return write
+
+
+# What stands behind the preset in the brackets of words that have two numbers there: the last one, and what it is.
+_SECOND = {
+    "PRESETMOVETYPE": (0, "0 is the type"),
+    "PRESETMOVEPARAMETER": (0, "0 is the percent of a torque reference"),
+    "PRESETACCEL": (1, "0 is a rate, 1 a time in milliseconds"),
+    "PRESETDECEL": (1, "0 is a rate, 1 a time in milliseconds"),
+}
+
+
+def _second(row: Row, number: int) -> int:
+    last, hint = _SECOND[row.name]
+    if not 0 <= number <= last:
+        raise Refusal("range", f"{row.name} has no number {number} behind the preset", hint)
+    return number
+
+
+def read_format(environment: Environment, row: Row) -> Operation:
+    """A field with a format or a parameter of its own, such as PRESETACCEL; 0 until it is written."""
+    presets, name, whole = environment.part(Presets), row.name, row.unit == "integer"
+
+    def read(preset: int, number: int) -> float:
+        value = presets.entry(name, _preset(preset), _second(row, number))
+        return int(value) if whole else value
+
+    return read
+
+
+def write_format(environment: Environment, row: Row) -> Operation:
+    """A field with a format or a parameter of its own; a rate and the time for it replace each other."""
+    table, name = environment.part(Presets).table, row.name
+
+    def write(preset: int, number: int, value: float) -> None:
+        row.check(value)
+        table[name, _preset(preset), _second(row, number)] = value
+        if name in ("PRESETACCEL", "PRESETDECEL"):  # a rate and the time for it replace each other
+            table.pop((name, preset, 1 - number), None)
+
+    return write
+
+
+def read_setting(environment: Environment, row: Row) -> Operation:
+    presets, name = environment.part(Presets), row.name
+    return lambda axis: presets.setting(name, axis_of(environment, axis))
+
+
+def write_setting(environment: Environment, row: Row) -> Operation:
+    """What selects and starts the presets of an axis; it may start one at once."""
+    presets, name = environment.part(Presets), row.name
+
+    def write(axis: int, value: int, line: int) -> None:
+        row.check(value)
+        if name.endswith("INPUT") and value >= 0:
+            checked(value, LAST_CHANNEL)
+        presets.set(name, axis_of(environment, axis), int(value), line)
+
+    return write
+
+
+def read_inputs(environment: Environment, row: Row) -> Operation:
+    presets = environment.part(Presets)
+    return lambda axis: presets.inputs(axis_of(environment, axis))
+
+
+def read_index(environment: Environment, row: Row) -> Operation:
+    presets = environment.part(Presets)
+    return lambda axis: presets.selected(axis_of(environment, axis))
+
+
+write_index = write_setting

@@ -1,0 +1,94 @@
+"""Serial ports: characters that come in from the machine file, and those that the program sends."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from motionlang.controller.faults import Refusal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+    from typing import Any
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+LAST_PORT = 8
+# What a port keeps for a program that does not read.
+MOST = 10_000
+_LINE_END = 13, 10
+
+
+class Ports:
+    """What has come in at each port and was not read yet; SERIALRECEIVE is raised when something does."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment, clock = environment, environment.clock
+        self._waiting: dict[int, list[int]] = {}
+        self._ended = False
+        entries: Sequence[Mapping[str, Any]] = environment.machine.settings.get("serial", ())  # type: ignore[assignment]
+        for entry in entries:
+            codes = [ord(letter) & 0xFF for letter in entry["text"]]
+            clock.at(
+                max(entry.get("at", 0.0), clock.now), partial(self._receive, entry.get("port", 1), codes)
+            )
+
+    def _receive(self, port: int, codes: list[int]) -> None:
+        waiting = self.waiting(port)
+        waiting += codes[: MOST - len(waiting)]
+        self._environment.events.raise_("serialreceive")
+
+    def waiting(self, port: int) -> list[int]:
+        """The characters that wait at a port; 0, as where none is given, is port 1."""
+        if not 0 <= port <= LAST_PORT:
+            raise Refusal("channel", f"there is no serial port {port}", f"they are numbered 1 to {LAST_PORT}")
+        return self._waiting.setdefault(port or 1, [])
+
+    def take(self, port: int) -> int:
+        waiting = self.waiting(port)
+        if not waiting:
+            return 0
+        self._environment.acts += 1
+        return waiting.pop(0)
+
+    def send(self, port: int, code: int) -> None:
+        """Characters of a line are shown together; carriage return and line feed, or one of them, end it."""
+        self.waiting(port)
+        stream = self._environment.machine.stream(f"serial {port or 1}")
+        ends = code in _LINE_END
+        if not (ends and self._ended):
+            stream.write("\n" if ends else chr(code))
+        self._ended = ends and code == _LINE_END[0]
+
+
+def read_character(environment: Environment, row: Row) -> Operation:
+    return environment.part(Ports).take
+
+
+def write_character(environment: Environment, row: Row) -> Operation:
+    """SERIALCHAR: send a character, by its code."""
+    ports = environment.part(Ports)
+
+    def write(port: int, code: int) -> None:
+        row.check(code)
+        ports.send(port, code)
+
+    return write
+
+
+def read_waiting(environment: Environment, row: Row) -> Operation:
+    ports = environment.part(Ports)
+    return lambda port: len(ports.waiting(port))
+
+
+def do_forget(environment: Environment, row: Row) -> Operation:
+    ports = environment.part(Ports)
+    return lambda port: ports.waiting(port).clear()
+
+
+def do_nothing(environment: Environment, row: Row) -> Operation:
+    ports = environment.part(Ports)
+    return lambda port: ports.waiting(port) and None

@@ -1,0 +1,233 @@
+"""Cams: a slave on a table of positions over its master's, from arrays of the program.
+
+Element 1 of an array is the number of segments; the elements after it belong to one segment each. The arrays are the
+program's own: what it writes into them counts from the next cycle on.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.buffer_operations import loader
+from motionlang.mint.keywords.following_masters import Masters, distance
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import scale_of
+from motionlang.profile.total import total
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+    Array = list[float]
+
+# Bits of CAM and SPLINE.
+ABSOLUTE, TRULY_ABSOLUTE, CONTINUOUS = 1, 2, 4
+POSITIONS, LENGTHS = 0, 1
+
+
+def elements(array: Sequence[float], word: str) -> list[float]:
+    """What stands in a table behind its count; the refusal of a count that the array does not hold."""
+    count = int(array[1]) if len(array) > 1 else 0
+    if not 1 <= count <= len(array) - 2:
+        words = f"element 1 of the table says that it has {count:g} segments, and the array has room for "
+        raise Refusal(
+            "range", f"{word}: {words}{max(0, len(array) - 2)}", "element 1 is the number of segments"
+        )
+    return [float(value) for value in array[2 : 2 + count]]
+
+
+def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
+    """The segments in use, the first and the one behind the last, from 0; `last` 0 is the table's last."""
+    end = int(last) or count
+    if not 1 <= first <= end <= count:
+        words = f"the table has segments 1 to {count}, not {first:g} to {end:g}"
+        raise Refusal("range", f"{word}: {words}", f"write {word}START and {word}END")
+    return int(first) - 1, end
+
+
+class Phase:
+    """CAMPHASE: `delta` of the master more, or less, over some segments, in one cycle."""
+
+    __slots__ = ("cycle", "delta", "first", "last")
+
+    def __init__(self, first: int, last: int, delta: float) -> None:
+        self.first, self.last, self.delta = first, last, delta
+        self.cycle = 0  # the one in which it is done; 0 while it waits
+
+
+class Cams:
+    """The tables of every axis, and what is under way with them."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self.arrays: dict[int, tuple[Array, Array | None]] = {}
+        self.phases: dict[int, Phase] = {}
+        self.cycles: dict[int, int] = {}
+        self.modes: dict[int, int] = {}
+
+    def table(self, axis: int, mode: int, start: float, begins: bool) -> tuple[list[float], list[float]]:
+        """Places of the master and values of the slave, counts; `begins`: a cycle does, it is no mere check."""
+        masters, scale = self._environment.part(Masters), scale_of(self._environment, axis)
+        steps, lengths = self.steps(axis), self.lengths(axis)
+        first, end = span(
+            masters.setting("CAMSTART", axis), masters.setting("CAMEND", axis), len(steps), "CAM"
+        )
+        if begins:
+            self.cycles[axis] = self.cycles.get(axis, 0) + 1
+            self._shift(axis, lengths)
+        amplitude = masters.setting("CAMAMPLITUDE", axis)
+        values = [start]
+        for n in range(first, end):
+            if mode & TRULY_ABSOLUTE:
+                values.append(scale.position_to_counts(steps[n]))
+            elif mode & ABSOLUTE:
+                base = steps[first - 1] if first else 0.0
+                values.append(start + scale.to_counts((steps[n] - base) * amplitude))
+            else:
+                values.append(values[-1] + scale.to_counts(steps[n] * amplitude))
+        places = [0.0]
+        for length in lengths[first:end]:
+            places.append(places[-1] + length)
+        return places, values
+
+    def steps(self, axis: int) -> list[float]:
+        """The positions of a table, as the program wrote them."""
+        if axis not in self.arrays:
+            raise Refusal(
+                "range", f"axis {axis} has no cam table", f"write CAMTABLE({axis}, positions) first"
+            )
+        return elements(self.arrays[axis][0], "CAMTABLE")
+
+    def lengths(self, axis: int) -> list[float]:
+        """How far the master goes in each segment, counts."""
+        count, array = len(self.steps(axis)), self.arrays[axis][1]
+        if array is None:
+            return [distance(self._environment, axis, "CAM")[1]] * count
+        per_unit = self._environment.part(Masters).of(axis).per_unit
+        lengths = [length * per_unit for length in elements(array, "CAMTABLE")]
+        if len(lengths) < count:
+            words = f"the table of axis {axis} has {count} positions and {len(lengths)} lengths"
+            raise Refusal("range", words, "give a length for each position")
+        return lengths
+
+    def _shift(self, axis: int, lengths: list[float]) -> None:
+        phase = self.phases.get(axis)
+        if phase is None or phase.cycle:
+            return
+        phase.cycle = self.cycles[axis]
+        share = phase.delta / (phase.last - phase.first + 1)
+        for n in range(phase.first - 1, phase.last):
+            lengths[n] += share
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def do_table(environment: Environment, row: Row) -> Operation:
+    """CAMTABLE: the arrays of positions and lengths, user units; without arrays the table is forgotten."""
+    cams = environment.part(Cams)
+
+    def do(axis: int, positions: Array | None, lengths: Array | None, line: int) -> None:
+        cams.phases.pop(axis_of(environment, axis), None)
+        if positions is None:
+            cams.arrays.pop(axis, None)
+            return
+        elements(positions, row.name)
+        cams.arrays[axis] = positions, lengths
+
+    return do
+
+
+def load_cam(environment: Environment, row: Row) -> Operation:
+    """CAM: follow the table once or for ever, mode by mode; the arrays are read again for each cycle."""
+    controller, cams, masters = environment.controller, environment.part(Cams), environment.part(Masters)
+
+    def put(axis: int, mode: int, line: int) -> None:
+        row.check(mode)
+        found, checking = masters.of(axis), True
+        found.refuse(environment, axis)
+        first = int(masters.setting("CAMSTART", axis)) - 1
+
+        def table(start: float) -> tuple[list[float], list[float]]:
+            return cams.table(axis, mode, start, not checking)
+
+        controller.load_cam(
+            axis, found.number, table, bool(mode & CONTINUOUS), first, found.encoder, row.name, line
+        )
+        checking = False
+        cams.modes[axis] = mode
+
+    return loader(environment, put)
+
+
+def read_cam(environment: Environment, row: Row) -> Operation:
+    cams = environment.part(Cams)
+    return lambda axis: cams.modes.get(axis_of(environment, axis), 0)
+
+
+def read_index(environment: Environment, row: Row) -> Operation:
+    """The number of the segment that is executing, 0 where there is no cam."""
+    controller = environment.controller
+    return lambda axis: controller.cam_index(axis_of(environment, axis)) + 1
+
+
+def do_segment(environment: Environment, row: Row) -> Operation:
+    """CAMSEGMENT: other values for some segments of a cam."""
+    return rewriting(environment, row, environment.part(Cams).arrays)
+
+
+def rewriting(environment: Environment, row: Row, tables: Mapping[int, Sequence[Array | None]]) -> Operation:
+    """Writes other values into some segments of an array; `tables` are the arrays of each axis, by their numbers."""
+
+    def do(axis: int, table: int, start: int, data: Array | None, line: int) -> None:
+        arrays = tables.get(axis_of(environment, axis), ())
+        array = arrays[table] if 0 <= table < len(arrays) else None
+        if array is None:
+            raise Refusal(
+                "range", f"{row.name}: axis {axis} has no table {table}", row.name[:-7] + "TABLE gives it one"
+            )
+        values = elements(data, row.name) if data is not None else []
+        if not 1 <= start <= start + len(values) - 1 <= len(array) - 2:
+            words = (
+                f"segments {start} to {start + len(values) - 1} do not lie in the table of {len(array) - 2}"
+            )
+            raise Refusal("range", f"{row.name}: {words}")
+        array[start + 1 : start + 1 + len(values)] = values
+
+    return do
+
+
+def do_phase(environment: Environment, row: Row) -> Operation:
+    """CAMPHASE: in the next cycle the master goes further over some segments."""
+    cams, masters = environment.part(Cams), environment.part(Masters)
+
+    def do(axis: int, index: int, segments: int, delta: int, line: int) -> None:
+        lengths = cams.lengths(axis_of(environment, axis))
+        first, end = span(index, index + segments - 1, len(lengths), "CAM")
+        counts = delta * masters.of(axis).per_unit
+        if (
+            total(lengths[first:end]) + counts <= 0.0
+            or min(lengths[first:end]) + counts / (end - first) <= 0.0
+        ):
+            raise Refusal("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
+                          "the master must still go forward in each of them")  # fmt: skip
+        cams.phases[axis] = Phase(index, end, counts)
+
+    return do
+
+
+def read_phase_status(environment: Environment, row: Row) -> Operation:
+    """1 while a CAMPHASE waits or is under way."""
+    cams, controller = environment.part(Cams), environment.controller
+
+    def read(axis: int) -> int:
+        phase = cams.phases.get(axis_of(environment, axis))
+        if phase is None or controller.cam_index(axis) < 0:
+            return 0
+        under_way = phase.cycle == cams.cycles.get(axis) and controller.cam_index(axis) < phase.last
+        return int(not phase.cycle or under_way)
+
+    return read

@@ -1,0 +1,215 @@
+"""Splines: positions at times, from arrays of the program, with velocities given or chosen.
+
+SPLINE_1 takes the mean velocity of the two segments that meet at a point, SPLINE_2 the velocities at which the
+acceleration is continuous; which of Mint's two profiles is which is from memory.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from itertools import pairwise
+
+from motionlang.controller.faults import Refusal
+from motionlang.controller.motion.profile_playback import Played
+from motionlang.mint.keywords.axis_settings import writing
+from motionlang.mint.keywords.buffer_operations import loader
+from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.keywords.table_motion_cams import (
+    ABSOLUTE,
+    CONTINUOUS,
+    TRULY_ABSOLUTE,
+    elements,
+    rewriting,
+    span,
+)
+from motionlang.mint.runtime.binding import scale_of
+from motionlang.profile.pvt.motion import plan_pvt
+from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
+from motionlang.profile.table_motion import spline_slopes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+    from motionlang.profile import Profile
+
+    Operation = Callable[..., object]
+    Array = list[float]
+
+SECOND = 8
+DEFAULTS = {"SPLINESTART": 1, "SPLINEEND": 0, "SPLINETIME": 100}
+
+
+class Splines:
+    """The tables and settings of every axis."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self.arrays: dict[int, tuple[Array, Array | None, Array | None]] = {}
+        self.modes: dict[int, int] = {}
+        self._settings: dict[tuple[str, int], float] = {}
+        # The last segment of the spline under way.
+        self.ends: dict[int, int] = {}
+
+    def setting(self, name: str, axis: int) -> int:
+        return int(self._settings.get((name, axis), DEFAULTS[name]))
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        self._settings[name, axis] = value
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        for name in DEFAULTS:
+            self._settings.pop((name, axis), None)
+
+    def profile(self, axis: int, mode: int, start: float, first_time: bool) -> Profile:
+        """The motion through the table from `start`, counts; from rest the first time, else as the last one ended."""
+        points, velocities, times = self._points(axis, mode, start)
+        cyclic = bool(mode & CONTINUOUS)
+        try:
+            if velocities is None:
+                last = _seam(points, times, bool(mode & SECOND)) if cyclic else 0.0
+                choose = smooth_velocities if mode & SECOND else average_velocities
+                velocities = choose(points, times, 0.0 if first_time else last, last)
+            else:
+                velocities = [0.0 if first_time else velocities[-1], *velocities]
+            return plan_pvt(points, velocities, times)
+        except ValueError as problem:
+            raise Refusal("range", f"axis {axis} cannot follow the spline: {problem}") from None
+
+    def _points(
+        self, axis: int, mode: int, start: float
+    ) -> tuple[list[float], list[float] | None, list[float]]:
+        if axis not in self.arrays:
+            raise Refusal(
+                "range", f"axis {axis} has no spline", f"write SPLINETABLE({axis}, positions) first"
+            )
+        positions, velocities, times = self.arrays[axis]
+        steps, scale = elements(positions, "SPLINETABLE"), scale_of(self._environment, axis)
+        first, end = span(
+            self.setting("SPLINESTART", axis), self.setting("SPLINEEND", axis), len(steps), "SPLINE"
+        )
+        self.ends[axis] = end
+        points, base = [start], steps[first - 1] if first else 0.0
+        for step in steps[first:end]:
+            if mode & TRULY_ABSOLUTE:
+                points.append(scale.position_to_counts(step))
+            else:
+                points.append((start if mode & ABSOLUTE else points[-1]) + scale.to_counts(
+                    step - base if mode & ABSOLUTE else step))  # fmt: skip
+        spans = [self.setting("SPLINETIME", axis) / 1000.0] * (end - first)
+        if times is not None:
+            spans = [time / 1000.0 for time in _part(times, first, end)]
+        speeds = None
+        if velocities is not None:
+            speeds = [scale.to_counts(v, "uu/s") for v in _part(velocities, first, end)]
+        return points, speeds, spans
+
+
+def _part(array: Array, first: int, end: int) -> list[float]:
+    values = elements(array, "SPLINETABLE")
+    if len(values) < end:
+        raise Refusal("range", f"SPLINETABLE: one of the arrays has {len(values)} segments and another {end}",
+                      "the arrays must be equally long")  # fmt: skip
+    return values[first:end]
+
+
+def _seam(points: list[float], times: list[float], smooth: bool) -> float:
+    """The velocity at which a spline that goes on for ever passes from its end to its beginning."""
+    steps = [b - a for a, b in pairwise(points)]
+    if smooth and len(times) > 1:
+        return spline_slopes(times, [d / h for d, h in zip(steps, times, strict=True)], True)[0]
+    return (steps[-1] + steps[0]) / (times[-1] + times[0])
+
+
+# ----------------------------------------------------------------------------------------------- operations
+
+
+def do_table(environment: Environment, row: Row) -> Operation:
+    """SPLINETABLE: the arrays of positions, velocities and times; without any the table is forgotten."""
+    splines = environment.part(Splines)
+
+    def do(
+        axis: int, positions: Array | None, velocities: Array | None, times: Array | None, line: int
+    ) -> None:
+        axis_of(environment, axis)
+        if positions is None:
+            splines.arrays.pop(axis, None)
+            return
+        elements(positions, row.name)
+        splines.arrays[axis] = positions, velocities, times
+
+    return do
+
+
+def do_segment(environment: Environment, row: Row) -> Operation:
+    """SPLINESEGMENT: other values for some segments of a spline."""
+    return rewriting(environment, row, environment.part(Splines).arrays)
+
+
+def load_spline(environment: Environment, row: Row) -> Operation:
+    """SPLINE: run through the table once or for ever. Refusal unless the axis is idle, its buffer empty."""
+    controller, splines = environment.controller, environment.part(Splines)
+
+    def put(axis: int, mode: int, line: int) -> None:
+        row.check(mode)
+        if not controller.is_idle(axis) or controller.axes[axis].buffer:
+            raise Refusal("moving", f"axis {axis} is moving, or its buffer is not empty",
+                          "a spline needs the axis idle and nothing else in its buffer")  # fmt: skip
+
+        def make(start: float) -> Profile:
+            return splines.profile(axis, mode, start, True)
+
+        def again(start: float) -> Profile:
+            return splines.profile(axis, mode, start, False)
+
+        controller.load_profile(axis, make, again if mode & CONTINUOUS else None, row.name, line)
+        splines.modes[axis] = mode
+
+    return loader(environment, put)
+
+
+def read_spline(environment: Environment, row: Row) -> Operation:
+    splines = environment.part(Splines)
+    return lambda axis: splines.modes.get(axis_of(environment, axis), 0)
+
+
+def read_setting(environment: Environment, row: Row) -> Operation:
+    splines, name = environment.part(Splines), row.name
+    return lambda axis: splines.setting(name, axis_of(environment, axis))
+
+
+def write_setting(environment: Environment, row: Row) -> Operation:
+    """SPLINESTART, SPLINEEND, and SPLINETIME in ms."""
+    return writing(environment, row, environment.part(Splines).set)
+
+
+def read_index(environment: Environment, row: Row) -> Operation:
+    """The number of the segment that is executing, 0 where there is no spline; what is ahead is counted."""
+    splines, controller = environment.part(Splines), environment.controller
+
+    def read(axis: int) -> int:
+        a = controller.axes[axis_of(environment, axis)]
+        if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Played):
+            return 0
+        path, place, _ = a.move.action.state(controller, a)
+        ahead = len(path.knots) - 1 - bisect_right(path.knots, place)
+        # A cycle that was suspended near its end has the next one behind it.
+        return splines.ends[axis] - ahead % (splines.ends[axis] - splines.setting("SPLINESTART", axis) + 1)
+
+    return read
+
+
+def read_suspend_time(environment: Environment, row: Row) -> Operation:
+    axes = environment.controller.axes
+    return lambda axis: round(axes[axis_of(environment, axis)].suspend_time * 1000.0)
+
+
+def write_suspend_time(environment: Environment, row: Row) -> Operation:
+    def write(axis: int, milliseconds: float) -> None:
+        row.check(milliseconds)
+        environment.controller.configure(axis_of(environment, axis), "suspend_time", milliseconds / 1000.0)
+
+    return write

@@ -1,0 +1,1 @@
+"""The words of Mint's type library (build 5626) and of its console, as printed there."""

@@ -1,0 +1,115 @@
+"""Words that are known and not simulated: what they can do without a lie they do, for the others the run ends.
+
+Every operation is given the line of its statement and the place of its word, last.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.no_effect_operations import Kept, note
+from motionlang.mint.keywords.no_effect_operations import write_value as _keep
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import NoReturn
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+
+# ----------------------------------------------------------------------------- values that nobody knows here
+
+
+def read_value(environment: Environment, row: Row) -> Operation:
+    """What the program wrote, or the machine file says; otherwise the run ends."""
+    kept = environment.part(Kept)
+
+    def read(*given: object) -> object:
+        *where, _, at = given
+        found = kept.find(row, tuple(where))
+        if found is None:
+            _end(row, f"the value of {row.name} is not known here", at, told=True)
+        return found
+
+    return read
+
+
+def write_value(environment: Environment, row: Row) -> Operation:
+    keep = _keep(environment, row)
+    return lambda *given: keep(*given[:-1])
+
+
+# ----------------------------------------------------------------------------------------------- commands
+
+
+def do_command(environment: Environment, row: Row) -> Operation:
+    """A command that changes nothing here."""
+    name, without_effect = row.name, environment.machine.without_effect
+    return lambda *given: note(without_effect, name, given[-2])
+
+
+# ------------------------------------------------------------------------------------------------- motion
+
+
+def read_motion(environment: Environment, row: Row) -> Operation:
+    return read_value(environment, row)
+
+
+def write_motion(environment: Environment, row: Row) -> Operation:
+    """Switched off, nothing moves."""
+    return _unless(environment, row, 0)
+
+
+def do_motion(environment: Environment, row: Row) -> Operation:
+    return lambda *given: _end(row, f"{row.name} is not simulated", given[-1])
+
+
+def read_factor(environment: Environment, row: Row) -> Operation:
+    """What the program wrote, or the machine file says; otherwise 1."""
+    kept = environment.part(Kept)
+
+    def read(*given: object) -> object:
+        found = kept.find(row, given[:-2])
+        return 1.0 if found is None else found
+
+    return read
+
+
+def write_factor(environment: Environment, row: Row) -> Operation:
+    return _unless(environment, row, 1)
+
+
+def write_jump(environment: Environment, row: Row) -> Operation:
+    """A word that is simulated where it is read."""
+    from motionlang.mint.keywords.unsimulated import WRITTEN
+
+    return lambda *given: _end(
+        row, f"writing {row.name} {WRITTEN[row.name]}: this is not simulated", given[-1]
+    )
+
+
+def _unless(environment: Environment, row: Row, harmless: float) -> Operation:
+    """Keep the value that changes nothing; any other one ends the run."""
+    keep = _keep(environment, row)
+
+    def write(*given: object) -> None:
+        if given[-3] != harmless:
+            _end(row, f"{row.name} is not simulated", given[-1])
+        keep(*given[:-1])
+
+    return write
+
+
+def _end(row: Row, message: str, at: object, told: bool = False) -> NoReturn:
+    """End the run with the word's meaning, and with what the machine file could say."""
+    from motionlang.lang.run_errors import NotSimulated
+    from motionlang.mint.keywords import table
+
+    known = table().get(row.name)
+    hint = f"{row.name}: {known.help.rstrip('.')}" if known is not None else ""
+    if told:
+        example = {"text": '"…"', "number": "1.5"}.get(row.unit, "1")
+        hint = f"{hint}; the machine file can say it: [mint.readings] {row.name} = {example}"
+    raise NotSimulated(message, hint, int(at))  # type: ignore[call-overload]

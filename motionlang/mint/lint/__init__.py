@@ -1,0 +1,92 @@
+"""The linter of Mint: what the compiler accepts and a motion engineer would rather know before the machine moves."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.lint import silence
+from motionlang.mint.keywords import table
+from motionlang.mint.lint.axis_state import Follower
+from motionlang.mint.lint.brackets import check_brackets
+from motionlang.mint.lint.buffer import Buffers
+from motionlang.mint.lint.effects import Facts
+from motionlang.mint.lint.motion import Motion, Reach
+from motionlang.mint.lint.names import check_names, check_tasks
+from motionlang.mint.lint.reachability import Ways
+from motionlang.mint.lint.servers import check_servers
+from motionlang.mint.lint.settings import Settings
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.problems import Problems
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.mint.syntax.nodes import Module
+    from motionlang.source import Source
+
+# Where a comment begins, as group 1: not inside a text in quotes.
+COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORECASE)
+
+
+def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
+    """Every mistake of a program; if it has none, every warning, too."""
+    from motionlang.mint.compile.compiler import compile_module
+    from motionlang.mint.syntax.parser import parse
+
+    settings = dict(settings or {})
+    try:
+        module = parse(source)
+    except ProgramError as error:
+        from motionlang.mint.compile.error_recovery import with_other_lines
+
+        return with_other_lines(source, settings, error).diagnostics
+    try:
+        found = list(compile_module(module, dict(settings)).problems.found.values())
+    except ProgramError as error:
+        found = list(error.diagnostics)
+    if not any(each.severity == "error" for each in found):
+        found += lint(module, settings)
+    found += _foreign(module, source, str(settings.get("controller.model", "")))
+    found = silence(source, found, COMMENT)
+    return sorted(found, key=lambda each: (each.line, each.column, each.code))
+
+
+def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
+    """What a controller of the other age of Mint would refuse: mistakes, where a model was named."""
+    problems = Problems(module)
+    if model:
+        from motionlang.mint.lint.model import check_model
+
+        check_model(module, source, model, table(), problems.add)
+    return list(problems.found.values())
+
+
+def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
+    """The warnings of a program that compiles, in no particular order."""
+    problems = Problems(module)
+    names = Names(table(), problems, None)
+    names.declare_module(module)
+    facts = Facts(names, table())
+    found: dict[tuple[str, int, str], Diagnostic] = {}
+
+    def add(code: str, message: str, at: int, hint: str = "") -> None:
+        place = module.line(at), module.column(at)
+        length = module.length(at)
+        found.setdefault(
+            (code, at, message),
+            Diagnostic(code, message, *place, length=length, hint=hint, severity="warning"),
+        )
+
+    reach = Reach(facts, settings)
+    follower = Follower(facts, lambda key, axis: bool(reach.beyond(key, axis)))
+    Motion(follower, reach, add).check()
+    Buffers(facts, follower, add).check()
+    Settings(facts, follower, add).check()
+    Ways(facts, follower, settings, add).check()
+    check_brackets(facts, module.places, add)
+    check_names(facts, add)
+    check_tasks(facts, add)
+    check_servers(module, settings, add)
+    return list(found.values())

@@ -1,0 +1,401 @@
+"""What is known of an axis at each step of a program, followed along all its ways: the basis of the checks of motion.
+
+Only what is certain is kept: where ways come together, what they do not agree on is forgotten.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
+from motionlang.mint.lint.words import FOLLOWS, HALTS, HANDS_OVER, PATHS, SLOTS, ZEROES
+from motionlang.mint.resolve.flowgraph import DO, Step
+from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Report = Callable[[str, Step, Act, Key, "Axis"], None]
+
+IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
+# More entries than any buffer holds need not be told apart.
+MOST_ENTRIES = 101
+_SWITCHES = frozenset(("DRIVEENABLE", "SUSPEND", "CONFIG", "TRIGGERMODE", "AXISMODE"))
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """`motion`; `fresh` while no time has passed since GO; `waiting` entries, at least, wait for a GO.
+
+    `target` is where the last move loaded ends, `frame` how far the program's zero lies from where the axis stood at
+    power-up (user units, None where unknown); `set` are the properties of moves given so far, `stale` those given
+    before the last scale, which stands at `scaled`; `timed` is where a ramp's time was given before any speed, None
+    where none was; `speeded` whether a speed may have been given.
+    """
+
+    motion: str = UNKNOWN
+    fresh: bool = False
+    waiting: int = 0
+    target: float | None = None
+    frame: float | None = None
+    set: frozenset[str] = frozenset()
+    stale: frozenset[str] = frozenset()
+    scaled: int = 0
+    timed: int | None = None
+    speeded: bool = True
+
+    def joined(self, other: Axis, turns: bool) -> Axis:
+        """What both say; a loop lets time pass."""
+        if self == other:
+            return replace(self, fresh=False) if turns and self.fresh else self
+        return Axis(
+            motion=self.motion if self.motion == other.motion else UNKNOWN,
+            fresh=self.fresh and other.fresh and not turns,
+            waiting=min(self.waiting, other.waiting),
+            target=self.target if self.target == other.target else None,
+            frame=self.frame if self.frame == other.frame else None,
+            set=self.set & other.set,
+            stale=self.stale & other.stale,
+            scaled=self.scaled if self.scaled == other.scaled else 0,
+            timed=self.timed if self.timed == other.timed else None,
+            speeded=self.speeded or other.speeded,
+        )
+
+
+ANY = Axis()
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """The axes: those of `axes`, and `rest` for every other one."""
+
+    rest: Axis
+    axes: dict[Key, Axis]
+
+    def joined(self, other: State, turns: bool) -> State:
+        if self is other and not turns:
+            return self
+        keys = self.axes.keys() | other.axes.keys()
+        axes = {key: self[key].joined(other[key], turns) for key in keys}
+        return State(self.rest.joined(other.rest, turns), axes)
+
+    def __getitem__(self, key: Key) -> Axis:
+        return self.axes.get(key, self.rest)
+
+    def put(self, key: Key, axis: Axis) -> State:
+        return State(self.rest, {**self.axes, key: axis})
+
+    def passed(self) -> State:
+        """Time has passed."""
+        if not any(axis.fresh for axis in self.axes.values()):
+            return self
+        return State(
+            self.rest,
+            {key: replace(axis, fresh=False) if axis.fresh else axis for key, axis in self.axes.items()},
+        )
+
+
+ANYTHING = State(ANY, {})
+
+
+class Follower:
+    """Follows the axes through every function; `report(code, step, act, key, axis)` hears what is wrong.
+
+    `is_out_of_reach(key, axis)` says whether the axis cannot come to its target.
+    """
+
+    def __init__(self, facts: Facts, is_out_of_reach: Callable[[Key, Axis], bool]) -> None:
+        self.facts, self.is_out_of_reach = facts, is_out_of_reach
+        self.before: dict[Function, dict[Step, State]] = {}
+        self.apart = self._shared()
+        self.stopped = self._stopped_by_handlers()
+        self.led = self._led()
+        self._at_work: set[Function] = set()
+        self._report: Report | None = None
+        for function in facts.functions:
+            self._analyse(function)
+
+    def _shared(self) -> set[Key]:
+        """Axes to which more than one of the parent, the tasks and the handlers gives commands: nothing is certain."""
+        seen: dict[Key, Function] = {}
+        shared: set[Key] = set()
+        for root in self.facts.functions:
+            if root.kind == "sub":
+                continue
+            for key in self.facts.touched(root, COMMANDS):
+                if seen.setdefault(key, root) is not root:
+                    shared.add(key)
+        if None in seen and len(set(seen.values())) > 1:
+            shared |= {*seen, None}
+        return shared
+
+    def _stopped_by_handlers(self) -> set[Key]:
+        """Axes that a handler or a task stops: a move of theirs may end before its target."""
+        found: set[Key] = set()
+        for root in self.facts.functions:
+            if root.kind in ("task", "event"):
+                found |= self.facts.touched(root, frozenset(("stop",)))
+        return found
+
+    def known(self, state: State, key: Key) -> Axis:
+        """What is certain of an axis."""
+        unsure = isinstance(key, Symbol) and self.apart
+        if key is None or unsure or key in self.apart or None in self.apart:
+            return ANY
+        axis = state[key]
+        if {key, None} & self.led or (isinstance(key, Symbol) and self.led):
+            return replace(axis, motion=UNKNOWN, fresh=False)
+        return axis
+
+    def _led(self) -> set[Key]:
+        """Axes that may move without a GO of theirs: behind a master, on a path of another axis, by a trigger."""
+        found = self.facts.named(*FOLLOWS, *HANDS_OVER)
+        for _, _, act in self.facts.all_acts():
+            if act.row is not None and act.row.name in PATHS:
+                found.update(act.axes[1:])
+        return found
+
+    def tell(self, report: Report) -> None:
+        """Go through every step once more and report what is wrong there."""
+        self._report = report
+        for function, before in self.before.items():
+            for step in self.facts.graphs[function].steps:
+                if step in before:
+                    self._follow(function, step, before[step])
+        self._report = None
+
+    # ---------------------------------------------------------------------------------------- following
+
+    def _analyse(self, function: Function) -> dict[Step, State]:
+        if function in self.before or function in self._at_work:
+            return self.before.get(function, {})
+        self._at_work.add(function)
+        for each in sorted(function.calls, key=lambda f: f.at):
+            self._analyse(each)
+        graph = self.facts.graphs[function]
+        first = ANYTHING
+        if function.kind == "main":
+            first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False), {})
+        found = graph.forward(
+            first,
+            lambda step, state: self._follow(function, step, state),
+            lambda one, other, turns: one.joined(other, turns),
+            ANYTHING,
+        )
+        self._at_work.discard(function)
+        self.before[function] = found
+        return found
+
+    def _follow(self, function: Function, step: Step, state: State) -> tuple[State, State]:
+        for act in self.facts.acts[step]:
+            state = self._act(function, step, act, state)
+        node = step.node
+        if type(node) in (nodes.Pause, nodes.Input, nodes.Run):
+            state = state.passed()
+        if type(node) is nodes.Pause:
+            state = self._refined(function, node.condition, True, state)
+        elif step.kind != DO and node is not None:
+            yes = self._refined(function, node, True, state)  # type: ignore[arg-type]
+            return yes, self._refined(function, node, False, state)  # type: ignore[arg-type]
+        return state, state
+
+    def _act(self, function: Function, step: Step, act: Act, state: State) -> State:
+        if act.role == "call":
+            return self._call(function, act, state)
+        if act.row is not None and act.row.name == "WAIT":
+            return state.passed()
+        follow = _FOLLOW.get(act.role)
+        if follow is None:
+            return state
+        for number, key in enumerate(act.axes):
+            old = self.known(state, key)
+            new = follow(self, function, step, act, number, old)
+            if key is None:
+                if act.role not in ("read", "slot"):
+                    state = ANYTHING
+            elif new != old:
+                state = state.put(key, new)
+        return state
+
+    def _call(self, function: Function, call: Act, state: State) -> State:
+        callee = call.callee
+        assert callee is not None
+        state = state.passed()
+        graph = self.facts.graphs[callee]
+        after = self.before.get(callee, {}).get(graph.leave, ANYTHING)
+        for key in self.facts.touched(callee, _CHANGES):
+            outer = self.facts.outer(function, call, key)
+            if outer is None:
+                return ANYTHING
+            state = state.put(outer, self._after_call(state[outer], after[key]))
+        if any(isinstance(key, Symbol) for key in state.axes) and self.facts.touched(callee, _CHANGES):
+            named = {self.facts.outer(function, call, key) for key in self.facts.touched(callee, _CHANGES)}
+            if any(not isinstance(key, Symbol) for key in named):
+                return ANYTHING
+        return state
+
+    def _after_call(self, old: Axis, inner: Axis) -> Axis:
+        """What a sub leaves behind; what was set before it still is, as far as it matters here."""
+        return replace(inner, fresh=False, set=frozenset(), speeded=True, timed=None, stale=frozenset())
+
+    def _tell(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        if self._report is not None:
+            self._report(code, step, act, key, axis)
+
+    # ------------------------------------------------------------------------------------ one axis, one word
+
+    def _read(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        watched = type(step.node) is nodes.Pause or step.turns
+        if act.row is not None and act.row.name == "POS" and axis.fresh and not watched:
+            self._tell("in-motion", step, act, act.axes[number], axis)
+        return axis
+
+    def _move(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        target = self._target(function, act, number, axis, act.row.name == "MOVER")
+        return self._checked(
+            step, act, number, replace(self._entry(function, step, act, number, axis), target=target)
+        )
+
+    def _target(self, function: Function, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
+        """Where the move ends."""
+        value = self.facts.number(function, act.value(number))
+        if not relative or value is None:
+            return value
+        key = act.axes[number]
+        certain = axis.target is not None and not {key, None} & self.stopped and not isinstance(key, Symbol)
+        return axis.target + value if certain and axis.target is not None else None
+
+    def _checked(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        """The axis with its target, or without it where it will not come there."""
+        key = act.axes[number]
+        if axis.target is None or not self.is_out_of_reach(key, axis):
+            return axis
+        self._tell("beyond-travel", step, act, key, axis)
+        return replace(axis, target=None)
+
+    def _entry(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        if axis.stale and axis.scaled:
+            self._tell("scale-after-speed", step, act, act.axes[number], axis)
+        return replace(axis, waiting=min(axis.waiting + 1, MOST_ENTRIES), stale=frozenset())
+
+    def _course(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        return replace(self._entry(function, step, act, number, axis), target=None)
+
+    def _path(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        """A move of several axes waits for the GO of the first one; where it ends is known for a line."""
+        assert act.row is not None
+        target = None
+        if act.row.name in ("VECTORA", "VECTORR") and number < len(act.values):
+            target = self._target(function, act, number, axis, act.row.name == "VECTORR")
+        if number == 0:
+            axis = self._entry(function, step, act, number, axis)
+        return self._checked(step, act, number, replace(axis, target=target))
+
+    def _go(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        sure = axis.waiting > 0
+        return replace(axis, motion=MOVES if sure else UNKNOWN, fresh=sure, waiting=0)
+
+    def _stop(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        stands = axis.motion == IDLE or act.row.name in HALTS
+        kept = axis.target if axis.motion == IDLE and not axis.waiting else None
+        axis = replace(axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept)
+        return replace(axis, target=None, frame=None) if act.row.name in ZEROES else axis
+
+    def _at_once(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        jogs = act.row.name == "JOG" and self.facts.number(function, act.value(number)) not in (None, 0)
+        homes = act.row.name in ("HOME", "DATUM")
+        return replace(
+            axis,
+            motion=MOVES if jogs else UNKNOWN,
+            fresh=False,
+            target=None,
+            frame=None if homes else axis.frame,
+            stale=frozenset(),
+        )
+
+    def _slot(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        slot = SLOTS[act.row.name]
+        if slot == "speed":
+            if axis.timed is not None:
+                self._tell("time-before-speed", step, act, act.axes[number], axis)
+            axis = replace(axis, speeded=True, timed=None)
+        elif act.row.name in ("ACCELTIME", "DECELTIME") and not axis.speeded:
+            axis = replace(axis, timed=act.at if axis.timed is None else axis.timed)
+        in_units = act.row.unit.startswith("uu")
+        return replace(
+            axis, set=axis.set | {slot} if in_units else axis.set - {slot}, stale=axis.stale - {slot}
+        )
+
+    def _scale(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        if axis.motion == MOVES:
+            self._tell("scale-in-motion", step, act, act.axes[number], axis)
+        target = axis.target if axis.target == 0 else None
+        return replace(axis, stale=axis.set, scaled=act.at, set=frozenset(), target=target)
+
+    def _zero(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        if axis.fresh:
+            self._tell("in-motion", step, act, act.axes[number], axis)
+        value = self.facts.number(function, act.value(number))
+        if axis.motion != IDLE or axis.waiting or value is None:
+            return replace(axis, target=None, frame=None)
+        moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
+        return replace(axis, target=value, frame=moved)
+
+    def _use(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        assert act.row is not None
+        if act.row.kind in ("command", "move") or act.row.name in _SWITCHES:
+            return replace(axis, motion=UNKNOWN, fresh=False, waiting=0, target=None)
+        return axis
+
+    # --------------------------------------------------------------------------------- what a condition tells
+
+    def _refined(self, function: Function, node: nodes.Expr, truth: bool, state: State) -> State:
+        if type(node) is nodes.Unary and node.op == "Not":
+            return self._refined(function, node.operand, not truth, state)
+        if type(node) is nodes.Binary:
+            if node.op == ("And" if truth else "Or"):
+                return self._refined(
+                    function, node.right, truth, self._refined(function, node.left, truth, state)
+                )
+            number = self.facts.number(function, node.right)
+            if number in (0, 1) and node.op in ("=", "<>"):
+                return self._refined(function, node.left, truth is ((node.op == "=") == (number == 1)), state)
+            return state
+        if type(node) is not nodes.Name:
+            return state
+        symbol = function.scope.find(node.name)
+        if symbol is not None:
+            inner = symbol.node if symbol.kind == "define" else None
+            known = isinstance(inner, nodes.Name) and inner.name.lower() != node.name.lower()
+            return self._refined(function, inner, truth, state) if known else state  # type: ignore[arg-type]
+        row = self.facts.table.get(node.name)
+        if row is None or row.name != "IDLE":
+            return state
+        key = self.facts.key_of(function, node)
+        if key is None:
+            return state
+        return state.put(key, replace(state[key], motion=IDLE if truth else MOVES, fresh=False))
+
+
+# Roles after which a caller knows less of an axis.
+_CHANGES = frozenset(("move", "entry", "course", "path", "go", "stop", "act", "scale", "zero", "use"))
+_FOLLOW: dict[str, Callable[..., Axis]] = {
+    "read": Follower._read,
+    "move": Follower._move,
+    "entry": Follower._entry,
+    "course": Follower._course,
+    "path": Follower._path,
+    "go": Follower._go,
+    "stop": Follower._stop,
+    "act": Follower._at_once,
+    "slot": Follower._slot,
+    "scale": Follower._scale,
+    "zero": Follower._zero,
+    "use": Follower._use,
+}

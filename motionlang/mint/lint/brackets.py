@@ -1,0 +1,154 @@
+"""Check of `&` and `|` beside a comparison: which of them binds tighter is not the same in every language."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mint.resolve.symbols import STRING, Scope
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from motionlang.lang.parsing.places import Places
+    from motionlang.mint.lint.effects import Facts
+
+_COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
+_BITS = frozenset("&|")
+_OPEN, _CLOSED = frozenset("(["), frozenset(")]")
+
+
+def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> None:
+    """Tell `add` of every comparison with an unbracketed `&` or `|` in it, with both readings of its line."""
+    for function in facts.functions:
+        inner: set[int] = set()
+        for node in walk(function.body):  # a node comes before those in it
+            if type(node) is not nodes.Binary or node.op not in _COMPARED or id(node) in inner:
+                continue
+            chain = _Chain(places, node)
+            inner |= chain.inner
+            bits = [op for op in chain.ops if places.text(op) in _BITS]
+            if (
+                bits
+                and chain.is_written
+                and not any(_is_text(function.scope, each) for each in chain.operands)
+            ):
+                sign = places.text(bits[0])
+                add(
+                    "mixed-operators",
+                    f"{sign} binds tighter than a comparison here, and not in every language",
+                    bits[0],
+                    f"brackets say which is meant: {chain.line(_BITS)}, as it is read here, or {chain.line(_COMPARED)}",
+                )
+
+
+def _is_text(scope: Scope, node: nodes.Expr) -> bool:
+    """Whether an operand is surely a text, which `&` joins: then only one reading makes sense."""
+    if type(node) is nodes.Name:
+        symbol = scope.find(node.name)
+        return symbol is not None and symbol.type.name == STRING
+    return type(node) is nodes.String
+
+
+class _Chain:
+    """A comparison with all that stands in it without brackets: its operands, and its operators by their tokens.
+
+    `inner` are the identities of the operations that are part of it; `is_written` is False of a comparison that was
+    made of a statement, such as that of a For with its limit.
+    """
+
+    def __init__(self, places: Places, node: nodes.Binary) -> None:
+        self.places = places
+        self.inner: set[int] = set()
+        self.operands: list[nodes.Expr] = []
+        self.ops: list[int] = []
+        self._add(node)
+        self.is_written = places.text(self._operator(node)) == node.op
+
+    def _add(self, node: nodes.Binary) -> None:
+        op = self._operator(node)
+        self._side(node.left, op)
+        self.ops.append(op)
+        self._side(node.right, op)
+
+    def _side(self, node: nodes.Expr, outer: int) -> None:
+        if type(node) is nodes.Binary and node.op in _COMPARED | _BITS and not self._bracketed(node, outer):
+            self.inner.add(id(node))
+            self._add(node)
+        else:
+            self.operands.append(node)
+
+    def _operator(self, node: nodes.Binary) -> int:
+        """The token of an operator: before the right side and the brackets around that."""
+        at = node.right.at - 1
+        while self.places.text(at) == "(":
+            at -= 1
+        return at
+
+    def _bracketed(self, node: nodes.Binary, outer: int) -> bool:
+        """Whether brackets stand around an operation that is a side of another one."""
+        inner = self._operator(node)
+        depth = least = 0
+        for at in range(min(inner, outer) + 1, max(inner, outer)):
+            depth += self._depth(at)
+            least = min(least, depth)
+        return depth != 0 or least != 0
+
+    def _depth(self, at: int) -> int:
+        text = self.places.text(at)
+        return (text in _OPEN) - (text in _CLOSED)
+
+    # ----------------------------------------------------------------------------------------------- readings
+
+    def line(self, tight: Iterable[str]) -> str:
+        """The line with brackets around what some of the operators join."""
+        opened, closed = set(), set()
+        starts = [self._start(), *(op + 1 for op in self.ops)]
+        ends = [*(op - 1 for op in self.ops), self._end()]
+        joined = [self.places.text(op) in tight for op in self.ops]
+        for number, (start, end) in enumerate(zip(starts, ends, strict=True)):
+            before = number > 0 and joined[number - 1]
+            after = number < len(joined) and joined[number]
+            if after and not before:
+                opened.add(start)
+            if before and not after:
+                closed.add(end)
+        return self._written(opened, closed)
+
+    def _start(self) -> int:
+        """The first token of the first operand, with the brackets around that."""
+        first = min(each.at for each in walk([self.operands[0]]))
+        depth = sum(map(self._depth, range(first, self.ops[0])))
+        while depth < 0:
+            first -= 1
+            depth += self._depth(first)
+        return first
+
+    def _end(self) -> int:
+        """The last token of the last operand, with the brackets and the members that belong to that."""
+        last = max(each.at for each in walk([self.operands[-1]]))
+        depth = sum(map(self._depth, range(self.ops[-1] + 1, last + 1)))
+        while depth > 0 or self.places.text(last + 1) in _OPEN or self.places.text(last + 1) == ".":
+            last += 1
+            depth += self._depth(last)
+            if self.places.text(last) == ".":
+                last += 1
+        return last
+
+    def _written(self, opened: set[int], closed: set[int]) -> str:
+        """The tokens of the line, or of the lines, with brackets before some and behind others."""
+        places = self.places
+        at = self._start()
+        while at and "\n" not in places.text(at - 1):
+            at -= 1
+        parts: list[str] = []
+        before = places.span(at)[0]
+        while (text := places.text(at)) and "\n" not in text:
+            start, end = places.span(at)
+            between = places.source.text[before:start]
+            parts.append(" " if "\n" in between else between)
+            parts.append("(" * (at in opened) + text + ")" * (at in closed))
+            before = end
+            at += 1
+        return "".join(parts)

@@ -1,0 +1,202 @@
+"""Checks of the move buffer: more moves than it holds, and moves that no GO starts."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.axis_state import IDLE, Follower, State
+from motionlang.mint.lint.effects import Act, Facts, Key, spelt
+from motionlang.mint.lint.words import ENTRIES
+from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.resolve.flowgraph import Step
+
+    Add = Callable[..., None]
+
+DEFAULT_SIZE = 2
+_GO = frozenset(("go",))
+_LOADS = ("move", "entry", "course", "path")
+_BREAKS = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Run, nodes.Label)
+
+
+class Buffers:
+    """The checks; `add` notes a warning."""
+
+    def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
+        self.facts, self.follower, self.add = facts, follower, add
+        self.sizes = facts.constants("MOVEBUFFERSIZE")
+        self.triggered = facts.named("TRIGGERMODE")
+
+    def check(self) -> None:
+        """Both of them."""
+        for function, before in self.follower.before.items():
+            for step in self.facts.graphs[function].steps:
+                if step in before:
+                    self._loads(function, step, before[step])
+                    if type(step.node) is nodes.For:
+                        self._counted(function, step, step.node, before[step])
+        self._never_started()
+
+    # ------------------------------------------------------------------------------------- too many entries
+
+    def _loads(self, function: Function, step: Step, state: State) -> None:
+        """A load that waits for room, when only a GO behind it could make room."""
+        for act in self.facts.acts[step]:
+            if act.role in _LOADS:
+                for key in act.axes[:1] if act.role == "path" else act.axes:
+                    size = self._size(key)
+                    if size is not None and self.follower.known(state, key).waiting >= size:
+                        self._overfilled(act, key, size)
+
+    def _size(self, key: Key) -> float | None:
+        """How many entries the buffer of an axis holds at most, None where that is not known."""
+        if self._may_trigger(key):
+            return None
+        sizes = self.sizes.get(key, [])
+        if sizes is None or None in self.sizes or (isinstance(key, Symbol) and self.sizes):
+            return None
+        return max([DEFAULT_SIZE, *sizes])
+
+    def _overfilled(self, act: Act, key: Key, size: float) -> None:
+        self.add(
+            "buffer-overfilled",
+            f"axis {spelt(key)} has {size:g} moves in its buffer already, and no GO has come: this waits for ever",
+            act.at,
+            f"write GO before this, or a larger MOVEBUFFERSIZE than {size:g}",
+        )
+
+    def _may_trigger(self, key: Key) -> bool:
+        """Moves may start without GO."""
+        return key in self.triggered or None in self.triggered
+
+    def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
+        turns = self._turns(function, node)
+        if turns is None or not self._counts_itself(function, node):
+            return
+        acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
+        if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
+            return
+        loads: dict[Key, list[Act]] = {}
+        direct = {id(inner.target) for inner in node.body if type(inner) is nodes.Assign}
+        for act in acts:
+            if act.role in ("move", "entry") and id(act.node) in direct:
+                for key in act.axes:
+                    loads.setdefault(key, []).append(act)
+        for key, found in loads.items():
+            size = self._size(key)
+            known = self.follower.known(state, key)
+            if key is None or size is None or known.motion != IDLE:
+                continue
+            if known.waiting + turns * len(found) > size and known.waiting + len(found) <= size:
+                self._overfilled(found[0], key, size)
+
+    def _counts_itself(self, function: Function, node: nodes.For) -> bool:
+        """Whether nothing in the body leaves the loop or changes its counter."""
+        counter = self.facts.symbol(function, node.variable)
+        for inner in walk(node.body):
+            if type(inner) in _BREAKS:
+                return False
+            if any(
+                self.facts.symbol(function, name) is counter for name in self.facts.written(function, inner)
+            ):
+                return False
+        return True
+
+    def _turns(self, function: Function, node: nodes.For) -> int | None:
+        start, stop = self.facts.number(function, node.start), self.facts.number(function, node.stop)
+        step = 1.0 if node.step is None else self.facts.number(function, node.step)
+        return None if start is None or stop is None or not step else int((stop - start) // step) + 1
+
+    def _inside(self, function: Function, head: Step) -> list[Step]:
+        """The steps of a loop's body, which stand behind its head."""
+        assert isinstance(head.node, nodes.For)
+        inner = {id(each) for each in walk(head.node.body)}
+        steps = self.facts.graphs[function].steps
+        end = head.number + 1
+        while id(steps[end].node) in inner:
+            end += 1
+        return steps[head.number + 1 : end]
+
+    # -------------------------------------------------------------------------------------- moves without a GO
+
+    def _never_started(self) -> None:
+        elsewhere = self._elsewhere()
+        for function, graph in self.facts.graphs.items():
+            keys = self._keys(function)
+            number = {key: 1 << n for n, key in enumerate(keys)}
+            last = self._behind_the_end(function, number, set().union(*elsewhere.values()))
+            behind = graph.backward(last, 0, partial(self._goes, function, number)) if keys else {}
+            for step in graph.steps:
+                for act in self.facts.acts[step]:
+                    if act.role in _LOADS and step in self.follower.before[function]:
+                        bits = sum(number[key] for key in set(act.axes))
+                        if not behind[step] & bits and not self._started_elsewhere(function, act, elsewhere):
+                            self._not_started(act)
+
+    def _behind_the_end(self, function: Function, number: dict[Key, int], started: set[Key]) -> int:
+        """The axes that whoever called a sub, or was interrupted by a handler of v4, may start afterwards."""
+        if function.kind != "sub" and not self.facts.graphs[function].handlers:
+            return 0
+        return sum(
+            bit
+            for key, bit in number.items()
+            if {key, None} & started or (isinstance(key, Symbol) and started)
+        )
+
+    def _not_started(self, act: Act) -> None:
+        assert act.row is not None
+        names = ", ".join(map(spelt, act.axes))
+        self.add(
+            "never-started",
+            f"the {'move' if act.row.name not in ENTRIES else 'entry'} is loaded, but no GO for it follows",
+            act.at,
+            f"GO({names}) starts what is in the buffer",
+        )
+
+    def _elsewhere(self) -> dict[Function, set[Key]]:
+        """What each of the parent, the tasks and the handlers starts."""
+        return {root: self.facts.touched(root, _GO) for root in self.facts.functions if root.kind != "sub"}
+
+    def _started_elsewhere(self, function: Function, act: Act, elsewhere: dict[Function, set[Key]]) -> bool:
+        """Another task or a handler may give the GO, or a trigger."""
+        if any(self._may_trigger(key) for key in act.axes) or None in act.axes:
+            return True
+        mine = self.facts.roots[function]
+        others = set().union(*(keys for root, keys in elsewhere.items() if root not in mine))
+        any_axis = any(isinstance(key, Symbol) for key in act.axes)
+        return bool(others & {*act.axes, None}) or (any_axis and bool(others))
+
+    def _goes(self, function: Function, number: dict[Key, int], step: Step, bits: int) -> int:
+        for act in reversed(self.facts.acts[step]):
+            if act.role == "go":
+                bits = self._with(bits, act.axes, number)
+            elif act.role == "stop" and None not in act.axes:
+                for key in act.axes:
+                    bits &= ~number.get(key, 0)
+            elif act.callee is not None:
+                started = {
+                    self.facts.outer(function, act, key) for key in self.facts.touched(act.callee, _GO)
+                }
+                bits = self._with(bits, tuple(started), number)
+        return bits
+
+    def _with(self, bits: int, axes: tuple[Key, ...], number: dict[Key, int]) -> int:
+        for key in axes:
+            if key is None or isinstance(key, Symbol) is not any(isinstance(each, Symbol) for each in number):
+                return bits | (sum(number.values()))
+            bits |= number.get(key, 0)
+        return bits
+
+    def _keys(self, function: Function) -> list[Key]:
+        found: dict[Key, None] = {}
+        for step in self.facts.graphs[function].steps:
+            for act in self.facts.acts[step]:
+                if act.role in _LOADS:
+                    found.update(dict.fromkeys(act.axes))
+        return list(found)

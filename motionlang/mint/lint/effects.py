@@ -1,0 +1,313 @@
+"""A program as the linter sees it: what each step does to which axes, who calls whom, and who runs beside whom."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.words import OF_ALL_AXES, role
+from motionlang.mint.resolve.flowgraph import Graph, Step
+from motionlang.mint.resolve.folding import fold
+from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import meant, walk
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.mint.resolve.folding import Known
+    from motionlang.mint.resolve.names import Names
+
+# An axis by its number, or by the parameter of a sub that holds it; None is an axis that cannot be told.
+Key = int | Symbol | None
+# Roles that command an axis; those that only stop it are no command.
+COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
+
+
+class Act:
+    """One word at work: its `role`, its row, the axes, the values given to them, and where it stands.
+
+    `axes` is empty for a word that has none. A call of a sub has the role "call", `callee` and its arguments.
+    """
+
+    __slots__ = ("axes", "callee", "node", "role", "row", "values")
+
+    def __init__(
+        self,
+        role: str,
+        row: Keyword | None,
+        node: nodes.Name,
+        axes: tuple[Key, ...] = (),
+        values: list[nodes.Expr] | None = None,
+        callee: Function | None = None,
+    ) -> None:
+        self.role, self.row, self.node, self.axes, self.callee = role, row, node, axes, callee
+        self.values = values or []
+
+    @property
+    def at(self) -> int:
+        return self.node.at
+
+    def is_(self, word: str) -> bool:
+        """Whether this is a word of the table, by its name."""
+        return self.row is not None and self.row.name == word
+
+    def value(self, number: int) -> nodes.Expr | None:
+        """What the n-th axis is given; the last value holds for all further axes."""
+        return self.values[min(number, len(self.values) - 1)] if self.values else None
+
+
+class Facts:
+    """A module, read once for all checks."""
+
+    def __init__(self, names: Names, table: Table) -> None:
+        self.names, self.table = names, table
+        self.functions = names.functions
+        self.graphs: dict[Function, Graph] = {}
+        self.acts: dict[Step, list[Act]] = {}
+        self._apart: set[Symbol] = set()  # parameters that name the only axis of their sub
+        self._touched: dict[tuple[Function, frozenset[str]], set[Key]] = {}
+        self.default_axes = False  # AXES names them: a word without brackets may mean any axis
+        self.writers = self._writers()
+        self.roots = self._roots()
+        self.kept = self._kept()
+        for function in self.functions:
+            graph = self.graphs[function] = Graph(function.body, function.kind == "main")
+            for step in graph.steps:
+                self.acts[step] = list(self._acts(function, step))
+            self._keep_apart(function)
+
+    # ------------------------------------------------------------------------------------- who and where
+
+    def all_acts(self, functions: Iterable[Function] | None = None) -> Iterator[tuple[Function, Step, Act]]:
+        """Every word at work, in the order of the functions and their steps."""
+        for function in self.functions if functions is None else functions:
+            for step in self.graphs[function].steps:
+                for act in self.acts[step]:
+                    yield function, step, act
+
+    def called(self, function: Function) -> list[Function]:
+        """The function and what it calls, directly or not, each once."""
+        found: dict[Function, None] = {}
+        stack = [function]
+        while stack:
+            each = stack.pop()
+            if each not in found:
+                found[each] = None
+                stack.extend(sorted(each.calls, key=lambda f: f.at, reverse=True))
+        return list(found)
+
+    def _roots(self) -> dict[Function, set[Function]]:
+        """For each function, the parent, tasks and handlers in which it runs; label handlers belong to the parent."""
+        found: dict[Function, set[Function]] = {function: set() for function in self.functions}
+        for root in self.functions:
+            if root.kind != "sub":
+                for function in self.called(root):
+                    found[function].add(root)
+        return found
+
+    def _writers(self) -> dict[Symbol, set[Function]]:
+        """Who gives a variable a value after its declaration."""
+        found: dict[Symbol, set[Function]] = {}
+        for function in self.functions:
+            for node in walk(function.body):
+                for name in self.written(function, node):
+                    symbol = self.symbol(function, name)
+                    if symbol is not None:
+                        found.setdefault(symbol, set()).add(function)
+        return found
+
+    def _kept(self) -> set[Symbol]:
+        """Variables of `Dim nv`: what this run gives them, the next one may read."""
+        return {
+            symbol
+            for function in self.functions
+            for node in walk(function.body)
+            if type(node) is nodes.Dim and node.nv
+            for variable in node.variables
+            if (symbol := function.scope.find(variable.name)) is not None
+        }
+
+    def written(self, function: Function, node: nodes.Node) -> Iterator[nodes.Name]:
+        """The names whose values a statement changes, arguments by reference and arrays among them."""
+        if type(node) is nodes.Assign or type(node) is nodes.Input:
+            target: nodes.Expr = node.target
+            while type(target) is nodes.Member:
+                target = target.value
+            if type(target) is nodes.Name:
+                yield target
+        elif type(node) is nodes.For:
+            yield node.variable
+        elif type(node) is nodes.Name and node.args:
+            symbol = function.scope.find(node.name)
+            if symbol is not None and symbol.kind == "sub":
+                for argument, parameter in zip(node.args, symbol.home.parameters, strict=False):
+                    if type(argument) is nodes.Name and (parameter.by_ref or parameter.is_array):
+                        yield argument
+
+    def symbol(self, function: Function, name: nodes.Name) -> Symbol | None:
+        """The variable that a name stands for, through a Define, too."""
+        symbol = function.scope.find(name.name)
+        while symbol is not None and symbol.kind == "define" and type(symbol.node) is nodes.Name:
+            symbol = function.scope.find(symbol.node.name)
+        return symbol
+
+    def value(self, function: Function, node: nodes.Expr | None) -> Known | None:
+        """The value of an expression where it is known beforehand, through a Define, too."""
+        if type(node) is nodes.Name and node.args is None:
+            symbol = function.scope.find(node.name)
+            if symbol is not None and symbol.kind == "define":
+                return self.value(function, symbol.node)  # type: ignore[arg-type]
+        return None if node is None else fold(function.scope, node, self.table)
+
+    def number(self, function: Function, node: nodes.Expr | None) -> float | None:
+        """The value where it is a number."""
+        value = self.value(function, node)
+        return value if isinstance(value, (int, float)) else None
+
+    # ---------------------------------------------------------------------------------------------- acts
+
+    def _acts(self, function: Function, step: Step) -> Iterator[Act]:
+        node = step.node
+        written: nodes.Expr | None = None
+        target: nodes.Expr | None = None
+        if isinstance(node, nodes.Assign | nodes.Call):
+            target = node.target
+            written = meant(function.scope, node.target)
+        for expression in parts(node):
+            for name in reversed(list(walk([expression]))):
+                if (
+                    type(name) is nodes.Name
+                    and name is not written
+                    and (written is None or name is not target)
+                ):
+                    yield from self._word(function, name, False, [])
+        if type(written) is nodes.Name:
+            values = node.values if type(node) is nodes.Assign else []
+            yield from self._word(function, written, True, values)
+
+    def _word(
+        self, function: Function, name: nodes.Name, written: bool, values: list[nodes.Expr]
+    ) -> Iterator[Act]:
+        symbol = function.scope.find(name.name)
+        if symbol is not None:
+            if symbol.kind == "sub" and not (
+                function.result and function.result.name == symbol.name and written
+            ):
+                yield Act("call", None, name, values=name.args, callee=symbol.home)
+            elif symbol.kind == "define" and symbol.node is not None:
+                for inner in walk([symbol.node]):
+                    if type(inner) is nodes.Name and inner.name.lower() != name.name.lower():
+                        yield from self._word(function, inner, False, [])
+            return
+        row = self.table.get(name.name)
+        if row is None or row.kind in ("function", "constant", "statement"):
+            return
+        if row.name == "AXES":
+            self.default_axes = True
+        yield Act(role(row, written), row, name, self._axes(function, name, row), values)
+
+    def _axes(self, function: Function, name: nodes.Name, row: Keyword) -> tuple[Key, ...]:
+        if row.name in OF_ALL_AXES:
+            return (None,)
+        kinds = row.index.split(", ")
+        if not {"axis", "axes"} & set(kinds):
+            return ()
+        if not name.args:
+            return (None,) if self.default_axes else (0,)
+        found = []
+        for number, argument in enumerate(name.args):
+            if kinds[min(number, len(kinds) - 1)] in ("axis", "axes"):
+                found.append(self._key(function, argument))
+        return tuple(found)
+
+    def _key(self, function: Function, node: nodes.Expr) -> Key:
+        number = self.number(function, node)
+        if number is not None:
+            return int(number) if number == int(number) else None
+        symbol = function.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+        if symbol is not None and symbol.kind == "parameter" and not (symbol.by_ref or symbol.is_array):
+            return symbol if symbol not in self.writers else None
+        return None
+
+    def named(self, *words: str) -> set[Key]:
+        """The axes for which one of some words is written anywhere."""
+        acts = [act for _, _, act in self.all_acts() if act.row is not None and act.row.name in words]
+        return {key for act in acts if act.role != "read" for key in act.axes}
+
+    def constants(self, word: str) -> dict[Key, list[float] | None]:
+        """The constants that a word gives to each axis, None where one is not known."""
+        found: dict[Key, list[float] | None] = {}
+        for function, _, act in self.all_acts():
+            if not act.is_(word) or act.role == "read":
+                continue
+            for number, key in enumerate(act.axes):
+                value = self.number(function, act.value(number))
+                known = found.setdefault(key, [])
+                if value is None:
+                    found[key] = None
+                elif known is not None:
+                    known.append(value)
+        return found
+
+    def key_of(self, function: Function, name: nodes.Name) -> Key:
+        """The one axis that a keyword names."""
+        row = self.table.get(name.name)
+        axes = self._axes(function, name, row) if row is not None else ()
+        key = axes[0] if len(axes) == 1 else None
+        return None if isinstance(key, Symbol) and key not in self._apart else key
+
+    def _keep_apart(self, function: Function) -> None:
+        """A parameter may be the same axis as another one that the function names: then it is any axis."""
+        mine = [act for step in self.graphs[function].steps for act in self.acts[step]]
+        keys = {key for act in mine for key in act.axes}
+        if len(keys) > 1:
+            for act in mine:
+                act.axes = tuple(None if isinstance(key, Symbol) else key for key in act.axes)
+        else:
+            self._apart.update(key for key in keys if isinstance(key, Symbol))
+
+    def touched(self, function: Function, roles: frozenset[str]) -> set[Key]:
+        """The axes that a function and those it calls name in words with certain roles, as its caller knows them."""
+        known = self._touched.get((function, roles))
+        if known is None:
+            known = self._touched[function, roles] = set()  # what calls itself adds nothing by that
+            for step in self.graphs[function].steps:
+                for act in self.acts[step]:
+                    if act.role in roles:
+                        known.update(act.axes)
+                    elif act.callee is not None:
+                        inner = self.touched(act.callee, roles)
+                        known.update(self.outer(function, act, key) for key in inner)
+        return known
+
+    def outer(self, function: Function, call: Act, key: Key) -> Key:
+        """The axis that a key of the called sub stands for in its caller."""
+        if not isinstance(key, Symbol):
+            return key
+        assert call.callee is not None
+        for argument, parameter in zip(call.values, call.callee.parameters, strict=False):
+            if parameter is key:
+                return self._key(function, argument)
+        return None
+
+
+def parts(node: nodes.Node | None) -> list[nodes.Node]:
+    """What a step evaluates itself, without the blocks inside it."""
+    if node is None:
+        return []
+    kind = type(node)
+    if kind is nodes.For:
+        return [each for each in (node.start, node.stop, node.step) if each is not None]  # type: ignore[attr-defined]
+    if kind is nodes.Select:
+        return [node.subject]  # type: ignore[attr-defined]
+    if kind is nodes.Case:
+        return list(node.tests)  # type: ignore[attr-defined]
+    if kind is nodes.Loop or kind is nodes.Repeat:
+        return []
+    return [node]
+
+
+def spelt(key: Key) -> str:
+    """An axis as a message has it: its number, or the parameter that holds it."""
+    return "?" if key is None else key.name if isinstance(key, Symbol) else str(key)

@@ -1,0 +1,166 @@
+"""What a program says in the notation of the other age of Mint, and so would not compile on the controller at hand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.controller.io.host_memory import named_product
+from motionlang.mint.keywords.comms_operations import EVENTS
+from motionlang.mint.keywords.event_kinds import kind_and_number
+from motionlang.mint.models import ABSENT, LARGEST, MINTMT, V4, age, named
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.tables import TABLES
+from motionlang.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from motionlang.lang.keyword import Table
+    from motionlang.mint.syntax.nodes import Module
+    from motionlang.source import Source
+
+    Found = Iterator[tuple[int, str, str]]
+
+# Kinds of tokens that one age alone has: what they are, and what the other one writes.
+_V4_TOKENS = {
+    "DO": ("IF … DO", "write If … Then"),
+    "ENDIF": ("ENDIF", "write End If"),
+    "ENDW": ("ENDW", "write End While"),
+    "ENDL": ("ENDL", "write End Loop"),
+    "PERCENT": ("%", "write Mod"),
+}
+_MT_TOKENS = {
+    "ELSEIF": ("ElseIf", "write ELSE and a further IF"),
+    "SELECT": ("Select Case", "write IF … DO"),
+    "CONST": ("Const", "write the value, or a variable"),
+    "DEFINE": ("Define", "write the expression"),
+    "SUB": ("Sub", "write a label and GOSUB"),
+    "FUNCTION": ("Function", "write a label and GOSUB"),
+    "TASK": ("Task", "v4 has one task"),
+    "EVENT": ("Event", "write a label such as #ONERROR"),
+    "STARTUP": ("Startup", "write the settings first"),
+    "TYPE": ("Type", "write arrays"),
+    "RUN": ("Run", "v4 has one task"),
+    "AS": ("As", "v4 has numbers only, without declaration"),
+}
+_END_OF = {"IF": "ENDIF", "WHILE": "ENDW", "LOOP": "ENDL"}
+
+
+def check_model(module: Module, source: Source, model: str, table: Table, add: Callable[..., None]) -> None:
+    """Tell `add` of everything that a controller of the other age does not know."""
+    wanted = age(model)
+    if wanted is None:
+        return
+    find = _not_v4 if wanted == V4 else _not_mintmt
+    for at, what, hint in find(module, source, table):
+        other = MINTMT if wanted == V4 else V4
+        add("model", f"{what} is {other}: it does not compile on {wanted}", at, hint)
+    product = named(model)
+    if product is not None:
+        for at, what, hint in _lacking(module, product, table):
+            add("model", what, at, hint)
+        for at, what, hint in _never_raised(module, product):
+            add("model", what, at, hint, "warning")
+
+
+def _not_mintmt(module: Module, source: Source, table: Table) -> Found:
+    yield from _tokens(source, _V4_TOKENS)
+    texts = TABLES.texts(source.text)
+    for name in _names(module):
+        if name.axes and table.get(name.name) is not None:
+            inside = ", ".join(_shown(each) for each in name.args or ())
+            written = texts[name.at] if "." in texts[name.at] else f"{name.name}[{inside}]"
+            yield name.at, written, f"write {name.name}({inside})"
+
+
+def _not_v4(module: Module, source: Source, table: Table) -> Found:
+    yield from _tokens(source, _MT_TOKENS)
+    yield from _ends(source)
+    for name in _names(module):
+        row = table.get(name.name)
+        brackets = name.args is not None and not name.axes
+        if brackets and row is not None and row.kind not in ("function", "constant", "statement"):
+            shown = ", ".join(_shown(each) for each in name.args or ())
+            dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
+            yield name.at, f"{name.name}({shown})", f"write {dotted}" if shown else f"write {name.name}"
+        elif row is not None and row.name == "IIf":
+            yield name.at, "IIf", "write IF … DO"
+    for node in walk(module.body):
+        if type(node) is nodes.Exit and node.kind:
+            yield node.at, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop"
+
+
+def _lacking(module: Module, product: str, table: Table) -> Found:
+    """Words and values that the manuals give to other products only."""
+    for name in _names(module):
+        row = table.get(name.name)
+        if row is not None and product in ABSENT.get(row.name, ()):
+            yield name.at, f"the {product} has no {row.name}", row.help
+    for node in walk(_everything(module)):
+        target = node.target if type(node) is nodes.Assign else None
+        row = table.get(target.name) if type(target) is nodes.Name else None
+        if (
+            row is None
+            or type(node) is not nodes.Assign
+            or product not in LARGEST.get(row.name, (0.0, ()))[1]
+        ):
+            continue
+        largest = LARGEST[row.name][0]
+        for value in node.values:
+            if type(value) is nodes.Number and value.value > largest:
+                told = f"it takes {-largest:g} to {largest:g} there"
+                yield value.at, f"{row.name} cannot be {value.value:g} on the {product}", told
+
+
+def _never_raised(module: Module, product: str) -> Found:
+    """Handlers of writes by the host that this product does not tell of."""
+    spans = EVENTS.get(named_product(product) or "")
+    for event in module.events if spans is not None else ():
+        kind, number = kind_and_number(event.name) or ("", -1)
+        if kind not in ("comms", "netdata") or number < 0:
+            continue
+        first, last, _ = spans.get(kind, (0, -1, True))  # type: ignore[union-attr]
+        if not first <= number <= last:
+            known = f"those of {first} to {last} do" if last >= first else f"it has no {kind.upper()} events"
+            yield event.at, f"{event.name} never comes on the {product}", known
+
+
+def _everything(module: Module) -> list[nodes.Node]:
+    return [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
+
+
+def _names(module: Module) -> Iterator[nodes.Name]:
+    for node in walk(_everything(module)):
+        if type(node) is nodes.Name:
+            yield node
+
+
+def _tokens(source: Source, said: dict[str, tuple[str, str]]) -> Found:
+    """Tokens of one age, told where they stand; the `End` before one belongs to the same block and is not told."""
+    before = ""
+    told = False  # of `Const x As …` it is enough to tell once
+    for at, text in enumerate(TABLES.texts(source.text)):
+        kind = TABLES.kind_of[text]
+        told = told and kind not in ("_NL", "COLON")
+        if kind in said and before not in ("END", "EXIT") and not (told and kind == "AS"):
+            told = True
+            yield at, *said[kind]
+        before = kind
+
+
+def _ends(source: Source) -> Found:
+    """`End If` and the like, and an If whose Then ends its line."""
+    before = ""
+    for at, text in enumerate(TABLES.texts(source.text)):
+        kind = TABLES.kind_of[text]
+        if before == "END" and kind in _END_OF:
+            yield at - 1, f"End {text.capitalize()}", f"write {_END_OF[kind]}"
+        elif before == "THEN" and kind == "_NL":
+            yield at - 1, "Then at the end of a line", "write DO"
+        before = kind
+
+
+def _shown(node: nodes.Expr) -> str:
+    if type(node) is nodes.Number or type(node) is nodes.String:
+        return f"{node.value:g}" if type(node) is nodes.Number else f'"{node.value}"'
+    return node.name if type(node) is nodes.Name and node.args is None else "…"

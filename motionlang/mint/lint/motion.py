@@ -1,0 +1,114 @@
+"""Checks of motion: positions read too soon, scales that come too late, targets out of reach."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.axis_state import Axis, Follower
+from motionlang.mint.lint.effects import Act, Facts, Key, spelt
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.mint.resolve.flowgraph import Step
+
+    Add = Callable[..., None]
+
+
+class Reach:
+    """How far the axes may go: their travel by the machine file, and the software limits of the program."""
+
+    def __init__(self, facts: Facts, settings: Mapping[str, object]) -> None:
+        self.settings = settings
+        self.forward = facts.constants("SOFTLIMITFORWARD")
+        self.reverse = facts.constants("SOFTLIMITREVERSE")
+        self.unlimited = facts.named("SOFTLIMITMODE")
+        self.wrapped = facts.named("POSWRAP")
+
+    def beyond(self, key: Key, axis: Axis) -> str:
+        """What the target of an axis lies beyond, in words; "" where it does not."""
+        target = axis.target
+        assert target is not None
+        if {key, None} & self.wrapped:
+            return ""
+        forward, reverse = self._software(key)
+        if forward is not None and target > forward:
+            return f"the software limit at {forward:g}"
+        if reverse is not None and target < reverse:
+            return f"the software limit at {reverse:g}"
+        travel = self.settings.get(f"axis.{key}.travel")
+        if not isinstance(travel, list) or axis.frame is None:
+            return ""
+        start = self.settings.get(f"axis.{key}.start", 0.0)
+        assert isinstance(start, (int, float))
+        zero = start + axis.frame
+        if travel[0] <= zero + target <= travel[1]:
+            return ""
+        switch = travel[1] if zero + target > travel[1] else travel[0]
+        return f"the limit switch at {switch - zero:g}"
+
+    def _software(self, key: Key) -> tuple[float | None, float | None]:
+        if key in self.unlimited or None in self.unlimited:
+            return None, None
+        forward, reverse = self.forward.get(key), self.reverse.get(key)
+        return (max(forward) if forward else None, min(reverse) if reverse else None)
+
+
+class Motion:
+    """The checks; `add(code, message, at, hint)` notes a warning."""
+
+    def __init__(self, follower: Follower, reach: Reach, add: Add) -> None:
+        self.follower, self.reach, self.add = follower, reach, add
+
+    def check(self) -> None:
+        """All of them."""
+        self.follower.tell(self._hear)
+
+    def _hear(self, code: str, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        _HEARD[code](self, step, act, key, axis)
+
+    def _in_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        zeroed = act.role == "zero"
+        what = "given a new value" if zeroed else "read"
+        self.add(
+            "in-motion",
+            f"the position of axis {spelt(key)} is {what} while the move that was just started is under way",
+            act.at,
+            f"PAUSE IDLE({spelt(key)}) waits for its end",
+        )
+
+    def _scale_in_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        assert act.row is not None
+        self.add("scale-in-motion", f"{act.row.name} is changed while axis {spelt(key)} moves", act.at,
+                 f"PAUSE IDLE({spelt(key)}) waits until it stands")  # fmt: skip
+
+    def _scale_late(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        words = ", ".join(sorted(each.upper() for each in axis.stale))
+        self.add(
+            "scale-after-speed",
+            f"the scale of axis {spelt(key)} is set after {words}, which keeps its counts and so gets another value",
+            axis.scaled,
+            "set the scale first",
+        )
+
+    def _time_first(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        self.add(
+            "time-before-speed",
+            f"the time of a ramp of axis {spelt(key)} is set before SPEED, to which it counts",
+            axis.timed,
+            "set SPEED first",
+        )
+
+    def _beyond(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        what = self.reach.beyond(key, axis)
+        self.add("beyond-travel", f"the move ends at {axis.target:g}, beyond {what} of axis {spelt(key)}", act.at,
+                 "the axis stops there with an error")  # fmt: skip
+
+
+_HEARD: dict[str, Callable[..., None]] = {
+    "beyond-travel": Motion._beyond,
+    "in-motion": Motion._in_motion,
+    "scale-in-motion": Motion._scale_in_motion,
+    "scale-after-speed": Motion._scale_late,
+    "time-before-speed": Motion._time_first,
+}

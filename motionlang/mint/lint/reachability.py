@@ -1,0 +1,240 @@
+"""Checks of the ways through a program: what is never reached, waits and loops that nothing ends, fixed conditions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mint.keywords.event_kinds import kind_and_number
+from motionlang.mint.lint.axis_state import IDLE, State
+from motionlang.mint.lint.effects import Facts
+from motionlang.mint.lint.words import STANDING
+from motionlang.mint.resolve.flowgraph import DO
+from motionlang.mint.resolve.symbols import TIME, Function, Symbol
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.mint.lint.axis_state import Follower
+    from motionlang.mint.resolve.flowgraph import Step
+
+    Add = Callable[..., None]
+
+_COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
+# Statements that do nothing where they stand, or that end a block for good measure.
+_SILENT = (nodes.End, nodes.Return, nodes.Exit, nodes.Dim, nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
+_LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label)
+
+
+class Ways:
+    """The checks; `settings` are those of the machine file, `add` notes a warning."""
+
+    def __init__(self, facts: Facts, follower: Follower, settings: Mapping[str, object], add: Add) -> None:
+        self.facts, self.follower, self.settings, self.add = facts, follower, settings, add
+        # Without a machine file every input may come.
+        self.described = any(not key.startswith(("controller.", "run.")) for key in settings)
+
+    def check(self) -> None:
+        """All of them."""
+        for function, graph in self.facts.graphs.items():
+            reached = graph.reached()
+            self._unreachable(graph.steps, reached)
+            self._labels(function, graph.labels)
+            for step in graph.steps:
+                if step in reached:
+                    self._step(function, step)
+            for node in walk(function.body):
+                if type(node) is nodes.While or type(node) is nodes.Repeat:
+                    self._endless_loop(function, node)
+
+    # ------------------------------------------------------------------------------------------ never reached
+
+    def _unreachable(self, steps: list[Step], reached: set[Step]) -> None:
+        """The first statement of each stretch that no way leads to."""
+        told = False
+        for step in steps:
+            if step.node is None:
+                continue
+            if step in reached:
+                told = False
+            elif not told and not isinstance(step.node, _SILENT) and not _is_made(step.node):
+                told = True
+                self.add("unreachable", "nothing leads to this statement", step.node.at,
+                         "what stands before it never comes to an end here")  # fmt: skip
+
+    def _labels(self, function: Function, labels: Mapping[str, Step]) -> None:
+        targets = {node.name.lower() for node in walk(function.body) if type(node) is nodes.Jump}
+        for name, step in labels.items():
+            handler = function.kind == "main" and kind_and_number(name) is not None
+            if name not in targets and not handler and " " not in name:
+                assert type(step.node) is nodes.Label
+                self.add("unused-label", f"nothing goes to the label {step.node.name}", step.node.at)
+
+    # ---------------------------------------------------------------------------------------------- conditions
+
+    def _step(self, function: Function, step: Step) -> None:
+        node = step.node
+        if type(node) is nodes.Pause:
+            self._wait(function, step, node)
+            self._fixed(function, node.condition)
+        elif step.kind != DO and node is not None:
+            self._fixed(function, node)
+
+    def _fixed(self, function: Function, node: nodes.Node) -> None:
+        """A comparison of constants, or a number beside And and Or that was meant to be compared."""
+        if type(node) is nodes.Binary and node.op in _COMPARED:
+            value = self.facts.number(function, node)
+            if value is not None:
+                self.add(
+                    "constant-condition", f"this condition is always {'true' if value else 'false'}", node.at
+                )
+        elif type(node) is nodes.Binary and node.op in ("And", "Or"):
+            for side in (node.left, node.right):
+                if type(side) is nodes.Number:
+                    self._lone_number(node, side)
+                else:
+                    self._fixed(function, side)
+        elif type(node) is nodes.Unary and node.op == "Not":
+            self._fixed(function, node.operand)
+
+    def _lone_number(self, node: nodes.Binary, side: nodes.Number) -> None:
+        always = (
+            "true"
+            if (node.op == "Or") and side.value
+            else "false"
+            if not side.value and node.op == "And"
+            else ""
+        )
+        effect = f"so the condition is always {always}" if always else "so it changes nothing"
+        self.add(
+            "constant-condition",
+            f"{side.value:g} stands alone beside {node.op}, {effect}",
+            side.at,
+            "compare it, as in x = 1 Or x = 2; & and | work on bits",
+        )
+
+    # --------------------------------------------------------------------------------- waits that nothing ends
+
+    def _wait(self, function: Function, step: Step, node: nodes.Pause) -> None:
+        state = self.follower.before[function].get(step)
+        names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
+        if state is None or not names or self.facts.value(function, node.condition) is not None:
+            return
+        words = [each for name in names for each in self._inner(function, name)]
+        if any(self._may_change(function, each, state) for each in words):
+            return
+        readings = [name.name for name in words if function.scope.find(name.name) is None]
+        why = f"axis {self._axis(function, words)} stands still" if readings and self._stands(words) else (
+            "no entry of the machine file drives it" if readings else "no other task and no event changes it"
+        )  # fmt: skip
+        self.add("endless-wait", f"this waits for what cannot change: {why}", node.at,
+                 "it goes on at once or never")  # fmt: skip
+
+    def _inner(self, function: Function, name: nodes.Name) -> list[nodes.Name]:
+        """A name, or those of the expression that a Define gives it."""
+        symbol = function.scope.find(name.name)
+        if symbol is None or symbol.kind != "define":
+            return [name]
+        return [each for each in walk([symbol.node]) if type(each) is nodes.Name]
+
+    def _stands(self, words: list[nodes.Name]) -> bool:
+        rows = [self.facts.table.get(each.name) for each in words]
+        return any(row is not None and row.name in STANDING for row in rows)
+
+    def _axis(self, function: Function, words: list[nodes.Name]) -> str:
+        for each in words:
+            row = self.facts.table.get(each.name)
+            if row is not None and row.name in STANDING:
+                key = self.facts.key_of(function, each)
+                return key.name if isinstance(key, Symbol) else str(key)
+        return ""
+
+    def _may_change(self, function: Function, name: nodes.Name, state: State) -> bool:
+        symbol = function.scope.find(name.name)
+        if symbol is not None:
+            return self._variable_may_change(function, symbol)
+        row = self.facts.table.get(name.name)
+        if row is None:
+            return True
+        if row.kind == "constant":
+            return False
+        if row.kind == "function":
+            return row.name == "Rnd"
+        if row.name in STANDING:
+            return self.follower.known(state, self.facts.key_of(function, name)).motion != IDLE
+        if row.name == "INX":
+            return self._input_may_change(function, name)
+        return True
+
+    def _variable_may_change(self, function: Function, symbol: Symbol) -> bool:
+        """While this function waits only others can change a variable."""
+        if symbol.kind == "const":
+            return False
+        if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
+            return True
+        mine = self.facts.roots[function]
+        if len(mine) != 1:
+            return True
+        writers = self.facts.writers.get(symbol, set())
+        return any(self.facts.roots[writer] - mine for writer in writers)
+
+    def _input_may_change(self, function: Function, name: nodes.Name) -> bool:
+        if not self.described or not name.args:
+            return True
+        channel = self.facts.number(function, name.args[0])
+        return channel is None or channel in driven(self.settings)
+
+    # ---------------------------------------------------------------------------------- loops that nothing ends
+
+    def _endless_loop(self, function: Function, node: nodes.While | nodes.Repeat) -> None:
+        names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
+        symbols = [function.scope.find(each.name) for each in names]
+        if not names or self.facts.value(function, node.condition) is not None:
+            return
+        for name, symbol in zip(names, symbols, strict=True):
+            if symbol is None:
+                row = self.facts.table.get(name.name)
+                if row is None or row.kind not in ("constant", "function") or row.name == "Rnd":
+                    return
+            elif symbol.kind != "const" and (
+                symbol.kind not in ("variable", "parameter") or self._shared(symbol)
+            ):
+                return
+        inside = list(walk(node.body))
+        if any(isinstance(each, _LEAVES) for each in inside):
+            return
+        written = {
+            self.facts.symbol(function, each)
+            for inner in inside
+            for each in self.facts.written(function, inner)
+        }
+        calls = [each for each in inside if type(each) is nodes.Name and self._calls(function, each)]
+        if written & set(symbols) or (calls and any(each and each.home is not function for each in symbols)):
+            return
+        word = "While" if type(node) is nodes.While else "Repeat"
+        self.add("endless-loop", f"nothing in this {word} changes what its condition depends on", node.at,
+                 "once in it, the program never leaves it")  # fmt: skip
+
+    def _shared(self, symbol: Symbol) -> bool:
+        """Another task or an event may change the variable meanwhile."""
+        if symbol.type.name == TIME or symbol.by_ref:
+            return True
+        roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}
+        return bool(roots - self.facts.roots[symbol.home]) or len(roots) > 1
+
+    def _calls(self, function: Function, name: nodes.Name) -> bool:
+        symbol = function.scope.find(name.name)
+        return symbol is not None and symbol.kind == "sub"
+
+
+def _is_made(node: nodes.Node) -> bool:
+    """Whether a jump stands where a block with labels was taken apart."""
+    return isinstance(node, nodes.Jump) and node.kind not in ("goto", "gosub")
+
+
+def driven(settings: Mapping[str, object]) -> set[int]:
+    """The digital inputs that something in the machine file sets."""
+    found = {entry["channel"] for entry in settings.get("input", ())}  # type: ignore[attr-defined]
+    found |= {value for key, value in settings.items() if key.endswith("_input")}
+    return found

@@ -1,0 +1,56 @@
+"""Modbus servers and registers that the machine file does not have, as far as their numbers stand in the program."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mint.keywords.modbus_operations import LAST
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping
+
+    from motionlang.mint.syntax.nodes import Module
+
+# The words of the client, and how many registers they reach.
+_REACHED = {"modbustcp16": 1, "modbustcp32": 2, "modbustcpfloat": 2}
+_WHERE = 2  # what stands in their brackets: the server and the register
+
+
+def check_servers(module: Module, settings: Mapping[str, object], add: Callable[..., None]) -> None:
+    """Tell `add` of every request that no server of the machine file answers."""
+    spans = _spans(settings)
+    for name, server, register in _requests(module) if spans else ():
+        span = spans.get(server)
+        if span is None:
+            known = ", ".join(map(str, spans))
+            add(
+                "no-connection", f"the machine file has no Modbus server {server}", name.at, f"it has {known}"
+            )
+        elif not span[0] <= register <= register + _REACHED[name.name.lower()] - 1 <= span[1]:
+            limits = f"its registers are {span[0]} to {span[1]}"
+            add("no-connection", f"Modbus server {server} refuses register {register}", name.at, limits)
+
+
+def _spans(settings: Mapping[str, object]) -> dict[int, tuple[int, int]]:
+    """The first and the last register of each server."""
+    spans = {
+        entry["id"]: (entry.get("first", 0), entry.get("last", LAST))
+        for entry in settings.get("modbus.server", ())  # type: ignore[attr-defined]
+    }
+    for entry in settings.get("modbus.register", ()):  # type: ignore[attr-defined]
+        spans.setdefault(entry["server"], (0, LAST))
+    return spans
+
+
+def _requests(module: Module) -> Iterator[tuple[nodes.Name, int, int]]:
+    """Each use of a word of the client whose server and register are numbers."""
+    blocks = [*module.body, *module.subs, *module.tasks, *module.events, *module.startup]
+    for node in walk(blocks):
+        if type(node) is not nodes.Name or node.name.lower() not in _REACHED:
+            continue
+        if node.args is not None and len(node.args) == _WHERE:
+            server, register = node.args
+            if type(server) is nodes.Number and type(register) is nodes.Number:
+                yield node, int(server.value), int(register.value)

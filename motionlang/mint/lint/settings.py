@@ -1,0 +1,143 @@
+"""Checks of speeds and rates: settings that are replaced, or left over, before any move goes by them."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.axis_state import IDLE, Follower
+from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key, spelt
+from motionlang.mint.lint.words import SLOTS
+from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.resolve.flowgraph import Step
+
+    Add = Callable[..., None]
+    # A bit for each property of each axis.
+    Bits = dict[tuple[Key, str], int]
+
+_TOUCHES = COMMANDS | {"read", "slot", "use"}
+
+
+class Settings:
+    """The check; `add` notes a warning."""
+
+    def __init__(self, facts: Facts, follower: Follower, add: Add) -> None:
+        self.facts, self.follower, self.add = facts, follower, add
+
+    def check(self) -> None:
+        """Settings that are replaced, or that the program ends with, before anything can go by them."""
+        for function, graph in self.facts.graphs.items():
+            bits = self._slot_bits(function)
+            if not bits:
+                continue
+            everything = (1 << len(bits)) - 1
+            last = self._left_over(function, bits) if function.kind == "main" else everything
+            behind = graph.backward(last, last, partial(self._used, bits, everything))
+            for step in graph.steps:
+                if step in self.follower.before[function]:
+                    self._useless(step, behind[step], bits)
+
+    def _slot_bits(self, function: Function) -> Bits:
+        """A bit for each property of each axis that this function alone has a say in."""
+        found: Bits = {}
+        others = self._others(function)
+        if others is None:
+            return found
+        for step in self.facts.graphs[function].steps:
+            for act in self.facts.acts[step]:
+                if act.role == "slot":
+                    assert act.row is not None
+                    for key in act.axes:
+                        if (
+                            key is not None
+                            and not {key, None} & others
+                            and not (isinstance(key, Symbol) and others)
+                        ):
+                            found.setdefault((key, SLOTS[act.row.name]), 1 << len(found))
+        return found
+
+    def _others(self, function: Function) -> set[Key] | None:
+        """The axes that tasks and handlers beside this function have to do with; None where it runs in several."""
+        mine = self.facts.roots[function]
+        if len(mine) > 1:
+            return None
+        others = [root for root in self.facts.functions if root.kind != "sub" and root not in mine]
+        return set().union(*(self.facts.touched(root, _TOUCHES) for root in others))
+
+    def _left_over(self, function: Function, bits: Bits) -> int:
+        """At the end of the parent a setting counts only for an axis that may still be moving."""
+        found = 0
+        before = self.follower.before[function]
+        for step, state in before.items():
+            if not step.next:
+                for (key, _), bit in bits.items():
+                    if self.follower.known(state, key).motion != IDLE:
+                        found |= bit
+        return found
+
+    def _used(self, bits: Bits, everything: int, step: Step, found: int) -> int:
+        if type(step.node) in (nodes.Pause, nodes.Input, nodes.Run, nodes.Return):
+            return everything
+        for act in reversed(self.facts.acts[step]):
+            assert act.row is not None or act.role == "call"
+            if act.role == "slot" and act.row is not None:
+                if len(set(act.axes)) == len(act.axes):
+                    for key in act.axes:
+                        found &= ~bits.get((key, SLOTS[act.row.name]), 0)
+            elif act.role == "call" or None in act.axes or (act.row is not None and act.row.name == "WAIT"):
+                found = everything
+            elif act.role != "scale":
+                for (key, _), bit in bits.items():
+                    if key in act.axes or any(isinstance(each, Symbol) for each in act.axes):
+                        found |= bit
+        return found
+
+    def _useless(self, step: Step, behind: int, bits: Bits) -> None:
+        for act in self.facts.acts[step]:
+            if act.role != "slot":
+                continue
+            assert act.row is not None
+            slot = SLOTS[act.row.name]
+            dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
+            # `SPEED(0, 1, 2) = 10;` with an exception for one of them below is a manner of writing.
+            if dead and len(dead) == len(act.axes):
+                self._tell_useless(step, act, dead[0], slot)
+
+    def _tell_useless(self, step: Step, act: Act, key: Key, slot: str) -> None:
+        assert act.row is not None
+        later = self._next_setting(step, key, slot)
+        if later is None:
+            message = f"{act.row.name} of axis {spelt(key)} is set, and nothing goes by it any more"
+            self.add(
+                "unused-setting", message, act.at, "leave it out, or set it before the move that needs it"
+            )
+            return
+        assert later.row is not None
+        line = self.facts.names.problems.line(later.at)
+        message = f"{act.row.name} of axis {spelt(key)} is replaced by {later.row.name} in line {line} before any move"
+        self.add("unused-setting", message, act.at, "leave one of the two out")
+
+    def _next_setting(self, step: Step, key: Key, slot: str) -> Act | None:
+        """The statement that replaces a setting."""
+        seen: set[Step] = set()
+        stack = list(reversed(step.next))
+        while stack:
+            each = stack.pop()
+            if each in seen:
+                continue
+            seen.add(each)
+            for act in self.facts.acts[each]:
+                if (
+                    act.role == "slot"
+                    and key in act.axes
+                    and act.row is not None
+                    and SLOTS[act.row.name] == slot
+                ):
+                    return act
+            stack.extend(reversed(each.next))
+        return None

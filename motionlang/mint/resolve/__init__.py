@@ -1,0 +1,1 @@
+"""What the names of a Mint program stand for, and the ways through its functions."""

@@ -1,0 +1,201 @@
+"""Blocks that hold labels, written as jumps: programs of v4 go to a label at the end of a loop to begin its next turn.
+
+    LOOP                          #loop 1
+      IF IN.0 = 0 THEN GOTO next    IF IN.0 = 0 THEN GOTO next
+      OUT.1 = 1                     OUT.1 = 1
+    #next                         #next
+    ENDL                          GOTO loop 1
+
+Only such blocks are taken apart, as what has no labels is quicker as it stands. The labels that are made have a blank
+in their names, which no program can write. Times stay what they were, but that a For pays a statement more for a limit
+and for a step that are not plain numbers.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    # The loops and Selects around a statement, the innermost last, each with the label behind it; "" where it stands.
+    Around = tuple[tuple[str, str], ...]
+
+_KINDS = {
+    nodes.For: "for",
+    nodes.While: "while",
+    nodes.Repeat: "repeat",
+    nodes.Loop: "loop",
+    nodes.Select: "select",
+}
+
+
+def holds_labels(body: list[nodes.Stmt], labels: Sequence[nodes.Node]) -> bool:
+    """Whether some of the labels of a function stand in its blocks."""
+    outermost = {id(node) for node in body}
+    return any(id(label) not in outermost for label in labels)
+
+
+def flattened(body: list[nodes.Stmt]) -> list[nodes.Stmt]:
+    """The statements with every label in the outermost level."""
+    return _Flattening().body(body, ())
+
+
+def _has_label(node: nodes.Stmt) -> bool:
+    return any(type(each) is nodes.Label for each in walk([node]))
+
+
+def _bodies(node: nodes.Stmt) -> list[list[nodes.Stmt]]:
+    if isinstance(node, nodes.Select):
+        return [case.body for case in node.cases]
+    bodies = (getattr(node, "body", None), getattr(node, "orelse", None))
+    return [body for body in bodies if body]
+
+
+class _Flattening:
+    """The labels of one function, counted."""
+
+    def __init__(self) -> None:
+        self._made = 0
+
+    def body(self, body: list[nodes.Stmt], around: Around) -> list[nodes.Stmt]:
+        out: list[nodes.Stmt] = []
+        for node in body:
+            write = _WRITERS.get(type(node))
+            if isinstance(node, nodes.Exit):
+                out.append(self._exit(node, around))
+            elif write is not None and _has_label(node):
+                out += write(self, node, around)
+            else:
+                self._inside(node, around)
+                out.append(node)
+        return out
+
+    def _label(self, what: str) -> str:
+        self._made += 1
+        return f"{what} {self._made}"
+
+    def _exit(self, node: nodes.Exit, around: Around) -> nodes.Stmt:
+        """An Exit as a jump, where the block that it leaves has been taken apart."""
+        for kind, label in reversed(around):
+            if kind == node.kind or (not node.kind and kind != "select"):
+                return nodes.Jump(node.at, "exit", label) if label else node
+        return node
+
+    def _inside(self, node: nodes.Stmt, around: Around) -> None:
+        """Within a block that stays as it is an Exit may leave one that does not."""
+        if not any(label for _, label in around):
+            return
+        inner = (*around, (_KINDS[type(node)], "")) if type(node) in _KINDS else around
+        for body in _bodies(node):
+            body[:] = self.body(body, inner)
+
+    # ------------------------------------------------------------------------------------------- the blocks
+
+    def if_(self, node: nodes.If, around: Around) -> list[nodes.Stmt]:
+        other, end = self._label("else"), self._label("end if")
+        return [
+            nodes.If(node.at, node.condition, [], [nodes.Jump(node.at, "exit", other)]),
+            *self.body(node.body, around),
+            nodes.Jump(node.at, "exit", end),
+            nodes.Label(node.at, other),
+            *self.body(node.orelse, around),
+            nodes.Label(node.at, end),
+        ]
+
+    def select(self, node: nodes.Select, around: Around) -> list[nodes.Stmt]:
+        end = self._label("end select")
+        labels = [self._label("case") for _ in node.cases]
+        chosen: list[nodes.Case] = []
+        bodies: list[nodes.Stmt] = []
+        for case, label in zip(node.cases, labels, strict=True):
+            chosen.append(nodes.Case(case.at, case.tests, [nodes.Jump(case.at, "exit", label)]))
+            bodies += [nodes.Label(case.at, label), *self.body(case.body, (*around, ("select", end)))]
+            bodies.append(nodes.Jump(case.at, "exit", end))
+        head = nodes.Select(node.at, node.subject, chosen)
+        return [head, nodes.Jump(node.at, "exit", end), *bodies, nodes.Label(node.at, end)]
+
+    def loop(self, node: nodes.Loop, around: Around) -> list[nodes.Stmt]:
+        return self._turns(node, "loop", node.body, None, [], around)
+
+    def while_(self, node: nodes.While, around: Around) -> list[nodes.Stmt]:
+        turns = self._turns(node, "while", node.body, node.condition, [], around)
+        first = turns[0]
+        assert isinstance(first, nodes.Label)
+        return [nodes.Jump(node.at, "goto", first.name), *turns]  # what the While itself costs
+
+    def repeat(self, node: nodes.Repeat, around: Around) -> list[nodes.Stmt]:
+        begin, end = self._label("repeat"), self._label("end repeat")
+        again = nodes.Jump(node.condition.at, "again", begin)
+        return [
+            nodes.Label(node.at, begin),
+            *self.body(node.body, (*around, ("repeat", end))),
+            nodes.If(node.condition.at, node.condition, [], [again]),
+            nodes.Label(node.at, end),
+        ]
+
+    def for_(self, node: nodes.For, around: Around) -> list[nodes.Stmt]:
+        """Limit and step are worked out once, before the variable has its first value."""
+        before: list[nodes.Stmt] = []
+        stop = self._kept(node, node.stop, before)
+        step = nodes.Number(node.at, 1) if node.step is None else self._kept(node, node.step, before)
+        variable = node.variable
+        before.append(nodes.Assign(node.at, variable, [node.start]))
+        total = nodes.Binary(node.at, "+", variable, step)
+        next_ = [nodes.Assign(node.at, variable, [total])]
+        return [
+            *before,
+            *self._turns(node, "for", node.body, _goes_on(variable, stop, step), next_, around),
+        ]
+
+    def _kept(self, node: nodes.For, value: nodes.Expr, before: list[nodes.Stmt]) -> nodes.Expr:
+        if isinstance(value, nodes.Number):
+            return value
+        self._made += 1
+        name = nodes.Name(node.at, f"_for{self._made}")
+        before.append(nodes.Assign(node.at, name, [value]))
+        return name
+
+    def _turns(
+        self,
+        node: nodes.Stmt,
+        kind: str,
+        body: list[nodes.Stmt],
+        condition: nodes.Expr | None,
+        last: list[nodes.Assign],
+        around: Around,
+    ) -> list[nodes.Stmt]:
+        """A loop: its condition, its body, what ends a turn, and the jump back."""
+        begin, end = self._label(kind), self._label(f"end {kind}")
+        test = [] if condition is None else [nodes.Jump(node.at, "exit", end, condition)]
+        return [
+            nodes.Label(node.at, begin),
+            *test,
+            *self.body(body, (*around, (kind, end))),
+            *last,
+            nodes.Jump(node.at, "again" if last else "goto", begin),
+            nodes.Label(node.at, end),
+        ]
+
+
+def _goes_on(variable: nodes.Expr, stop: nodes.Expr, step: nodes.Expr) -> nodes.Expr:
+    """Whether a For has another turn; which way it counts may be known only when it runs."""
+    at = variable.at
+    up, down = nodes.Binary(at, "<=", variable, stop), nodes.Binary(at, ">=", variable, stop)
+    if isinstance(step, nodes.Number):
+        return up if step.value >= 0 else down
+    zero = nodes.Number(at, 0)
+    upward = nodes.Binary(at, "And", nodes.Binary(at, ">=", step, zero), up)
+    return nodes.Binary(at, "Or", upward, nodes.Binary(at, "And", nodes.Binary(at, "<", step, zero), down))
+
+
+_WRITERS: dict[type, Callable[..., list[nodes.Stmt]]] = {
+    nodes.If: _Flattening.if_,
+    nodes.Select: _Flattening.select,
+    nodes.Loop: _Flattening.loop,
+    nodes.While: _Flattening.while_,
+    nodes.Repeat: _Flattening.repeat,
+    nodes.For: _Flattening.for_,
+}

@@ -1,0 +1,277 @@
+"""The ways through one function: its statements and conditions as steps, and which step may follow which.
+
+Conditions are steps of their own, so that what is known on their true and on their false side can differ. A `Gosub`
+leads to its label, and a `Return` to behind every `Gosub` of the function. Steps are numbered in the order of the text.
+"""
+
+from __future__ import annotations
+
+from heapq import heappop, heappush
+from typing import TYPE_CHECKING
+
+from motionlang.mint.keywords.event_kinds import kind_and_number
+from motionlang.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeVar
+
+    State = TypeVar("State")
+
+# Kinds of steps: "start" and "leave" are the two ends of the function, "end" is the end of the program.
+START, DO, TEST, LEAVE, END = "start", "do", "test", "leave", "end"
+
+
+class Step:
+    """`node` is a statement (DO), a condition (TEST) or None; `yes` and `no` of a condition are both in `next`.
+
+    `number` is the step's place in the text; `turns` whether a loop comes back to it.
+    """
+
+    __slots__ = ("kind", "next", "no", "node", "number", "turns", "yes")
+
+    def __init__(self, kind: str, node: nodes.Node | None, number: int) -> None:
+        self.kind, self.node, self.number = kind, node, number
+        self.next: list[Step] = []
+        self.yes: Step | None = None
+        self.no: Step | None = None
+        self.turns = False
+
+
+# A way that ends nowhere yet: the step, and which of its sides ("next", "yes", "no") is open.
+Open = list[tuple[Step, str]]
+
+
+class Graph:
+    """The steps of a body; `is_main` where labels may be event handlers and `End` may come."""
+
+    def __init__(self, body: list[nodes.Stmt], is_main: bool = False) -> None:
+        self.steps: list[Step] = []
+        self.labels: dict[str, Step] = {}
+        self.handlers: list[Step] = []
+        self._jumps: list[tuple[Step, nodes.Jump]] = []
+        self._after_gosub: list[Step] = []
+        self._returns: list[Step] = []
+        self._exits: list[tuple[str, Open]] = []
+        self.start = self._new(START, None, [])
+        ways = self._block(body, [(self.start, "next")])
+        self.leave = self._new(LEAVE, None, ways)
+        self._join_jumps(is_main)
+
+    def reached(self) -> set[Step]:
+        """The steps that some way leads to."""
+        found: set[Step] = set()
+        stack = [self.start, *self.handlers]
+        while stack:
+            step = stack.pop()
+            if step not in found:
+                found.add(step)
+                stack.extend(step.next)
+        return found
+
+    def forward(
+        self,
+        first: State,
+        follow: Callable[[Step, State], tuple[State, State]],
+        join: Callable[[State, State, bool], State],
+        elsewhere: State,
+    ) -> dict[Step, State]:
+        """What holds before each step that can be reached.
+
+        `follow` answers with what holds on the true (and only) and on the false side; `join(a, b, turns)` with what
+        both say. `elsewhere` holds where an event begins.
+        """
+        before: dict[Step, State] = {self.start: first, **dict.fromkeys(self.handlers, elsewhere)}
+        waiting = sorted(step.number for step in before)
+        queued = set(waiting)
+        while waiting:
+            step = self.steps[heappop(waiting)]
+            queued.discard(step.number)
+            yes, no = follow(step, before[step])
+            for after in step.next:
+                state = yes if after is not step.no else no if after is not step.yes else join(yes, no, False)
+                old = before.get(after)
+                new = state if old is None else join(old, state, after.turns)
+                if old is None or new != old:
+                    before[after] = new
+                    if after.number not in queued:
+                        queued.add(after.number)
+                        heappush(waiting, after.number)
+        return before
+
+    def backward(self, last: int, end: int, follow: Callable[[Step, int], int]) -> dict[Step, int]:
+        """The bits that some way on from behind each step may meet: `last` where it leaves, `end` at the program's."""
+        behind: dict[Step, int] = dict.fromkeys(self.steps, 0)
+        came: dict[Step, list[Step]] = {step: [] for step in self.steps}
+        for step in self.steps:
+            for after in step.next:
+                came[after].append(step)
+            if not step.next:
+                behind[step] = end if step.kind == END else last
+        waiting = list(range(1 - len(self.steps), 1))
+        queued = set(waiting)
+        while waiting:
+            step = self.steps[-heappop(waiting)]
+            queued.discard(-step.number)
+            bits = follow(step, behind[step])
+            for earlier in came[step]:
+                if behind[earlier] | bits != behind[earlier]:
+                    behind[earlier] |= bits
+                    if -earlier.number not in queued:
+                        queued.add(-earlier.number)
+                        heappush(waiting, -earlier.number)
+        return behind
+
+    # ---------------------------------------------------------------------------------------- building
+
+    def _new(self, kind: str, node: nodes.Node | None, ways: Open) -> Step:
+        step = Step(kind, node, len(self.steps))
+        self.steps.append(step)
+        self._lead(ways, step)
+        return step
+
+    def _lead(self, ways: Open, to: Step) -> None:
+        for step, side in ways:
+            if to not in step.next:
+                step.next.append(to)
+            if side != "next":
+                setattr(step, side, to)
+
+    def _block(self, body: list[nodes.Stmt], ways: Open) -> Open:
+        for node in body:
+            build = _BUILD.get(type(node))
+            ways = [(self._new(DO, node, ways), "next")] if build is None else build(self, node, ways)
+        return ways
+
+    def _test(self, node: nodes.Node, ways: Open) -> Step:
+        return self._new(TEST, node, ways)
+
+    def _if(self, node: nodes.If, ways: Open) -> Open:
+        out: Open = []
+        while True:
+            test = self._test(node.condition, ways)
+            out += self._block(node.body, [(test, "yes")])
+            ways = [(test, "no")]
+            if len(node.orelse) != 1 or type(node.orelse[0]) is not nodes.If:
+                return out + self._block(node.orelse, ways)
+            node = node.orelse[0]
+
+    def _select(self, node: nodes.Select, ways: Open) -> Open:
+        subject = self._new(DO, node, ways)
+        self._exits.append(("select", []))
+        out: Open = []
+        default = False
+        for case in node.cases:
+            default = default or not case.tests
+            out += self._block(case.body, [(self._new(DO, case, [(subject, "next")]), "next")])
+        return out + self._exits.pop()[1] + ([] if default else [(subject, "next")])
+
+    def _for(self, node: nodes.For, ways: Open) -> Open:
+        head = self._new(DO, node, ways)
+        return [(head, "next"), *self._turn("for", node.body, head, [(head, "next")])]
+
+    def _while(self, node: nodes.While, ways: Open) -> Open:
+        test = self._test(node.condition, ways)
+        out = self._turn("while", node.body, test, [(test, "yes")])
+        return out if _always(node.condition) else [(test, "no"), *out]
+
+    def _repeat(self, node: nodes.Repeat, ways: Open) -> Open:
+        head = self._new(DO, node, ways)
+        self._exits.append(("repeat", []))
+        test = self._test(node.condition, self._block(node.body, [(head, "next")]))
+        head.turns = True
+        self._lead([(test, "no")], head)
+        out = self._exits.pop()[1]
+        return out if _never(node.condition) else [(test, "yes"), *out]
+
+    def _loop(self, node: nodes.Loop, ways: Open) -> Open:
+        head = self._new(DO, node, ways)
+        return self._turn("loop", node.body, head, [(head, "next")])
+
+    def _turn(self, kind: str, body: list[nodes.Stmt], head: Step, ways: Open) -> Open:
+        self._exits.append((kind, []))
+        self._lead(self._block(body, ways), head)
+        head.turns = True
+        return self._exits.pop()[1]
+
+    def _exit(self, node: nodes.Exit, ways: Open) -> Open:
+        step = self._new(DO, node, ways)
+        for kind, out in reversed(self._exits):
+            if kind == node.kind or (not node.kind and kind != "select"):
+                out.append((step, "next"))
+                return []
+        self._returns.append(step)
+        return []
+
+    def _end(self, node: nodes.End, ways: Open) -> Open:
+        if node.name is not None:
+            return [(self._new(DO, node, ways), "next")]
+        self._new(END, node, ways)
+        return []
+
+    def _label(self, node: nodes.Label, ways: Open) -> Open:
+        step = self.labels[node.name.lower()] = self._new(DO, node, ways)
+        step.turns = True
+        return [(step, "next")]
+
+    def _jump(self, node: nodes.Jump, ways: Open) -> Open:
+        step = self._new(DO, node, ways)
+        self._jumps.append((step, node))
+        if node.kind != "gosub":
+            return [] if node.unless is None else [(step, "next")]
+        after = self._new(DO, None, [])
+        self._after_gosub.append(after)
+        return [(after, "next")]
+
+    def _return(self, node: nodes.Return, ways: Open) -> Open:
+        self._returns.append(self._new(DO, node, ways))
+        return []
+
+    def _join_jumps(self, is_main: bool) -> None:
+        for step, node in self._jumps:
+            label = self.labels.get(node.name.lower())
+            if label is not None:
+                step.next.append(label)
+        targets = {node.name.lower() for _, node in self._jumps}
+        for name, step in self.labels.items():
+            if is_main and name not in targets and kind_and_number(name) is not None:
+                self.handlers.append(step)
+        for step in self._returns:
+            step.next += [*self._after_gosub] if type(step.node) is nodes.Return and self._after_gosub else []
+            step.next += [self.leave] if not step.next else []
+
+
+def _always(condition: nodes.Expr) -> bool:
+    """`While 1`, `While _TRUE`: a loop that is meant never to end."""
+    return _literal(condition) not in (None, 0)
+
+
+def _never(condition: nodes.Expr) -> bool:
+    """`Until 0`."""
+    return _literal(condition) == 0
+
+
+_WORDS = {"_true": 1, "_on": 1, "_false": 0, "_off": 0}
+
+
+def _literal(condition: nodes.Expr) -> float | None:
+    if type(condition) is nodes.Number:
+        return condition.value
+    if type(condition) is nodes.Name and condition.args is None:
+        return _WORDS.get(condition.name.lower())
+    return None
+
+
+_BUILD: dict[type, Callable[..., Open]] = {
+    nodes.If: Graph._if,
+    nodes.Select: Graph._select,
+    nodes.For: Graph._for,
+    nodes.While: Graph._while,
+    nodes.Repeat: Graph._repeat,
+    nodes.Loop: Graph._loop,
+    nodes.Exit: Graph._exit,
+    nodes.End: Graph._end,
+    nodes.Label: Graph._label,
+    nodes.Jump: Graph._jump,
+    nodes.Return: Graph._return,
+}

@@ -1,0 +1,99 @@
+"""The value of an expression that is known before the program runs."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.runtime import functions
+from motionlang.mint.syntax import nodes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.keyword import Table
+    from motionlang.mint.resolve.symbols import Scope
+
+Known = float | str
+
+_WHOLE = (-(2**31), 2**31 - 1)
+
+
+def fold(scope: Scope, node: nodes.Expr, table: Table) -> Known | None:
+    """The value of `node`, None when it is not known beforehand."""
+    if type(node) is nodes.Number or type(node) is nodes.String:
+        return node.value
+    if type(node) is nodes.Name and node.args is None:
+        symbol = scope.find(node.name)
+        if symbol is not None:
+            return symbol.const
+        row = table.get(node.name)
+        return constant(row.verb, row.unit) if row is not None and row.kind == "constant" else None
+    if type(node) is nodes.Unary:
+        value = fold(scope, node.operand, table)
+        return None if value is None else unary(node.op, value)
+    if type(node) is nodes.Binary:
+        left, right = fold(scope, node.left, table), fold(scope, node.right, table)
+        return None if left is None or right is None else binary(node.op, left, right)
+    return None
+
+
+def constant(text: str, unit: str) -> float:
+    """The value of a row of predefined constants."""
+    return float(text) if unit == "number" else int(text)
+
+
+def unary(op: str, value: Known) -> Known | None:
+    """`op value`, None where it has no value or is for the running program to refuse."""
+    if isinstance(value, str):
+        return None
+    if op == "-":
+        return _fits(-value, type(value) is int)
+    if op == "+":
+        return value
+    if op == "Not":
+        return int(not value)
+    return ~value if type(value) is int else None
+
+
+def binary(op: str, left: Known, right: Known) -> Known | None:
+    """`left op right`, None where it has no value or is for the running program to refuse."""
+    if isinstance(left, str) or isinstance(right, str):
+        if isinstance(left, str) and isinstance(right, str) and op in ("+", "&"):
+            return left + right
+        return None
+    function = _BINARY.get(op)
+    if function is None:
+        return None
+    try:
+        return _fits(function(left, right), type(left) is int and type(right) is int)
+    except (Refusal, ArithmeticError, ValueError):
+        return None
+
+
+def _fits(value: float, whole: bool) -> float | None:
+    """Integer arithmetic that overflows is left to the running program, which says where."""
+    return None if whole and type(value) is int and not _WHOLE[0] <= value <= _WHOLE[1] else value
+
+
+_BINARY: dict[str, Callable[[float, float], float]] = {
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b,
+    "\\": functions.divide,
+    "Mod": functions.modulo,
+    "^": functions.power,
+    "<<": functions.shift_left,
+    ">>": functions.shift_right,
+    "&": lambda a, b: functions.integer(a) & functions.integer(b),
+    "|": lambda a, b: functions.integer(a) | functions.integer(b),
+    "Xor": lambda a, b: functions.integer(a) ^ functions.integer(b),
+    "=": lambda a, b: int(a == b),
+    "<>": lambda a, b: int(a != b),
+    "<": lambda a, b: int(a < b),
+    ">": lambda a, b: int(a > b),
+    "<=": lambda a, b: int(a <= b),
+    ">=": lambda a, b: int(a >= b),
+    "And": lambda a, b: int(bool(a) and bool(b)),
+    "Or": lambda a, b: int(bool(a) or bool(b)),
+}

@@ -1,0 +1,416 @@
+"""The first pass: every name a program declares or assigns, who uses it, and which subs can wait."""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
+from motionlang.mint.resolve.folding import fold
+from motionlang.mint.resolve.handlers import handles
+from motionlang.mint.resolve.symbols import (
+    FLOAT,
+    INTEGER,
+    RECORD,
+    STRING,
+    TIME,
+    TYPES,
+    Function,
+    Record,
+    Scope,
+    Symbol,
+    Type,
+)
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import Survey, walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.lang.keyword import Table
+    from motionlang.mint.resolve.problems import Problems
+
+_LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
+_OBSERVES = (nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End)
+_JUMPS = (nodes.Label, nodes.Jump)
+# Array elements in all; a typing error in a Dim must not take the memory of the computer.
+MOST_ELEMENTS = 10_000_000
+
+
+class Names:
+    """All symbols of a module. `module` keeps its names between inputs when the program is typed line by line."""
+
+    def __init__(self, table: Table, problems: Problems, module: Scope | None = None) -> None:
+        self.table, self.problems = table, problems
+        self.types: dict[str, Record] = {}
+        self.functions: list[Function] = []
+        self.main = Function("main", "main", "main", [], None)
+        self.typed = module is not None
+        if module is not None:
+            self.main.scope.outer = None
+            self.main.scope.names = module.names
+        self.module = self.main.scope
+        # Whether AXES says which axes a keyword without brackets means.
+        self.uses_axes = self.typed
+        # Whether TERMINAL says where a PRINT without a number prints.
+        self.uses_terminal = self.typed
+        self._surveys: dict[Function, Survey] = {}
+        # Names in Python, with the number of the last one that was made of each.
+        self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
+
+    # ------------------------------------------------------------------------------------- declarations
+
+    def declare_module(self, module: nodes.Module) -> None:
+        """Everything that the module declares, then everything it merely uses."""
+        main = self.main
+        main.body = [statement for block in module.startup for statement in block.body] + module.body
+        self.functions.append(main)
+        for user_type in module.types:
+            self._declare_type(user_type)
+        self._declare_data(main)
+        for sub in module.subs:
+            self._declare_sub(sub, self.module)
+        for task in module.tasks:
+            self._declare_task(task)
+        for event in module.events:
+            self._block("event", event, event.name, "e_")
+            self._check_event(event)
+        self._count_subscripts()
+        for function in self.functions:
+            self._implicit(function)
+        for function in self.functions:
+            function.scope.settle()
+            self._use(function)
+        self._settle()
+
+    def _block(
+        self, kind: str, node: nodes.Task | nodes.Event | nodes.Sub, name: str, prefix: str
+    ) -> Function:
+        function = Function(kind, name, self._python(prefix, name), node.body, self.module)
+        function.node, function.at = node, node.at
+        self.functions.append(function)
+        if kind != "event":
+            self.add(self.module, Symbol(name, kind, Type(FLOAT), function.python, node.at, function))
+        self._declare_data(function)
+        return function
+
+    def _check_event(self, event: nodes.Event) -> None:
+        found = kind_and_number(event.name)
+        if found is None:
+            names = [
+                kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS if kind not in SOURCELESS
+            ]
+            self.problems.unknown(f"there is no event {event.name}", event.name, names, event.at,
+                                  f"the events are {', '.join(names)}")  # fmt: skip
+        elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
+            self.problems.add("duplicate", f"there is already a handler for {event.name}", event.at)
+        elif found[0] in SOURCELESS:
+            self.problems.add("not-simulated", f"nothing raises the event {event.name.upper()} here", event.at,
+                              f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
+
+    def _declare_task(self, task: nodes.Task) -> None:
+        function = self._block("task", task, task.name, "k_")
+        for sub in task.subs:
+            self._declare_sub(sub, function.scope)
+
+    def _declare_sub(self, sub: nodes.Sub, scope: Scope) -> Function:
+        function = Function("sub", sub.name, self._python("s_", sub.name), sub.body, scope)
+        function.node, function.at = sub, sub.at
+        self.functions.append(function)
+        result = self.type_of(sub.result, INTEGER) if sub.function else Type(FLOAT)
+        self.add(scope, Symbol(sub.name, "sub", result, function.python, sub.at, function))
+        for parameter in sub.parameters:
+            self._declare_parameter(function, parameter)
+        if sub.function:
+            symbol = Symbol(sub.name, "variable", result, self._python("r_", sub.name), sub.at, function)
+            function.result = symbol
+        self._declare_data(function)
+        return function
+
+    def _declare_parameter(self, function: Function, node: nodes.Parameter) -> None:
+        kind = self.type_of(node.type, FLOAT)
+        by_ref = node.by_ref and not node.is_array
+        python = self._python("p_", node.name)
+        while by_ref and f"{python}_k" in self._taken:
+            python = self._python("p_", node.name)
+        symbol = Symbol(node.name, "parameter", kind, python, node.at, function)
+        symbol.by_ref = by_ref
+        if by_ref:
+            self._taken[f"{python}_k"] = 0  # the place in the list, which goes with it
+        symbol.dimensions = (0,) if node.is_array else ()
+        function.parameters.append(symbol)
+        self.add(function.scope, symbol)
+
+    def _count_subscripts(self) -> None:
+        """How many subscripts the array parameters have, which their subs show by using them.
+
+        One that is merely handed on has as many as the parameter that it is given to.
+        """
+        handed: list[tuple[Symbol, Symbol]] = []
+        for function in self.functions:
+            arrays = {each.name.lower(): each for each in function.parameters if each.is_array}
+            for name in self._surveys[function].names if arrays else ():
+                symbol = arrays.get(name.name.lower())
+                if symbol is not None and name.args:
+                    symbol.dimensions = (0,) * len(name.args)
+                elif symbol is None and name.args and (callee := function.scope.find(name.name)) is not None:
+                    handed += _handed(name, callee, arrays)
+        found = handed
+        while found:
+            found = [pair for pair in handed if len(pair[1].dimensions) > len(pair[0].dimensions)]
+            for symbol, parameter in found:
+                symbol.dimensions = parameter.dimensions
+
+    def _declare_type(self, node: nodes.UserType) -> None:
+        record = Record(node.name)
+        for member in node.members:
+            key = member.name.lower()
+            if key in record.members:
+                self.problems.add("duplicate", f"{node.name} already has a member {member.name}", member.at)
+                continue
+            dimensions = self._dimensions(member, self.module)
+            record.members[key] = (len(record.members), self.type_of(member.type, FLOAT), dimensions)
+        if node.name.lower() in self.types or node.name.lower() in TYPES:
+            self.problems.add("duplicate", f"there is already a type {node.name}", node.at)
+        self.types[node.name.lower()] = record
+
+    def type_of(self, node: nodes.TypeName | None, default: str) -> Type:
+        """The type that `As …` names."""
+        if node is None:
+            return Type(default)
+        key = node.name.lower()
+        if key in self.types:
+            return Type(RECORD, record=self.types[key])
+        if key not in TYPES:
+            self.problems.unknown(
+                f"there is no type {node.name}", node.name, [*TYPES.values(), *self.types], node.at
+            )
+            return Type(default)
+        size = (
+            self._whole(node.size, self.module, "the length of a String", 1)
+            if node.size is not None
+            else None
+        )
+        return Type(TYPES[key], size)
+
+    def _survey(self, function: Function) -> Survey:
+        """What a function's body holds, its labels in the outermost level."""
+        survey = Survey(function.body)
+        labels = [node for node in survey.statements if node.__class__ is nodes.Label]
+        if labels:
+            from motionlang.mint.resolve.flattening import flattened, holds_labels
+
+            if holds_labels(function.body, labels):
+                function.body = flattened(function.body)
+                return Survey(function.body)
+        return survey
+
+    def _declare_data(self, function: Function) -> None:
+        survey = self._surveys[function] = self._survey(function)
+        for node in survey.of(nodes.Const, nodes.Define, nodes.Dim):
+            if type(node) is nodes.Dim:
+                for variable in node.variables:
+                    symbol = self._declare_variable(function, variable)
+                    if node.nv:
+                        self._make_lasting(symbol, variable)
+            elif type(node) is nodes.Const:
+                self._declare_const(function, node)
+            elif type(node) is nodes.Define:
+                symbol = Symbol(node.name, "define", Type(FLOAT), "", node.at, function)
+                symbol.node = node.value
+                self.add(function.scope, symbol)
+
+    def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
+        """An nv variable lives in a list, into which the value of the run before is put."""
+        if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
+            self.problems.add("type", f"nv data cannot be {symbol.type}", node.at,
+                              hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
+        symbol.boxed = not (symbol.is_array or symbol.type.record)
+
+    def _declare_variable(self, function: Function, node: nodes.Variable) -> Symbol:
+        if node.type is not None and node.type.name.lower() == "controller":
+            self.problems.add("not-simulated", "variables of type Controller are not simulated", node.type.at,
+                              hint="no source tells what is done with one; REMOTECOMMS(bus, node, element) "
+                              "reaches the comms array of another controller")  # fmt: skip
+        symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT),
+                        self._python("v_", node.name), node.at, function)  # fmt: skip
+        symbol.dimensions = self._dimensions(node, function.scope)
+        self.add(function.scope, symbol)
+        return symbol
+
+    def _declare_const(self, function: Function, node: nodes.Const) -> None:
+        value = fold(function.scope, node.value, self.table)
+        if value is None:
+            self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.at,
+                              hint="a Const can use numbers, texts and other constants")  # fmt: skip
+            value = 0
+        natural = STRING if isinstance(value, str) else INTEGER if isinstance(value, int) else FLOAT
+        kind = self.type_of(node.type, natural)
+        if (kind.name == STRING) is not isinstance(value, str):
+            self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.at)
+            value = "" if kind.name == STRING else 0
+        symbol = Symbol(node.name, "const", kind, "", node.at, function)
+        symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
+        self.add(function.scope, symbol)
+
+    def _dimensions(self, node: nodes.Variable, scope: Scope) -> tuple[int, ...]:
+        sizes = [self._whole(size, scope, f"the size of {node.name}", 1) for size in node.dimensions]
+        count = 1
+        for size in sizes:
+            count *= size
+        if count > MOST_ELEMENTS:
+            self.problems.add("range", f"{node.name} has more than {MOST_ELEMENTS} elements", node.at,
+                              hint="make the array smaller")  # fmt: skip
+            return (1,) * len(sizes)
+        return tuple(sizes)
+
+    def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
+        value = fold(scope, node, self.table)
+        if isinstance(value, (int, float)) and least <= value < float("inf") and value == int(value):
+            return int(value)
+        self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
+                          node.at)  # fmt: skip
+        return least
+
+    def add(self, scope: Scope, symbol: Symbol) -> None:
+        """Enter a name; a name twice, or a keyword's, is a mistake."""
+        key = symbol.name.lower()
+        if key in scope.names and not (self.typed and scope is self.module):
+            self.problems.add("duplicate", f"{symbol.name} is already declared", symbol.at,
+                              hint=f"the first one is in line {self.problems.line(scope.names[key].at)}")  # fmt: skip
+            return
+        row = self.table.get(symbol.name)
+        # A word of v4 is no word of a program that has another use for its name; those of statements are the grammar's.
+        if (
+            row is not None
+            and row.name.lower() == key
+            and row.simulated
+            and row.group != "v4"
+            and (row.kind != "statement" or key in TYPES)
+        ):
+            self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
+                              hint="choose another name")  # fmt: skip
+        scope.names[key] = symbol
+
+    def _python(self, prefix: str, name: str) -> str:
+        spelling = wanted = prefix + name.lower()
+        number = self._taken.get(wanted, 0)
+        while spelling in self._taken:
+            number += 1
+            spelling = f"{wanted}_{number + 1}"
+        self._taken[wanted] = number
+        self._taken.setdefault(spelling, 0)
+        return spelling
+
+    # ---------------------------------------------------------------------------------------------- uses
+
+    def _implicit(self, function: Function) -> None:
+        """A name that is assigned to is a variable, a Float, also without a Dim."""
+        for node in self._surveys[function].statements:
+            kind = node.__class__
+            if kind is nodes.Assign or kind is nodes.Input:
+                target = node.target  # type: ignore[attr-defined]
+            elif kind is nodes.For:
+                target = node.variable  # type: ignore[attr-defined]
+            else:
+                continue
+            if target.__class__ is not nodes.Name or target.args is not None:
+                continue
+            if function.scope.find(target.name) is not None or self.table.get(target.name) is not None:
+                continue
+            if not _is_result(function, target.name):
+                symbol = Symbol(target.name, "variable", Type(FLOAT), self._python("v_", target.name), target.at,
+                                function)  # fmt: skip
+                symbol.declared = False
+                function.scope.names[target.name.lower()] = symbol
+
+    def _use(self, function: Function) -> None:
+        survey = self._surveys.pop(function)
+        known: dict[str, Symbol | None] = {}
+        for name in survey.names:
+            spelling = name.name
+            symbol = known.get(spelling)
+            if symbol is not None and symbol.kind in ("variable", "parameter"):
+                symbol.uses += 1
+            elif symbol is not None or spelling not in known:
+                self._use_name(function, name)
+                known[spelling] = function.scope.find(spelling)
+        for node in survey.statements:
+            kind = node.__class__
+            if kind is nodes.Assign or kind is nodes.Input:
+                self._written(function, node.target)  # type: ignore[attr-defined]
+            if kind in _LOOPS:
+                function.loops = True
+            elif kind in _OBSERVES:
+                function.observes = True
+            elif kind in _JUMPS:
+                function.jumps = True
+
+    def _written(self, function: Function, target: nodes.Expr) -> None:
+        """What is only assigned to is not used."""
+        if type(target) is nodes.Name and (symbol := function.scope.find(target.name)) is not None:
+            symbol.uses -= 1
+
+    def _use_name(self, function: Function, node: nodes.Name) -> None:
+        symbol = function.scope.find(node.name)
+        if symbol is None:
+            row = self.table.get(node.name)
+            if row is not None and row.kind not in ("function", "constant"):
+                function.observes = True
+                self.uses_axes = self.uses_axes or row.name == "AXES"
+                self.uses_terminal = self.uses_terminal or row.name == "TERMINAL"
+            return
+        if symbol.kind in ("variable", "parameter"):
+            symbol.uses += 1
+            if symbol.home is not function:
+                symbol.shared = True
+            if symbol.type.name == TIME:
+                function.observes = True
+        elif symbol.kind == "define":
+            for inner in walk([symbol.node]):
+                if isinstance(inner, nodes.Name):
+                    self._use_name(function, inner)
+        elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
+            function.calls.add(symbol.home)
+            self._box_arguments(function, node, symbol.home)
+
+    def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
+        for argument, parameter in zip(node.args or (), callee.parameters, strict=False):
+            if parameter.by_ref and type(argument) is nodes.Name and argument.args is None:
+                symbol = function.scope.find(argument.name)
+                if symbol is not None and symbol.kind in ("variable", "parameter"):
+                    symbol.boxed = not (symbol.by_ref or symbol.is_array or symbol.type.record)
+
+    def _settle(self) -> None:
+        """Which subs are plain: no loop, no keyword that takes note of time, no call of a sub that is not plain.
+
+        None is where ONERROR may come between any two statements.
+        """
+        if handles(self, "onerror"):
+            return
+        callers: dict[Function, list[Function]] = {}
+        unknown: dict[Function, int] = {}
+        for function in self.functions:
+            if function.kind == "sub" and not (function.observes or function.loops or function.jumps):
+                unknown[function] = len(function.calls)
+                for callee in function.calls:
+                    callers.setdefault(callee, []).append(function)
+        ready = [function for function, count in unknown.items() if not count]
+        while ready:  # a sub in a circle of calls never comes here: recursion keeps its time
+            plain = ready.pop()
+            plain.plain = True
+            for caller in callers.get(plain, ()):
+                unknown[caller] -= 1
+                if not unknown[caller]:
+                    ready.append(caller)
+
+
+def _handed(call: nodes.Name, callee: Symbol, arrays: dict[str, Symbol]) -> Iterator[tuple[Symbol, Symbol]]:
+    """The array parameters that a call hands on, each with the parameter that it is given to."""
+    for argument, parameter in zip(call.args or (), callee.home.parameters, strict=False):
+        if callee.kind == "sub" and type(argument) is nodes.Name and argument.args is None:
+            symbol = arrays.get(argument.name.lower())
+            if symbol is not None and parameter.is_array:
+                yield symbol, parameter
+
+
+def _is_result(function: Function, name: str) -> bool:
+    return function.result is not None and function.result.name.lower() == name.lower()

@@ -1,0 +1,155 @@
+"""Names and what they stand for: symbols, scopes, user types, and the functions a program is compiled into."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.mint.syntax import nodes
+
+INTEGER, FLOAT, STRING, TIME = "Integer", "Float", "String", "Time"
+SEMAPHORE, CONTROLLER, RECORD = "Semaphore", "Controller", "record"
+TYPES = {name.lower(): name for name in (INTEGER, FLOAT, STRING, TIME, SEMAPHORE, CONTROLLER)}
+NUMERIC = frozenset((INTEGER, FLOAT, TIME))
+
+
+class Type:
+    """`name` is one of the words above; `size` of a String (None: any), `record` of a user type."""
+
+    __slots__ = ("name", "record", "size")
+
+    def __init__(self, name: str, size: int | None = None, record: Record | None = None) -> None:
+        self.name, self.size, self.record = name, size, record
+
+    def __str__(self) -> str:
+        return self.record.name if self.record is not None else self.name
+
+
+class Record:
+    """A user type: its members in order, each with its type and its dimensions."""
+
+    __slots__ = ("members", "name")
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.members: dict[str, tuple[int, Type, tuple[int, ...]]] = {}
+
+
+class Symbol:
+    """`kind`: "variable", "parameter", "const", "define", "sub", "task", "event", "label".
+
+    `python` is its spelling in the generated code. `shared`: more than one function uses it. `boxed`: it is given to a
+    ByRef parameter somewhere and therefore lives in a list of one element; a ByRef parameter itself is `by_ref`.
+    `declared` is False for a variable that exists because something is assigned to it.
+    """
+
+    __slots__ = (
+        "at",
+        "boxed",
+        "by_ref",
+        "const",
+        "declared",
+        "dimensions",
+        "home",
+        "kind",
+        "name",
+        "node",
+        "python",
+        "shared",
+        "type",
+        "uses",
+    )
+
+    def __init__(self, name: str, kind: str, type: Type, python: str, at: int, home: Function) -> None:
+        self.name, self.kind, self.type, self.python, self.at, self.home = name, kind, type, python, at, home
+        self.dimensions: tuple[int, ...] = ()
+        self.const: float | str | None = None
+        self.node: object = None
+        self.shared = self.boxed = self.by_ref = False
+        self.uses = 0  # how often it is read
+        self.declared = True
+
+    @property
+    def is_array(self) -> bool:
+        return bool(self.dimensions)
+
+
+class Scope:
+    """Names of one block, and the scope around it."""
+
+    __slots__ = ("_found", "function", "names", "outer")
+
+    def __init__(self, function: Function, outer: Scope | None) -> None:
+        self.function, self.outer = function, outer
+        self.names: dict[str, Symbol] = {}
+        # What spellings stand for, once no more names will come.
+        self._found: dict[str, Symbol | None] | None = None
+
+    def settle(self) -> None:
+        """All names are there."""
+        self._found = {}
+
+    def find(self, name: str) -> Symbol | None:
+        """The symbol of a name in any case, from the innermost block outward."""
+        found = self._found
+        if found is None:
+            return self._find(name)
+        try:
+            return found[name]
+        except KeyError:
+            symbol = found[name] = self._find(name)
+            return symbol
+
+    def _find(self, name: str) -> Symbol | None:
+        key = name.lower()
+        scope: Scope | None = self
+        while scope is not None:
+            symbol = scope.names.get(key)
+            if symbol is not None:
+                return symbol
+            scope = scope.outer
+        return None
+
+    def symbols(self) -> Iterator[Symbol]:
+        """Everything that can be named here, the innermost first."""
+        scope: Scope | None = self
+        while scope is not None:
+            yield from scope.names.values()
+            scope = scope.outer
+
+
+class Function:
+    """What becomes one Python function: the parent task, a task, a sub, an event handler.
+
+    `plain`: it cannot wait and takes no note of time, so it is an ordinary function and not a generator.
+    """
+
+    __slots__ = (
+        "at",
+        "body",
+        "calls",
+        "jumps",
+        "kind",
+        "loops",
+        "name",
+        "node",
+        "observes",
+        "parameters",
+        "plain",
+        "python",
+        "result",
+        "scope",
+    )
+
+    def __init__(
+        self, kind: str, name: str, python: str, body: list[nodes.Stmt], outer: Scope | None
+    ) -> None:
+        self.kind, self.name, self.python, self.body = kind, name, python, body
+        self.scope = Scope(self, outer)
+        self.at = 0
+        self.node: nodes.Node | None = None
+        self.parameters: list[Symbol] = []
+        self.result: Symbol | None = None
+        self.calls: set[Function] = set()
+        self.observes = self.loops = self.jumps = self.plain = False

@@ -1,0 +1,448 @@
+"""What a running Mint program stands on: its tasks, its waits, and the objects that its text calls `kN`."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.task import Wait, wait_until
+from motionlang.mint.runtime.task import MintTask, TaskEnd
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator, Sequence
+    from typing import Any, TypeVar
+
+    from motionlang.controller.controller import Controller
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.task import Steps
+    from motionlang.mint.runtime.errors import Errors
+    from motionlang.mint.runtime.events import Events
+    from motionlang.mint.runtime.loop_skipping import Skipper
+
+    Make = Callable[[float, float], Steps]
+    Part = TypeVar("Part")
+
+INFINITY = float("inf")
+# The profiler's period: how often a condition is tested that can neither be solved nor told by an event.
+TICK = 1e-3
+# Rounding of a time in seconds must not cost a millisecond.
+_MILLISECOND = 1e-6
+
+
+def _mint_ways(controller: Controller) -> None:
+    """A new speed acts at once on the move in progress (FEEDRATEMODE 0); an axis with an error takes no motion."""
+    from motionlang.controller.faults import ALL
+
+    for axis, a in controller.axes.items():
+        controller.configure(axis, "live_speed", True)
+        a.locks = ALL
+
+
+class Environment:
+    """One program on one machine. `task` is the task that is running; each has its own TIME.
+
+    `blocks` holds the tasks and event handlers by "task blink", "event timer"; `files` the places in the program of
+    the lines of each piece of generated code.
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        self.clock = machine.clock
+        self._controller: Controller | None = None
+        # What the operator will type at INPUT; None until the first one.
+        self.answers: list[str] | None = None
+        self.files: dict[str, Sequence[int]] = {}
+        # The line of a place, where there is a text to look it up in.
+        self.line_of: Callable[[int], int] | None = None
+        self.blocks: dict[str, Make] = {}
+        self.tasks: dict[str, MintTask] = {}
+        # Priorities given to tasks, also to those that do not run yet.
+        self.priorities: dict[str, int] = {}
+        self.quanta: dict[str, int] = {}
+        self.jogs: dict[int, float] = {}
+        # User units after which POS begins again, of the axes that wrap.
+        self.wraps: dict[int, float] = {}
+        # What IDLE asks for beyond the end of the move, where a program asks for more.
+        self.settled: Callable[[int], bool] | None = None
+        # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
+        self.loaded: Callable[[int], None] | None = None
+        self.task: MintTask
+        # The moment from which the parent task's TIME counts; event handlers belong to the parent.
+        self.timer = [self.clock.now]
+        # How often the program has done something; a loop that polls does nothing. And how long it has waited, in ms.
+        self.acts = 0
+        self.waited = 0.0
+        # How often a task has run after another one; which one ran last, and what the clock had counted by then.
+        self.resumed = 0
+        self.ran: MintTask | None = None
+        self.fired = self.leaps = 0
+        # The move for which there was no room.
+        self._refused: tuple[Callable[..., object], tuple[Any, ...]]
+        self._parts: dict[type, object] = {}
+        self._events: Events | None = None
+        self._errors: Errors | None = None
+        self._random: Callable[[], float] | None = None
+
+    @property
+    def controller(self) -> Controller:
+        """The controller; a program that never asks for it runs without one."""
+        found = self._controller
+        if found is None:
+            found = self._controller = self.machine.controller
+        return found
+
+    def prepare(self) -> None:
+        """Make the controller behave as Mint expects it to."""
+        self.machine.at_power_up(_mint_ways)
+
+    def part(self, kind: type[Part]) -> Part:
+        """What a group of keywords works on, made of this environment at its first use."""
+        found = self._parts.get(kind)
+        if found is None:
+            found = self._parts[kind] = kind(self)  # type: ignore[call-arg]
+        return found  # type: ignore[return-value]
+
+    def parts(self) -> list[object]:
+        """The parts that there are so far."""
+        return list(self._parts.values())
+
+    @property
+    def events(self) -> Events:
+        """Events and their handlers, from the first use on."""
+        if self._events is None:
+            from motionlang.mint.runtime.events import Events
+
+            self._events = Events(self)
+        return self._events
+
+    @property
+    def errors(self) -> Errors:
+        """What has gone wrong so far, from the first use on."""
+        if self._errors is None:
+            from motionlang.mint.runtime.errors import Errors
+
+            self._errors = Errors(self)
+        return self._errors
+
+    def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
+        """What each `kN` of the text stands for."""
+        return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
+
+    def _operation(self, how: str, *details: object) -> object:
+        if how == "env":
+            return getattr(self, str(details[0]))
+        if how == "fn":
+            from motionlang.mint.runtime import functions
+
+            return getattr(functions, str(details[0]))
+        if how == "show":
+            from motionlang.mint.runtime import printing
+
+            older = details[0] == "float" and self.machine.model and self._is_older()
+            return printing.show_older if older else getattr(printing, f"show_{details[0]}")
+        if how == "using":
+            from motionlang.mint.runtime import formats
+
+            return getattr(formats, f"using_{details[0]}")
+        from motionlang.mint.runtime.binding import Row, bind, held
+
+        row = Row(*details)  # type: ignore[arg-type]
+        operation = bind(self, "write" if how == "rewrite" else how, row)
+        if how == "load":
+            return self._loading(operation)
+        if how == "rewrite":
+            return self._rewritten(operation, held(self, row))
+        return self._timed(operation) if how in ("write", "do") else operation
+
+    def _is_older(self) -> bool:
+        from motionlang.mint.models import V4, age
+
+        return age(self.machine.model) == V4
+
+    def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
+        """An operation at a time, which answers with the horizon: it may have made a nearer event."""
+        clock = self.clock
+
+        def at(time: float, horizon: float, *arguments: object) -> float:
+            clock.now = time
+            self.acts += 1
+            operation(*arguments)
+            return clock.horizon if clock.horizon < horizon else horizon
+
+        return at
+
+    def _rewritten(
+        self, operation: Callable[..., object], held: Callable[..., object]
+    ) -> Callable[..., float]:
+        """The same for what a loop that polls may write: the value that is there already does nothing."""
+        clock = self.clock
+
+        def at(time: float, horizon: float, *arguments: object) -> float:
+            clock.now = time
+            before, made = held(*arguments), clock.made
+            operation(*arguments)
+            if clock.made != made or held(*arguments) != before:
+                self.acts += 1
+            return clock.horizon if clock.horizon < horizon else horizon
+
+        return at
+
+    def _loading(self, operation: Callable[..., object]) -> Callable[..., float | None]:
+        """The same for a move, which answers with nothing, and is refused, while there is no room for it."""
+        clock = self.clock
+
+        def at(time: float, horizon: float, *arguments: object) -> float | None:
+            clock.now = time
+            self.acts += 1
+            if operation(*arguments):
+                self._refused = operation, arguments
+                return None
+            return clock.horizon if clock.horizon < horizon else horizon
+
+        return at
+
+    def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
+        """Wait until there is room for the move that was refused."""
+        clock = self.clock
+        operation, arguments = self._refused
+        axes = arguments[0]
+        while True:
+            t, horizon = yield self.room(t, axes if isinstance(axes, tuple) else (axes,))
+            clock.now = t
+            if not operation(*arguments):
+                return t, clock.horizon if clock.horizon < horizon else horizon
+
+    # ---------------------------------------------------------------------------------------------- time
+
+    def elapsed(self, base: float) -> int:
+        """Whole milliseconds since a moment."""
+        return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
+
+    def since(self, milliseconds: float) -> float:
+        """The moment from which so many milliseconds have passed."""
+        return self.clock.now - milliseconds / 1000.0
+
+    def random(self) -> float:
+        """The next number of `Rnd`."""
+        if self._random is None:
+            from motionlang.mint.runtime.functions import Random
+
+            self._random = Random()
+        self.acts += 1
+        return self._random()
+
+    def copy(self, record: list[object]) -> list[object]:
+        """A copy of a value of a user type, with its arrays and its inner values."""
+        return [self.copy(each) if each.__class__ is list else each for each in record]
+
+    def turn(self, axis: int) -> float:
+        """Where the turn begins, in user units, in which a wrapped axis will be when its buffer is empty."""
+        wrap = self.wraps.get(axis)
+        if not wrap:
+            return 0.0
+        from motionlang.controller.moves.buffer import end
+
+        a = self.controller.axes[axis]
+        return a.scale.position_to_user(end(a)) // wrap * wrap
+
+    def keep(self, name: str, place: list[object]) -> None:
+        """`Dim nv`: the variable has what the run before left in it."""
+        self.machine.kept.keep(name, place)
+
+    def row(self, number: int) -> str:
+        """What places the cursor at the begin of a row of the screen."""
+        return f"\x1b[{max(number, 1)};1H"
+
+    # --------------------------------------------------------------------------------------------- waits
+
+    def wait(self, t: float, milliseconds: float) -> Wait:
+        """`WAIT`."""
+        if not 0 <= milliseconds < INFINITY:
+            raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
+        self.waited += milliseconds
+        return wait_until(self.machine, t, t + milliseconds / 1000.0)
+
+    def tick(self, t: float) -> Wait:
+        """Wait for the next tick of the profiler."""
+        self.acts += 1
+        return wait_until(self.machine, t, (int(t / TICK + 1e-6) + 1) * TICK)
+
+    def room(self, t: float, axes: tuple[int, ...]) -> Wait:
+        """A move waits for room in the buffers of all its axes."""
+        room = self.controller.room
+        names = ", ".join(map(str, axes))
+        buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
+        return Wait(
+            t,
+            lambda: all(room(axis) > 0 for axis in axes),
+            lambda: INFINITY,
+            f"for room in the {buffers}",
+        )
+
+    def pause(
+        self, t: float, ready: Callable[[], object], watches: tuple[tuple[object, ...], ...], why: str
+    ) -> Wait:
+        """`PAUSE`."""
+        self.acts += 1
+        from motionlang.mint.runtime.waits import watch
+
+        return watch(self, t, ready, watches, why)
+
+    @property
+    def skip(self) -> Callable[..., float]:
+        """What loops that poll call at the end of a turn."""
+        return self._skipping().skip
+
+    @property
+    def rest(self) -> Callable[..., float]:
+        """What empty loops call at the end of a turn."""
+        return self._skipping().rest
+
+    def _skipping(self) -> Skipper:
+        from motionlang.mint.runtime.loop_skipping import Skipper
+
+        return self.part(Skipper)
+
+    def input(self, t: float) -> Wait:
+        """`INPUT` waits for the operator's answer."""
+        self.acts += 1
+        from motionlang.mint.runtime.input_values import wait_for_answer
+
+        return wait_for_answer(self, t)
+
+    def typed(self, as_text: bool) -> object:
+        """The operator's answer."""
+        from motionlang.mint.runtime.input_values import take
+
+        return take(self, as_text)
+
+    # ----------------------------------------------------------------------------------------- semaphores
+
+    def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
+        """Take a semaphore, or give back what this task holds; false while another task holds it."""
+        self.acts += 1
+        holder = semaphore[0]
+        if holder is not None and holder.done:
+            holder = None  # what a task holds is free when it ends
+        if not wanted:
+            semaphore[0] = None if holder is self.task else holder
+            return True
+        if holder is not None and holder is not self.task:
+            return False
+        semaphore[0] = self.task
+        return True
+
+    def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
+        """Wait until nobody holds a semaphore."""
+        return Wait(
+            t, lambda: (holder := semaphore[0]) is None or holder.done, lambda: INFINITY, "for a semaphore"
+        )
+
+    # ---------------------------------------------------------------------------------------------- axes
+
+    def default_axes(self) -> tuple[int, ...]:
+        """The axes that keywords without brackets mean; AXES sets them, each task has its own."""
+        return self.task.axes
+
+    def say(self, text: str) -> None:
+        """Print."""
+        self.acts += 1
+        self.machine.terminal.write(text)
+
+    def pairs(self, values: tuple[object, ...], repeat: bool) -> list[tuple[int, object]]:
+        """Each default axis with its value; `repeat` gives the last value to all further axes."""
+        axes = self.task.axes
+        if repeat:
+            values += values[-1:] * (len(axes) - len(values))
+        if len(values) != len(axes):
+            names = ", ".join(map(str, axes))
+            raise Refusal(
+                "values",
+                f"AXES names {len(axes)} axes ({names}), and {len(values)} values are given",
+                "end the list with ; to give the last value to all further axes",
+            )
+        return list(zip(axes, values, strict=True))
+
+    # --------------------------------------------------------------------------------------------- tasks
+
+    def start_task(self, name: str, make: Make) -> None:
+        """`Run`: a task that is running goes on as it is."""
+        task = self.tasks.get(name)
+        if task is not None and not task.done:
+            return
+        scheduler = self.machine.scheduler
+        assert scheduler is not None
+        self.acts += 1
+        task = self.tasks[name] = MintTask(name, make, self)
+        task.priority = self.priorities.get(name, 0)
+        scheduler.start(task)
+
+    def end_task(self, name: str) -> None:
+        """`End name`."""
+        task = self.tasks.get(name)
+        if task is None or task.done:
+            return
+        if task is self.task:
+            raise TaskEnd(self.clock.now)
+        self.acts += 1
+        task.done = True
+        scheduler = self.machine.scheduler
+        if scheduler is not None and task in scheduler.tasks:
+            scheduler.tasks.remove(task)
+
+    def suspend(self, name: str, hold: bool) -> None:
+        """`TASKSUSPEND` and `TASKRESUME`; a task that holds itself is held at its next turn."""
+        task = self.tasks.get(name)
+        if task is None or task.done or task.suspended is hold:
+            return
+        task.suspended = hold
+        if hold and task is self.task:
+            self.clock.at(self.clock.now, _nothing)
+        elif hold:
+            task.held, task.wait = task.wait, task.never()
+        else:
+            task.wait, task.held = task.held, None
+
+    def end_this(self, t: float) -> None:
+        """The task that is running ends."""
+        raise TaskEnd(t)
+
+    def end_main(self, t: float) -> None:
+        """`End`: the parent task ends, and with it everything."""
+        scheduler = self.machine.scheduler
+        if scheduler is not None:
+            scheduler.parent.done = True
+        raise TaskEnd(t)
+
+    # -------------------------------------------------------------------------------------------- events
+
+    def listen(self) -> None:
+        """Enter the handlers of the program."""
+        from motionlang.mint.runtime.events import listen
+
+        listen(self)
+
+    @property
+    def Jump(self) -> type[Exception]:  # noqa: N802 - a name of generated code
+        """How a Goto leaves loops."""
+        return Jump
+
+    @property
+    def TROUBLE(self) -> tuple[type[Exception], ...]:  # noqa: N802 - a name of generated code
+        """What a guarded statement may fail with."""
+        from motionlang.mint.runtime.errors import TROUBLE
+
+        return TROUBLE
+
+    def failed(self, trouble: Exception, t: float, line: int) -> float:
+        """A guarded statement has failed; answers with the time at which the program goes on."""
+        self.acts += 1
+        self.errors.failed(trouble, line)
+        return max(t, self.clock.now) + self.machine.instruction_time
+
+
+def _nothing() -> None:
+    """An event whose only purpose is that everybody looks around."""
+
+
+class Jump(Exception):
+    """A Goto out of loops."""

@@ -1,0 +1,167 @@
+"""Events: what may happen, who handles it, and what must wait its turn.
+
+An event that is handled interrupts every task between two statements; a more urgent one interrupts a less urgent
+handler; one that is already waiting is not queued twice.
+"""
+
+from __future__ import annotations
+
+from motionlang.mint.keywords.event_kinds import KINDS, kind_and_number
+from motionlang.mint.runtime.binding import module_of
+from motionlang.mint.runtime.task import MintTask
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.controller.clock import Event as ClockEvent
+    from motionlang.lang.task import Steps, Wait
+    from motionlang.mint.runtime.environment import Environment, Make
+
+# The part of the environment that raises the events of a kind, made for programs that handle them.
+SOURCES = {
+    "in": ("io.inputs", "Inputs"),
+    "bus": ("remote", "Nodes"),
+    "comms": ("comms", "HostEvents"),
+    "netdata": ("comms", "HostEvents"),
+    "latch": ("latches", "Latches"),
+    "fastin": ("latches", "FastLatches"),
+    "stop": ("limits.switches", "Switches"),
+    "terminalreceive": ("event_flags", "Keys"),
+    "serialreceive": ("serial", "Ports"),
+}
+
+
+class Events:
+    """The handlers of one program, what is being handled (the innermost last) and what waits."""
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment = environment
+        self.active: list[tuple[int, int]] = []
+        self.pending: list[tuple[int, int]] = []
+        self.disabled = 0
+        self.timer = 0
+        self.listening: set[str] = set()  # kinds of which the machine tells already
+        self._timer_event: ClockEvent | None = None
+        self._handlers: dict[tuple[str, int], Make] = {}
+
+    def handle(self, kind: str, number: int, make: Make) -> None:
+        """Let `make` handle an event; number -1 stands for all of a kind."""
+        self._handlers[kind, number] = make
+
+    def handles(self, kind: str, number: int = 0) -> bool:
+        """Whether the program has a handler for an event."""
+        return (kind, number) in self._handlers or (kind, -1) in self._handlers
+
+    def raise_(self, kind: str, number: int = 0) -> None:
+        """Something has happened; the handler, if there is one, runs before the next statement of any task."""
+        if not self.handles(kind, number):
+            return
+        entry = (KINDS.index(kind), number)
+        if entry not in self.pending:
+            self.pending.append(entry)
+            self.pending.sort(key=lambda each: each[0])
+        clock = self.environment.clock
+        clock.at(clock.now, self.deliver)
+
+    def deliver(self) -> None:
+        """Start the most urgent handler, unless one that is as urgent is at work."""
+        for entry in self.pending:
+            rank, number = entry
+            if self.disabled >> rank & 1:
+                continue
+            if self.active and rank >= self.active[-1][0]:
+                return
+            self.pending.remove(entry)
+            self.active.append(entry)
+            if rank == 0:
+                self.environment.errors.call()
+            make = self._handlers.get((KINDS[rank], number)) or self._handlers[KINDS[rank], -1]
+            scheduler = self.environment.machine.scheduler
+            assert scheduler is not None
+            scheduler.interrupt(EventTask(KINDS[rank], make, self.environment))
+            return
+
+    def done(self) -> None:
+        """A handler has ended: what waited may go on."""
+        self.active.pop()
+        self.deliver()
+
+    def bits(self, entries: list[tuple[int, int]]) -> int:
+        """The kinds of some events as a bit pattern."""
+        pattern = 0
+        for rank, _ in entries:
+            pattern |= 1 << rank
+        return pattern
+
+    def disable(self, pattern: int) -> None:
+        """Set which kinds must wait; those that no longer have to are handled."""
+        self.disabled = pattern
+        clock = self.environment.clock
+        clock.at(clock.now, self.deliver)
+
+    def set_timer(self, milliseconds: int) -> None:
+        """The period of the timer event; 0 switches it off."""
+        self.timer = milliseconds
+        if self._timer_event is not None:
+            self._timer_event.cancel()
+            self._timer_event = None
+        if milliseconds > 0:
+            clock = self.environment.clock
+            self._next_tick(clock.now, 1)
+
+    def _next_tick(self, start: float, count: int) -> None:
+        """The n-th tick comes n periods after the start: no rounding adds up."""
+        period = self.timer / 1000.0
+
+        def tick() -> None:
+            self._next_tick(start, count + 1)
+            self.raise_("timer")
+
+        self._timer_event = self.environment.clock.at(start + count * period, tick)
+
+
+class EventTask(MintTask):
+    """A handler at work."""
+
+    __slots__ = ()
+
+    def __init__(self, name: str, make: Callable[[float, float], Steps], environment: Environment) -> None:
+        super().__init__(name, make, environment)
+        self.timer = environment.timer
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        time, wait = super().resume(now, horizon)
+        if self.done:
+            self.environment.events.done()
+        return time, wait
+
+
+def listen(environment: Environment) -> None:
+    """Enter the handlers of a program, and be told by the machine of what they handle."""
+    events = environment.events
+    kinds: set[str] = set()
+    for key, make in environment.blocks.items():
+        what, _, name = key.partition(" ")
+        found = kind_and_number(name) if what == "event" else None
+        if found is not None:
+            events.handle(*found, make)
+            kinds.add(found[0])
+    controller = environment.controller
+    kinds -= events.listening
+    events.listening |= kinds
+    for kind in kinds & SOURCES.keys():
+        place, name = SOURCES[kind]
+        environment.part(getattr(module_of(place), name))
+    if "onerror" in kinds:
+        _ = environment.errors  # from now on they are noted
+    if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:
+        events.listening.add("machine")
+        controller.listeners.append(lambda what, axis: _heard(environment, what, axis))
+
+
+def _heard(environment: Environment, what: str, axis: int) -> None:
+    if what == "idle" and environment.controller.is_idle(axis):
+        environment.events.raise_("axisidle")
+    elif what == "buffer-low":
+        environment.events.raise_("mblow")

@@ -1,0 +1,252 @@
+"""What generated code calls: Mint's functions, and the operators that Python does otherwise.
+
+Every function here is named by a row of the keyword table or written by the compiler. Trouble is a `Refusal`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.runtime.printing import show_float, show_integer
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
+_DEGREE = math.pi / 180.0
+
+
+# ------------------------------------------------------------------------------------- operators and checks
+
+
+def overflow(value: float) -> int:
+    """Refuse an Integer result that does not fit 32 bits."""
+    raise Refusal(
+        "overflow", f"{value} does not fit an Integer", "an Integer holds -2147483648 to 2147483647"
+    )
+
+
+def integer(value: float) -> int:
+    """A number as an Integer: the fraction is cut off (docs/fidelity.md), the range is checked."""
+    try:
+        whole = int(value)
+    except (ValueError, OverflowError):
+        raise Refusal("overflow", f"{show_float(value)} has no Integer value", "") from None
+    return whole if INT_LOW <= whole <= INT_HIGH else overflow(whole)
+
+
+def divide(a: float, b: float) -> int:
+    """Whole division, toward zero."""
+    a, b = integer(a), integer(b)
+    whole = abs(a) // abs(b)
+    return integer(whole if (a < 0) is (b < 0) else -whole)
+
+
+def modulo(a: float, b: float) -> float:
+    """The remainder, with the sign of the dividend."""
+    if b == 0:
+        raise ZeroDivisionError
+    if type(a) is int and type(b) is int:
+        rest = abs(a) % abs(b)
+        return -rest if a < 0 else rest
+    return _number("Mod", math.fmod, a, b)
+
+
+def power(a: float, b: float) -> float:
+    """a to the power of b, a Float."""
+    if a == 0 and b < 0:
+        raise ZeroDivisionError
+    return _number("^", math.pow, a, b)
+
+
+def shift_left(a: float, b: float) -> int:
+    """The bits of an Integer moved up; those beyond 32 are lost."""
+    bits = (integer(a) << _places(b)) & 0xFFFFFFFF
+    return bits - (1 << 32) if bits >> 31 else bits
+
+
+def shift_right(a: float, b: float) -> int:
+    """The bits of an Integer moved down; the sign stays."""
+    return integer(a) >> _places(b)
+
+
+def _places(b: float) -> int:
+    count = integer(b)
+    if count < 0:
+        raise Refusal("argument", f"bits cannot be shifted by {count} places", "shift the other way instead")
+    return min(count, 32)
+
+
+def index(value: int, size: int) -> int:
+    """Refuse a subscript outside 1 … size."""
+    raise Refusal("index", f"there is no element {value}: the subscript must be 1 to {size}",
+                  "the first element of an array has the subscript 1")  # fmt: skip
+
+
+def subscript(value: float, size: int) -> int:
+    """A subscript, checked."""
+    whole = value if type(value) is int else integer(value)
+    return whole if 1 <= whole <= size else index(whole, size)
+
+
+# A String without a size holds this many characters: without a bound a loop could fill the computer's memory.
+LONGEST = 65_535
+
+
+def fit(text: str, size: int) -> str:
+    """A text for a String of `size` characters."""
+    if len(text) > size:
+        raise Refusal("string-overflow", f"a text of {len(text)} characters does not fit a String * {size}",
+                      "make the String longer")  # fmt: skip
+    return text
+
+
+# ------------------------------------------------------------------------------------------------- numbers
+
+
+def _number(name: str, function: Callable[..., float], *arguments: float) -> float:
+    try:
+        return function(*arguments)
+    except ValueError:
+        shown = ", ".join(f"{each:g}" for each in arguments)
+        raise Refusal(
+            "argument", f"{name} has no value for {shown}", "test the value before this line"
+        ) from None
+
+
+def absolute(value: float) -> float:
+    return overflow(2**31) if value == INT_LOW and type(value) is int else abs(value)
+
+
+def sign(value: float) -> int:
+    return (value > 0) - (value < 0)
+
+
+def whole(value: float) -> int:
+    return integer(value)
+
+
+def least(a: float, b: float) -> float:
+    return min(a, b)
+
+
+def greatest(a: float, b: float) -> float:
+    return max(a, b)
+
+
+def root(value: float) -> float:
+    return _number("Sqrt", math.sqrt, value)
+
+
+def exponential(value: float) -> float:
+    return _number("Exp", math.exp, value)
+
+
+def logarithm(value: float) -> float:
+    return _number("Log", math.log, value)
+
+
+def sine(angle: float) -> float:
+    """Exact at the multiples of 30 degrees at which it is rational."""
+    exact = _SINES.get(angle % 360.0)
+    return _number("Sin", math.sin, angle * _DEGREE) if exact is None else exact
+
+
+def cosine(angle: float) -> float:
+    return sine(angle + 90.0)
+
+
+def tangent(angle: float) -> float:
+    below = cosine(angle)
+    if below == 0:
+        raise Refusal("argument", f"Tan has no value at {angle:g} degrees", "")
+    return 1.0 if angle % 180.0 == 45.0 else -1.0 if angle % 180.0 == 135.0 else sine(angle) / below
+
+
+_SINES = {0.0: 0.0, 30.0: 0.5, 90.0: 1.0, 150.0: 0.5, 180.0: 0.0, 210.0: -0.5, 270.0: -1.0, 330.0: -0.5}
+
+
+def arcsine(value: float) -> float:
+    return _number("Asin", math.asin, value) / _DEGREE
+
+
+def arccosine(value: float) -> float:
+    return _number("Acos", math.acos, value) / _DEGREE
+
+
+def arctangent(value: float) -> float:
+    return math.atan(value) / _DEGREE
+
+
+# ---------------------------------------------------------------------------------------------------- text
+
+
+def length(text: str) -> int:
+    return len(text)
+
+
+def code(text: str) -> int:
+    """The code of the first character; 0 of an empty text."""
+    return ord(text[0]) if text else 0
+
+
+def character(number: float) -> str:
+    value = integer(number)
+    if not 0 <= value <= 255:
+        raise Refusal("argument", f"there is no character {value}", "characters have codes from 0 to 255")
+    return chr(value)
+
+
+def shown(value: float) -> str:
+    return show_integer(value) if type(value) is int else show_float(value)
+
+
+def value(text: str) -> float:
+    """The number at the beginning of a text, 0 where there is none."""
+    text = text.lstrip()
+    for end in range(len(text), 0, -1):
+        head = text[:end]
+        if head[-1].isdigit() or head[-1] == ".":
+            try:
+                return float(head.replace("_", "x"))
+            except ValueError:
+                continue
+    return 0.0
+
+
+def left(text: str, count: float) -> str:
+    return text[: _count(count)]
+
+
+def right(text: str, count: float) -> str:
+    number = _count(count)
+    return text[-number:] if number else ""
+
+
+def middle(text: str, first: float, count: float = INT_HIGH) -> str:
+    start = _count(first)
+    if start < 1:
+        raise Refusal("argument", "the first character of a text has the place 1", "")
+    return text[start - 1 : start - 1 + _count(count)]
+
+
+def _count(count: float) -> int:
+    number = integer(count)
+    if number < 0:
+        raise Refusal("argument", f"a number of characters cannot be {number}", "")
+    return number
+
+
+class Random:
+    """The numbers of `Rnd`: the same sequence in every run (Lehmer's generator, 31 bits)."""
+
+    __slots__ = ("_state",)
+
+    def __init__(self) -> None:
+        self._state = 1
+
+    def __call__(self) -> float:
+        self._state = self._state * 48271 % 2147483647
+        return self._state / 2147483647

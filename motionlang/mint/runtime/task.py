@@ -1,0 +1,78 @@
+"""A task of a Mint program: a generator that knows its axes, its TIME, and whether it is suspended."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.lang.task import INFINITY, GeneratorTask, Wait
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mint.runtime.environment import Environment, Make
+
+
+class TaskEnd(Exception):
+    """The running task ends here."""
+
+    def __init__(self, time: float) -> None:
+        super().__init__()
+        self.time = time
+
+
+# What the parent task is called; no other is, as the names of tasks are kept in small letters.
+PARENT = "ParentTask"
+
+
+class MintTask(GeneratorTask):
+    """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
+
+    __slots__ = ("axes", "environment", "held", "sampled", "suspended", "timer")
+
+    def __init__(self, name: str, make: Make, environment: Environment) -> None:
+        file = make.__code__.co_filename
+        super().__init__(name, make, file, environment.files[file])
+        self.environment = environment
+        self.timer = [environment.clock.now]
+        self.axes: tuple[int, ...] = (0,)
+        # Whether it has read, of late, what changes while an axis moves.
+        self.sampled = False
+        self.suspended = False
+        self.held: Wait | None = None
+
+    def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
+        """As every task; to the end of its time slice at most, and what others did meanwhile is noticed."""
+        environment = self.environment
+        environment.task = self
+        clock = environment.clock
+        if environment.fired != clock.fired:
+            environment.fired = clock.fired
+            environment.acts += 1
+            self.look = self.in_vain = None
+        if environment.ran is not self or environment.leaps != clock.leaps:
+            environment.resumed += 1
+            environment.leaps = clock.leaps
+        acts = environment.acts
+        quantum = environment.quanta.get(self.name)
+        if quantum is not None:
+            # Half a statement less, so that it is never rounding that decides whether the last one still fits.
+            horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
+        try:
+            time, wait = super().resume(now, horizon)
+            environment.ran = self
+            if environment.acts != acts:
+                self.look = self.in_vain = None  # it has done something
+        except TaskEnd as end:
+            self.done = True
+            return end.time, None
+        except Refusal as refusal:
+            from motionlang.mint.runtime.errors import with_number
+
+            with_number(refusal)
+            raise
+        if self.suspended:
+            self.held, wait = wait, self.never()
+        return time, wait
+
+    def never(self) -> Wait:
+        """The wait of a suspended task."""
+        now = self.environment.clock.now
+        return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})")

@@ -1,0 +1,1 @@
+"""From Mint text to its tree, and every mistake on the way."""

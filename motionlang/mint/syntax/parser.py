@@ -1,0 +1,94 @@
+"""Mint text to its syntax tree."""
+
+from __future__ import annotations
+
+import re
+
+from motionlang.lang.parsing.parser import BAD, Stuck, TooDeep
+from motionlang.lang.parsing.places import Places
+from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, Misuse
+from motionlang.mint.syntax.tables import TABLES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.mint.syntax.nodes import Module
+    from motionlang.source import Source
+
+
+# What the kinds of token are to a reader; a kind that is not here is a control word or an operator.
+_CLASSES = {"NAME": "word", "DOTTED": "word", "NUMBER": "number", "STRING": "string", "CHARACTER": "string"}
+_SEPARATORS = {"COLON", "COMMA", "SEMICOLON", "LPAR", "RPAR", "LSQB", "RSQB"}
+_COMMENT = re.compile(r"'[^\n]*|[Rr][Ee][Mm][^\n]*|:")
+
+
+def parse(source: Source) -> Module:
+    """The tree of a program; raises ProgramError with every mistake of the text."""
+    texts = TABLES.texts(source.text)
+    try:
+        module: Module = TABLES.parse(texts)
+    except (Stuck, TooDeep, Misuse):
+        from motionlang.mint.syntax.errors import diagnose  # only a mistake pays for this import
+
+        raise diagnose(source) from None
+    module.places = Places(source, TABLES, texts)
+    if not _short(module.places):
+        from motionlang.mint.syntax.nesting import check_depth
+
+        check_depth(module)
+    return module
+
+
+def _short(places: Places) -> bool:
+    """Are all lines so short that no expression can be nested too deeply? `1+1+1…` nests in two characters."""
+    lines = places.source.text.split("\n")
+    return not places.continues and max(map(len, lines)) <= 2 * DEEPEST_EXPRESSION
+
+
+def is_complete(text: str) -> bool:
+    """May a reader of lines stop here? False inside an open block or after a line that goes on."""
+    from motionlang.mint.syntax.errors import unfinished
+
+    return not (text.rstrip(" \t\n").endswith(("\\", " _")) or unfinished(TABLES.texts(text)))
+
+
+def tokens(text: str) -> Iterator[tuple[str, str, int]]:
+    """The pieces of a text for highlighting: kind, text and offset, blanks and line ends left out.
+
+    The kinds are word, control, number, string, comment, operator, separator and bad. Any text will do.
+    """
+    end = 0
+    for match in TABLES.matches(text):
+        start = match.start(1)
+        yield from _between(text, end, start)
+        piece, end = match[1], match.end()
+        kind = TABLES.kind_of[piece]
+        if kind == "_NL":
+            yield from _comments(piece, start)
+        else:
+            yield _class(kind, piece), piece, start
+    yield from _between(text, end, len(text))
+
+
+def _class(kind: str, piece: str) -> str:
+    if kind == BAD:
+        return "bad"
+    if kind in _SEPARATORS:
+        return "separator"
+    return _CLASSES.get(kind) or ("control" if piece[0].isalpha() else "operator")
+
+
+def _comments(piece: str, start: int) -> Iterator[tuple[str, str, int]]:
+    """A run of line ends holds the comments that stand before them."""
+    for match in _COMMENT.finditer(piece):
+        kind = "separator" if match[0] == ":" else "comment"
+        yield kind, match[0], start + match.start()
+
+
+def _between(text: str, start: int, end: int) -> Iterator[tuple[str, str, int]]:
+    """What stands between two tokens: blanks, or the mark of a line that goes on."""
+    gap = text[start:end]
+    if gap.strip():
+        at = start + len(gap) - len(gap.lstrip())
+        yield "separator", text[at:end].rstrip(), at

@@ -1,0 +1,107 @@
+"""One look at the whole tree of a function: its names and its statements, for the passes that resolve them."""
+
+from __future__ import annotations
+
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.nodes import Assign, Binary, Name, Number, String
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from motionlang.mint.resolve.symbols import Scope
+
+# The slots of each class that may hold nodes; the others hold names, operators and the like.
+_NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
+                        "places", "repeat", "separator", "word"))  # fmt: skip
+_CHILDREN: dict[type, tuple[str, ...]] = {
+    cls: tuple(slot for slot in cls.__slots__ if slot not in _NOT_NODES)
+    for cls in vars(nodes).values()
+    if isinstance(cls, type) and issubclass(cls, nodes.Node)
+}
+_CHILDREN[Number] = _CHILDREN[String] = ()
+
+
+def children(node: object) -> list[object]:
+    """The nodes of a node, and what else it holds."""
+    out: list[object] = []
+    for slot in _CHILDREN.get(node.__class__, ()):
+        value = getattr(node, slot)
+        if value.__class__ is list:
+            out += value
+        elif value is not None:
+            out.append(value)
+    return out
+
+
+def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
+    """Every node below `start`, in no particular order."""
+    stack = list(start)
+    while stack:
+        node = stack.pop()
+        children = _CHILDREN.get(node.__class__)
+        if children is None:
+            continue
+        yield node  # type: ignore[misc]
+        for slot in children:
+            value = getattr(node, slot)
+            if value.__class__ is list:
+                stack.extend(value)
+            elif value is not None:
+                stack.append(value)
+
+
+def meant(scope: Scope, node: nodes.Expr) -> nodes.Expr:
+    """What a name made by Define stands for; anything else stands for itself."""
+    while isinstance(node, Name) and node.args is None:
+        symbol = scope.find(node.name)
+        if symbol is None or symbol.kind != "define":
+            break
+        node = symbol.node  # type: ignore[assignment]
+    return node
+
+
+class Survey:
+    """The `names` in a body, and of its other nodes those that are no operations and no literals, as `walk` finds them.
+
+    Long, and apart from `walk`, because every node of every program comes through here.
+    """
+
+    __slots__ = ("names", "statements")
+
+    def __init__(self, body: Iterable[object]) -> None:
+        self.names: list[Name] = []
+        self.statements: list[nodes.Node] = []
+        stack: list[object] = list(body)
+        pop, push = stack.pop, stack.append
+        name, statement = self.names.append, self.statements.append
+        while stack:
+            node = pop()
+            kind = node.__class__
+            if kind is Name:
+                name(node)  # type: ignore[arg-type]
+                if node.args:  # type: ignore[attr-defined]
+                    stack += node.args  # type: ignore[attr-defined]
+            elif kind is Binary:
+                if (child := node.left).__class__ is not Number:  # type: ignore[attr-defined]
+                    push(child)
+                if (child := node.right).__class__ is not Number:  # type: ignore[attr-defined]
+                    push(child)
+            elif kind is Number or kind is String:
+                continue
+            elif kind is Assign:
+                statement(node)  # type: ignore[arg-type]
+                push(node.target)  # type: ignore[attr-defined]
+                stack += node.values  # type: ignore[attr-defined]
+            elif kind in _CHILDREN:
+                statement(node)  # type: ignore[arg-type]
+                for slot in _CHILDREN[kind]:
+                    value = getattr(node, slot)
+                    if value.__class__ is list:
+                        stack += value
+                    elif value is not None:
+                        push(value)
+
+    def of(self, *kinds: type) -> list[nodes.Node]:
+        """The statements of some kinds, in the order of the text."""
+        return sorted((node for node in self.statements if node.__class__ in kinds), key=lambda node: node.at)

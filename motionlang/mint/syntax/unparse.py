@@ -1,0 +1,27 @@
+"""An expression as its author would write it, for messages."""
+
+from __future__ import annotations
+
+from motionlang.mint.syntax import nodes
+
+
+def shown(node: nodes.Expr, inside: bool = False) -> str:
+    """The text of an expression; an operation within another one stands in brackets."""
+    if type(node) is nodes.Number:
+        return f"{node.value:g}"
+    if type(node) is nodes.String:
+        return f'"{node.value}"'
+    if type(node) is nodes.Name:
+        return node.name + _brackets(node.args)
+    if type(node) is nodes.Member:
+        return f"{shown(node.value)}.{node.field}{_brackets(node.args)}"
+    if type(node) is nodes.Unary:
+        gap = " " if node.op.isalpha() else ""
+        return f"{node.op}{gap}{shown(node.operand, True)}"
+    assert type(node) is nodes.Binary
+    text = f"{shown(node.left, True)} {node.op} {shown(node.right, True)}"
+    return f"({text})" if inside else text
+
+
+def _brackets(args: list[nodes.Expr] | None) -> str:
+    return "" if args is None else f"({', '.join(shown(each) for each in args)})"

@@ -1,0 +1,1 @@
+"""Copley's PVT: points with position, velocity and time, and the motion through them."""

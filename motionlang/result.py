@@ -1,0 +1,58 @@
+"""What a run left behind: its status, its diagnostics, and the machine as it stood at the end.
+
+Apart from `motionlang.report`, which most runs of a script do not ask for.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.record.trace import Trace
+    from motionlang.errors import Diagnostic
+    from motionlang.lang.dialect import Dialect
+    from motionlang.lang.machine.machine import Machine
+    from motionlang.source import Source
+
+
+class Run:
+    """What a run left behind.
+
+    `status` is "ended", "until" (virtual time was up), "fault" (the program is wrong or went wrong) or
+    "interrupted"; `time` is the machine time at its end, in seconds.
+    """
+
+    __slots__ = ("diagnostics", "dialect", "machine", "not_counted", "source", "status", "time")
+
+    def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
+        self.source, self.dialect, self.machine = source, dialect, machine
+        self.status = "ended"
+        self.time = 0.0
+        self.diagnostics: list[Diagnostic] = []
+        self.not_counted: list[str] = []
+
+    @property
+    def controller(self) -> Controller:
+        return self.machine.controller
+
+    @property
+    def output(self) -> list[str]:
+        """Every line the program printed."""
+        return self.machine.terminal.lines
+
+    @property
+    def terminals(self) -> dict[str, list[str]]:
+        """Every line that the program printed elsewhere, by "terminal 2", "serial 1"."""
+        return {label: terminal.lines for label, terminal in self.machine.terminals.items() if terminal.lines}
+
+    @property
+    def trace(self) -> Trace:
+        """The motion, to be sampled at any rate."""
+        return self.controller.trace
+
+    @property
+    def report(self) -> dict[str, object]:
+        """The run as `motionlang.report/1`."""
+        from motionlang.report import build
+
+        return build(self)

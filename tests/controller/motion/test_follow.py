@@ -1,0 +1,474 @@
+"""Master and slave: gearing, ramps into it, cams, flying shears, offsets on top; figures, and exactness at any time."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import Refusal
+from motionlang.controller.io.encoder import turns, wrapped
+from tests.controller.machines import machine, until
+
+quick = settings(max_examples=60, derandomize=True, deadline=None, database=None)
+
+
+def at(c: Controller, axis: int, time: float) -> float:
+    return c.axes[axis].position(time)
+
+
+def speed(c: Controller, axis: int, time: float) -> float:
+    return c.axes[axis].velocity(time)
+
+
+# ------------------------------------------------------------------------------------------------ gearing
+
+
+def test_a_slave_repeats_its_master_at_the_ratio() -> None:
+    c = machine()
+    c.define_position(1, 5.0)
+    c.gear(1, 0, -0.5, command="FOLLOW", line=2)
+    c.move_to(0, 20.0)
+    assert not c.is_idle(1)
+    until(c, 1.0)
+    assert (c.position(0), c.position(1)) == pytest.approx((9.5, 5.0 - 4.75))
+    assert c.velocity(1) == pytest.approx(-5.0)
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(-5.0)
+    assert c.master_of(1) == 0
+    assert c.moving() == []  # a slave at rest holds no run up
+    c.move_to(0, 0.0)
+    assert c.moving() == [0, 1]
+    assert until(c, 20.0).position(1) == pytest.approx(5.0)
+
+
+def test_the_log_has_one_entry_for_all_of_the_following() -> None:
+    c = machine()
+    c.gear(1, 0, 2.0, command="FOLLOW", line=2)
+    until(c, 1.0).move_to(0, 20.0)
+    until(c, 5.0).move_to(0, 10.0)
+    until(c, 9.0).stop(1)
+    entry = c.moves[0]
+    assert (entry.axis, entry.command, entry.line, entry.ended) == (1, "FOLLOW", 2, "stop")
+    assert entry.profile is not None
+    assert entry.profile.duration == pytest.approx(9.0)
+    assert entry.profile.position(2.0) == pytest.approx(19.0)
+    assert entry.profile.peak_speed == pytest.approx(20.0)
+    (phase,) = entry.profile.cut(9.0).phases
+    assert (phase.name, phase.distance) == ("gear", 20.0)
+    assert until(c, 12.0).position(1) == 20.0
+    assert c.is_idle(1)
+
+
+def test_stop_brakes_a_slave_at_its_own_rate_and_frees_it() -> None:
+    c = machine()
+    c.gear(1, 0, 1.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).stop(1)
+    assert c.idle_time(1) == pytest.approx(1.1)
+    assert until(c, 3.0).position(1) == pytest.approx(9.5 + 0.5)
+    assert c.master_of(1) is None
+
+
+def test_slaves_of_slaves() -> None:
+    c = machine(3)
+    c.gear(1, 0, 2.0)
+    c.gear(2, 1, 3.0)
+    c.move_to(0, 20.0)
+    assert until(c, 1.0).position(2) == pytest.approx(57.0)
+    for slave, master in ((0, 2), (0, 0), (0, 1)):
+        with pytest.raises(Refusal, match="follow itself"):
+            c.gear(slave, master, 1.0)
+
+
+def test_a_new_zero_of_the_master_does_not_move_the_slave() -> None:
+    c = machine()
+    c.gear(1, 0, 1.0)
+    c.move_to(0, 20.0)
+    until(c, 1.0).define_position(0, 1000.0)
+    assert until(c, 9.0).position(1) == pytest.approx(20.0)
+    c.define_position(1, 7.0)
+    c.move_by(0, 1.0)
+    assert until(c, 20.0).position(1) == pytest.approx(8.0)
+
+
+def test_with_a_ramp_the_slave_catches_up_with_the_velocity_at_its_own_rate() -> None:
+    c = machine()
+    c.jog(0, 10.0)
+    until(c, 1.0).gear(1, 0, 2.0, ramp=True)  # 20 counts/s, at 100 counts/s²
+    assert until(c, 1.1).velocity(1) == pytest.approx(10.0)
+    assert until(c, 1.2).velocity(1) == pytest.approx(20.0)
+    assert until(c, 2.2).position(1) == pytest.approx(2.0 + 20.0)
+    c.gear(1, 0, 0.5, ramp=True)
+    assert until(c, 2.35).velocity(1) == pytest.approx(5.0)
+    assert until(c, 3.0).velocity(1) == pytest.approx(5.0)
+
+
+def test_a_master_that_changes_during_the_ramp_is_met_all_the_same() -> None:
+    c = machine()
+    c.configure(1, "accel", 20.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).gear(1, 0, 1.0, ramp=True)
+    until(c, 1.2).jog(0, 20.0)
+    until(c, 3.0)
+    assert c.velocity(1) == pytest.approx(20.0)
+    assert speed(c, 1, 1.5) == pytest.approx(10.0)
+    assert speed(c, 1, 1.99) == pytest.approx(19.8)
+
+
+def test_suspend_lets_a_slave_ramp_out_and_in() -> None:
+    c = machine()
+    c.gear(1, 0, 1.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).suspend(1)
+    assert until(c, 2.0).velocity(1) == 0.0
+    c.resume(1)
+    assert until(c, 2.05).velocity(1) == pytest.approx(5.0)
+    assert until(c, 3.0).velocity(1) == pytest.approx(10.0)
+
+
+def test_a_slave_that_is_off_follows_nobody() -> None:
+    c = machine()
+    c.gear(1, 0, 1.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).disable(1)
+    assert until(c, 2.0).position(1) == pytest.approx(9.5)
+    with pytest.raises(Refusal, match="off"):
+        c.gear(1, 0, 1.0)
+
+
+@quick
+@given(
+    st.lists(st.tuples(st.floats(0.05, 2.0), st.floats(-30.0, 30.0)), min_size=1, max_size=5),
+    st.floats(-3.0, 3.0),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve", "parabolic"]),
+)
+def test_gearing_is_exact_through_any_moves(
+    moves: list[tuple[float, float]], ratio: float, shape: str
+) -> None:
+    c = machine(shape=shape)
+    c.gear(1, 0, ratio)
+    for pause, target in moves:
+        c.move_to(0, target)
+        until(c, c.clock.now + pause)
+    end = c.clock.now
+    for k in range(101):
+        t = k * end / 100.0
+        assert at(c, 1, t) == pytest.approx(ratio * at(c, 0, t), abs=1e-9)
+        assert speed(c, 1, t) == pytest.approx(ratio * speed(c, 0, t), abs=1e-9)
+    trace = c.trace.sample(1000.0)
+    assert np.abs(trace.get(1, "position") - ratio * trace.get(0, "position")).max() < 1e-9
+
+
+def test_watches_on_a_slave_are_exact() -> None:
+    c = machine()
+    seen: list[float] = []
+    c.watch(1, 5.0, lambda direction: seen.append(c.clock.now))
+    c.gear(1, 0, 0.5)
+    c.move_to(0, 20.0)
+    until(c, 9.0)
+    assert seen == pytest.approx([1.05])
+
+
+def test_an_encoder_that_the_world_turns_is_a_master_too() -> None:
+    c = machine()
+    c.gear(1, 3, 0.1, encoder=True)
+    until(c, 1.0)
+    c.drive_encoder(3, 1000.0, 500.0)
+    assert until(c, 3.0).position(1) == pytest.approx(100.0)
+    assert (c.encoder_position(3), c.encoder_velocity(3)) == pytest.approx((1000.0, 1000.0))
+    c.drive_encoder(3, 0.0)
+    assert until(c, 5.0).position(1) == pytest.approx(100.0)
+
+
+@pytest.mark.parametrize(
+    ("position", "wrap", "shown", "count"), [(5.0, 4.0, 1.0, 1), (-1.0, 4.0, 3.0, -1), (7.0, 0.0, 7.0, 0)]
+)
+def test_a_register_that_wraps(position: float, wrap: float, shown: float, count: int) -> None:
+    assert (wrapped(position, wrap), turns(position, wrap)) == (shown, count)
+
+
+# -------------------------------------------------------------------------------------------------- shears
+
+
+def shear(c: Controller, *segments: tuple[float, float]) -> None:
+    for distance, over in segments:
+        c.load_fly(1, 0, distance, over, command="FLY")
+    c.go([1])
+
+
+def test_a_flying_shear_by_its_figures() -> None:
+    """Up to the speed of the web in 200, with it for 500, down in 200, and back in two times 400."""
+    c = machine(buffer_size=10, speed=100.0, accel=1e6)
+    shear(c, (100.0, 200.0), (500.0, 500.0), (100.0, 200.0), (-350.0, 400.0), (-350.0, 400.0))
+    c.jog(0, 100.0)
+    until(c, 30.0)
+    starts = [move.start_time for move in c.moves if move.command == "FLY"]
+    at_200 = c.axes[0].profiles[1].crossing(200.0)
+    assert at_200 is not None
+    assert starts == pytest.approx([0.0, at_200, at_200 + 5.0, at_200 + 7.0, at_200 + 11.0])
+    assert [at(c, 1, t) for t in starts] == pytest.approx([0.0, 100.0, 600.0, 700.0, 350.0])
+    assert [speed(c, 1, t) for t in starts] == pytest.approx([0.0, 100.0, 100.0, 0.0, -175.0], abs=1e-3)
+    assert speed(c, 1, at_200 + 2.0) == pytest.approx(100.0)
+    assert c.position(1) == pytest.approx(0.0, abs=1e-9)
+    assert c.is_idle(1)
+
+
+def test_a_shear_stands_when_its_master_does_and_goes_on_with_it() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.move_to(0, 4.0)
+    assert until(c, 5.0).position(1) == pytest.approx(5.0 * 0.16)
+    assert not c.is_idle(1)
+    c.move_to(0, 10.0)
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(5.0)
+
+
+def test_a_shear_whose_master_goes_back_first_ends_where_it_should() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.move_to(0, -4.0)
+    c.clock.at(0.1, lambda: c.retarget_to(0, 10.0))  # it turns round before 0 is reached again
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(5.0)
+    assert c.is_idle(1)
+
+
+def test_a_shear_that_is_over_at_speed_brakes() -> None:
+    c = machine()
+    shear(c, (5.0, 10.0))
+    c.jog(0, 10.0)
+    until(c, 9.0)
+    assert c.is_idle(1)
+    assert c.position(1) == pytest.approx(5.0 + 0.5)
+    c.move_by(1, 1.0)
+    assert until(c, 12.0).position(1) == pytest.approx(6.5)
+
+
+@quick
+@given(
+    st.lists(st.tuples(st.floats(-9.0, 9.0), st.floats(1.0, 9.0)), min_size=1, max_size=5),
+    st.floats(1.0, 40.0),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve"]),
+)
+def test_a_shear_is_where_it_should_be_at_every_join(
+    segments: list[tuple[float, float]], way: float, shape: str
+) -> None:
+    c = machine(buffer_size=10, shape=shape)
+    shear(c, *segments)
+    c.move_to(0, way)
+    until(c, 99.0)
+    slave = master = 0.0
+    for distance, over in segments:
+        slave, master = slave + distance, master + over
+        if master < way:
+            time = c.axes[0].profiles[1].crossing(master)
+            assert time is not None
+            assert at(c, 1, time) == pytest.approx(slave, abs=1e-8)
+    last = c.axes[1].starts[-1]
+    h = 1e-6
+    for k in range(1, 60):
+        t = k * last / 60.0
+        slope = (at(c, 1, t + h) - at(c, 1, t - h)) / (2.0 * h)
+        assert speed(c, 1, t) == pytest.approx(slope, abs=1e-2 * (1.0 + abs(slope)))
+
+
+# ---------------------------------------------------------------------------------------------------- cams
+
+
+def test_a_linear_cam_repeats_and_advances() -> None:
+    c = machine()
+    c.cam(1, 0, [0.0, 10.0, 20.0, 40.0], [0.0, 5.0, 5.0, 2.0], cyclic=True, command="CAM")
+    c.jog(0, 10.0)
+    until(c, 0.55)  # the master is at 5
+    assert c.position(1) == pytest.approx(2.5)
+    assert c.cam_index(1) == 0
+    assert until(c, 1.55).position(1) == pytest.approx(5.0)
+    assert c.cam_index(1) == 1
+    assert until(c, 4.55).position(1) == pytest.approx(2.0 + 2.5)
+    c.jog(0, -10.0)
+    turn = c.clock.now
+    until(c, turn + 0.2 + 4.5)  # back to where it was, and 45 further back: at 0 of the first cycle
+    assert c.position(0) == pytest.approx(0.0, abs=1e-9)
+    assert c.position(1) == pytest.approx(0.0, abs=1e-9)
+    assert until(c, c.clock.now + 1.0).position(1) == pytest.approx(-2.0 + 2.0 + 1.5)
+    assert len([move for move in c.moves if move.axis == 1]) == 1
+
+
+def test_a_cam_once_ends_by_itself() -> None:
+    c = machine()
+    c.cam(1, 0, [0.0, 10.0, 20.0], [0.0, 8.0, 6.0], kind="cubic", amplitude=0.5)
+    c.move_to(0, 30.0)
+    until(c, 9.0)
+    assert c.position(1) == pytest.approx(3.0)
+    assert c.is_idle(1)
+    assert c.moves[0].profile is not None
+    low, high = c.moves[0].profile.extrema()
+    assert low == pytest.approx(0.0, abs=1e-9)
+    assert high > 4.0
+
+
+def test_a_part_of_a_table() -> None:
+    c = machine()
+    c.cam(1, 0, [0.0, 10.0, 20.0, 30.0], [1.0, 2.0, 5.0, 9.0], first=1, last=1)
+    c.move_to(0, 5.0)
+    assert until(c, 5.0).position(1) == pytest.approx(1.5)
+    assert c.cam_index(1) == 1
+
+
+@pytest.mark.parametrize(
+    ("places", "values", "more", "message"),
+    [
+        ([0.0], [0.0], {}, "segments"),
+        ([0.0, 5.0, 4.0], [0.0, 1.0, 2.0], {}, "rise"),
+        ([0.0, 0.5], [0.0, 1.0], {}, "too short"),
+        ([0.0, 5.0], [0.0, float("nan")], {}, "finite"),
+        ([0.0, 5.0], [0.0, 1.0], {"first": 1}, "segments 0 to 0"),
+    ],
+)
+def test_a_table_that_is_none_is_refused(
+    places: list[float], values: list[float], more: dict[str, Any], message: str
+) -> None:
+    c = machine()
+    with pytest.raises(Refusal, match=message):
+        c.cam(1, 0, places, values, **more)
+    assert c.is_idle(1)
+
+
+@quick
+@given(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=7), st.floats(-60.0, 60.0), st.booleans())
+def test_a_cyclic_cubic_cam_is_where_its_spline_is(values: list[float], way: float, back: bool) -> None:
+    from motionlang.profile.table_motion import table_curve
+
+    values = [0.0, *values]
+    places = [3.0 * k for k in range(len(values))]
+    c = machine()
+    c.cam(1, 0, places, values, kind="cubic", cyclic=True)
+    c.move_to(0, way)
+    if back:
+        until(c, 1.0)
+        c.move_to(0, -way)
+    until(c, 99.0)
+    curve = table_curve(places, values, "cubic", True)
+    length, rise = places[-1], values[-1]
+    for k in range(200):
+        t = k * c.axes[0].starts[-1] / 200.0
+        m = at(c, 0, t)
+        cycle = math.floor(m / length)
+        expected = curve.position(m - cycle * length) + cycle * rise
+        assert at(c, 1, t) == pytest.approx(expected, abs=1e-6)
+
+
+def test_the_spline_is_smooth_and_closes() -> None:
+    from motionlang.profile.table_motion import table_curve
+
+    curve = table_curve([0.0, 1.0, 3.0, 4.0, 6.0], [0.0, 2.0, -1.0, 4.0, 3.0], "cubic", True)
+    for knot in (1.0, 3.0, 4.0):
+        for read, slack in ((curve.position, 1e-6), (curve.velocity, 1e-6), (curve.acceleration, 1e-6)):
+            assert read(knot - 1e-9) == pytest.approx(read(knot + 1e-9), abs=slack)
+    assert curve.velocity(0.0) == pytest.approx(curve.velocity(6.0))
+    assert curve.acceleration(0.0) == pytest.approx(curve.acceleration(6.0 - 1e-9), abs=1e-6)
+    level = table_curve([0.0, 1.0, 3.0], [0.0, 2.0, -1.0], "cubic")
+    assert (level.velocity(0.0), level.velocity(3.0)) == (0.0, 0.0)
+
+
+# ------------------------------------------------------------------------------------------------- offsets
+
+
+def moving_slave() -> Controller:
+    c = machine()
+    c.jog(0, 10.0)
+    c.gear(1, 0, 1.0)
+    return until(c, 1.0)  # both at 9.5, at 10 counts/s
+
+
+def test_an_offset_lies_on_top_of_following() -> None:
+    c = moving_slave()
+    c.offset(1, 20.0)  # at 10 counts/s more: 2.1 s
+    assert until(c, 2.0).velocity(1) == pytest.approx(20.0)
+    assert c.offset_remaining(1) == pytest.approx(20.0 - 9.5)
+    c.jog(0, 5.0)
+    assert until(c, 2.5).velocity(1) == pytest.approx(15.0)
+    until(c, 5.0)
+    assert c.velocity(1) == pytest.approx(5.0)
+    assert c.position(1) - c.position(0) == pytest.approx(20.0)
+    assert c.offset_remaining(1) == 0.0
+
+
+def test_a_second_offset_adds_to_the_first() -> None:
+    c = moving_slave()
+    c.offset(1, 20.0)
+    until(c, 2.0).offset(1, -25.0)
+    until(c, 9.0)
+    assert c.position(1) - c.position(0) == pytest.approx(-5.0)
+
+
+def test_at_rest_an_offset_is_a_move() -> None:
+    c = machine()
+    c.offset(1, 20.0, command="OFFSET")
+    assert until(c, 9.0).position(1) == 20.0
+
+
+def test_mode_1_never_runs_faster_than_allowed_and_never_backwards() -> None:
+    c = moving_slave()
+    c.configure(1, "max_speed", 14.0)
+    c.offset(1, 20.0, mode=1)
+    assert until(c, 2.0).velocity(1) == pytest.approx(14.0)
+    assert c.offset_status(1) == 1
+    until(c, 20.0)
+    c.configure(1, "speed", 50.0)
+    c.offset(1, -20.0, mode=1)
+    assert min(speed(c, 1, 20.0 + 0.01 * k) for k in range(300)) == pytest.approx(0.0, abs=1e-9)
+    until(c, 20.5)
+    assert min(speed(c, 1, 20.0 + 0.01 * k) for k in range(50)) >= -1e-9
+    assert c.offset_status(1) == 2
+
+
+def test_mode_2_is_a_triangle_over_a_distance_of_the_master() -> None:
+    c = moving_slave()
+    c.offset(1, 4.0, mode=2, over=10.0)  # 1 s
+    assert until(c, 1.5).velocity(1) == pytest.approx(10.0 + 8.0)
+    assert until(c, 2.0).velocity(1) == pytest.approx(10.0)
+    assert c.position(1) - c.position(0) == pytest.approx(4.0)
+
+
+def test_mode_3_changes_the_speed_so_that_it_fits_the_distance() -> None:
+    c = moving_slave()
+    c.offset(1, 4.0, mode=3, over=10.0)
+    assert until(c, 2.0).position(1) - c.position(0) == pytest.approx(4.0)
+    top = (1.0 - math.sqrt(1.0 - 4.0 * 0.01 * 4.0)) / 0.02
+    assert speed(c, 1, 1.5) == pytest.approx(10.0 + top)
+
+
+@pytest.mark.parametrize(
+    ("mode", "distance", "over", "status"),
+    [(3, 400.0, 10.0, 4 | 8), (2, 20.0, 10.0, 1 | 16), (3, 4.0, 0.0, 16)],
+)
+def test_an_offset_that_cannot_be_done_says_why(mode: int, distance: float, over: float, status: int) -> None:
+    c = moving_slave()
+    c.configure(1, "max_speed", 20.0)
+    c.offset(1, distance, mode=mode, over=over)
+    assert c.offset_status(1) == status
+    assert until(c, 5.0).position(1) == pytest.approx(c.position(0))
+
+
+def test_an_offset_on_a_cam() -> None:
+    c = machine()
+    c.cam(1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
+    c.jog(0, 10.0)
+    plain = machine()
+    plain.cam(1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)
+    plain.jog(0, 10.0)
+    until(c, 1.0).offset(1, 3.0)
+    until(plain, 6.0)
+    until(c, 6.0)
+    for k in range(140, 600):
+        assert at(c, 1, 0.01 * k) == pytest.approx(at(plain, 1, 0.01 * k) + 3.0, abs=1e-9)
+    for k in range(600):
+        assert abs(at(c, 1, 0.01 * k + 0.01) - at(c, 1, 0.01 * k)) < 0.35

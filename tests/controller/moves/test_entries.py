@@ -1,0 +1,174 @@
+"""Entries of the buffer that are neither moves nor paths: cams over tables, offsets, ready-made profiles."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import Refusal
+from motionlang.profile import Profile
+from motionlang.profile.pvt.motion import plan_pvt
+
+
+def ready(axes: int = 2) -> Controller:
+    controller = Controller(axes)
+    for axis in range(axes):
+        for name, value in (("speed", 100.0), ("accel", 1000.0), ("decel", 1000.0), ("buffer_size", 4.0)):
+            controller.configure(axis, name, value)
+    return controller
+
+
+def test_a_cam_waits_for_go_and_begins_where_both_axes_are() -> None:
+    controller = ready()
+    controller.jog(0, 10.0)
+    controller.load_cam(1, 0, lambda start: ([0.0, 10.0, 20.0], [start, start + 5.0, start + 4.0]))
+    controller.clock.advance(1.0)
+    assert controller.position(1) == 0.0
+    begin = controller.position(0)
+    controller.go([1])
+    controller.clock.advance(1.0 + 1.5)
+    assert controller.position(0) == pytest.approx(begin + 15.0)
+    assert controller.position(1) == pytest.approx(4.5)
+    assert controller.cam_index(1) == 1
+    controller.clock.advance(4.0)
+    assert controller.is_idle(1)
+
+
+def test_a_table_is_looked_at_again_for_every_cycle() -> None:
+    controller, heights = ready(), [5.0, 7.0, 1.0]
+
+    def table(start: float) -> tuple[list[float], list[float]]:
+        height = heights.pop(0)
+        return [0.0, 10.0, 20.0], [start, start + height, start]
+
+    controller.load_cam(1, 0, table, cyclic=True)
+    controller.go([1])
+    controller.jog(0, 10.0)
+    peaks = []
+    for cycle in range(2):
+        at = controller.crossing_time(0, 20.0 * cycle + 10.0)
+        controller.clock.advance(at)
+        peaks.append(controller.position(1))
+    assert peaks == [pytest.approx(7.0), pytest.approx(1.0)]  # the first look was the check of the loading
+
+
+def test_a_bad_table_is_refused_when_it_is_loaded() -> None:
+    controller = ready()
+    with pytest.raises(Refusal, match="cannot follow the table"):
+        controller.load_cam(1, 0, lambda start: ([0.0, 0.0], [start, start]))
+    assert controller.room(1) == 4
+
+
+def test_offsets_of_the_buffer_come_one_after_the_other_on_top_of_following() -> None:
+    controller = ready()
+    controller.gear(1, 0, 1.0)
+    controller.jog(0, 50.0)
+    controller.clock.advance(1.0)
+    controller.load_offset(1, 10.0)
+    controller.load_offset(1, -4.0)
+    before = controller.position(1) - controller.position(0)
+    controller.go([1])
+    controller.clock.advance(1.0 + 0.2)
+    assert controller.position(1) - controller.position(0) == pytest.approx(before + 10.0)
+    assert controller.room(1) == 4  # the second one has begun
+    controller.clock.advance(2.0)
+    assert controller.position(1) - controller.position(0) == pytest.approx(before + 6.0)
+    assert controller.velocity(1) == pytest.approx(50.0)
+
+
+def test_an_offset_of_an_axis_that_follows_nobody_is_a_move() -> None:
+    controller = ready()
+    controller.load_by(0, 20.0)
+    controller.load_offset(0, 10.0)
+    controller.go([0])
+    controller.clock.advance(5.0)
+    assert controller.position(0) == 30.0
+    assert controller.is_idle(0)
+
+
+def test_a_profile_begins_where_the_move_before_it_ends_and_again_and_again() -> None:
+    controller = ready()
+
+    def make(start: float) -> Profile:
+        return plan_pvt([start, start + 1.0, start], [0.0, 0.0, 0.0], [0.5, 0.5])
+
+    controller.load_by(0, 20.0)
+    controller.load_profile(0, make, make)
+    controller.go([0])
+    end = controller.idle_time(0)
+    controller.clock.advance(end + 7.5)
+    assert controller.position(0) == pytest.approx(21.0)
+    controller.stop(0)
+    controller.clock.advance(end + 9.0)
+    assert controller.is_idle(0)
+    assert controller.room(0) == 4
+
+
+def test_outputs_between_the_segments_of_a_shear_do_not_hold_it_up() -> None:
+    controller = ready()
+    controller.load_fly(1, 0, 5.0, 10.0)
+    controller.load_output(1, {3: 1.0})
+    controller.load_fly(1, 0, 5.0, 10.0)
+    controller.go([1])
+    controller.jog(0, 10.0)
+    controller.clock.advance(controller.crossing_time(0, 9.9))
+    assert controller.output(3) == 0
+    controller.clock.advance(controller.crossing_time(0, 10.1))
+    assert controller.output(3) == 1
+    assert controller.velocity(1) == pytest.approx(10.0, rel=0.02)
+    controller.clock.advance(controller.crossing_time(0, 20.1))
+    assert controller.position(1) == pytest.approx(10.0)
+
+
+def test_rates_of_its_own_stay_with_a_move() -> None:
+    controller = ready(1)
+    controller.configure(0, "own_rates", (50.0, 500.0, None))
+    controller.load_by(0, 100.0)
+    controller.configure(0, "own_rates", None)
+    controller.load_by(0, 100.0)
+    controller.go([0])
+    controller.clock.advance(10.0)
+    first, second = (move.profile for move in controller.moves)
+    assert first is not None
+    assert second is not None
+    assert [phase.duration for phase in first.phases] == [0.1, pytest.approx(96.25 / 50), 0.05]
+    assert second.duration == pytest.approx(1.1)
+
+
+def test_limits_hold_for_single_moves_and_jogs() -> None:
+    controller = ready(1)
+    controller.configure(0, "max_speed", 40.0)
+    controller.configure(0, "max_accel", 400.0)
+    controller.load_by(0, 100.0)
+    controller.go([0])
+    profile = controller.moves[0].profile
+    assert profile is not None
+    assert profile.peak_speed == 40.0
+    assert profile.phases[0].duration == pytest.approx(0.1)
+    controller.jog(0, -500.0)
+    controller.clock.advance(2.0)
+    assert controller.velocity(0) == -40.0
+
+
+def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
+    """Two sides of a square run through: 1.1 s, the output on when the corner is passed, at 0.55 s."""
+    controller = ready()
+    controller.configure(0, "contour_mode", True)
+    controller.configure(0, "contour_angle", 90.0)
+    controller.load_line_by((0, 1), (50.0, 0.0))
+    controller.load_output(0, {3: 1.0})
+    controller.load_pulse(1, 4, 0.1)
+    controller.load_line_by((0, 1), (0.0, 50.0))
+    controller.go([0, 1])
+    corner = controller.crossing_time(0, 50.0)
+    assert corner == pytest.approx(0.55)
+    controller.clock.advance(0.549)
+    assert (controller.output(3), controller.output(4)) == (0, 0)
+    controller.clock.advance(0.551)
+    assert (controller.output(3), controller.output(4)) == (1, 1)
+    assert controller.path_speed(0) == pytest.approx(100.0)
+    controller.clock.advance(1.2)
+    assert controller.is_idle(0)
+    assert controller.is_idle(1)
+    assert controller.position(1) == 50.0
+    assert controller.moves[-1].start_time == pytest.approx(0.55)

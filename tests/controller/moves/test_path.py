@@ -1,0 +1,484 @@
+"""Paths of several axes: their figures, joins, blends, and that they never leave their geometry."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import Refusal
+from tests.controller.machines import machine, until
+
+quick = settings(max_examples=60, derandomize=True, deadline=None, database=None)
+INFINITY = float("inf")
+
+
+def plane(axes: int = 2, **settings: float | str) -> Controller:
+    """100 counts a unit on the first axis, 50 on the second, 200 on the third; 10 units/s, 100 units/s² on each."""
+    c = Controller(axes)
+    for axis, counts in zip(c.axes, (100.0, 50.0, 200.0), strict=False):
+        c.set_scale(axis, counts)
+        for name, value in {"speed": 10.0, "accel": 100.0, "decel": 100.0}.items():
+            c.configure(axis, name, value * counts)
+        for name, value in {"buffer_size": 20, **settings}.items():  # type: ignore[assignment]
+            c.configure(axis, name, value)
+    return c
+
+
+def place(c: Controller, time: float | None = None) -> list[float]:
+    """Where the axes are, user units."""
+    now = c.clock.now if time is None else time
+    return [a.position(now) / a.scale.counts for a in c.axes.values()]
+
+
+def path_speed(c: Controller, time: float) -> float:
+    return math.hypot(*(a.velocity(time) / a.scale.counts for a in c.axes.values()))
+
+
+# ------------------------------------------------------------------------------------------------- lines
+
+
+def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 3)  # 3 by 4 units: 5
+    c.go([0])
+    assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.6)
+    until(c, 0.3)
+    assert place(c) == pytest.approx([1.5, 2.0])
+    assert c.path_speed(0) == c.path_speed(1) == pytest.approx(10.0)
+    assert c.path_remaining(0) == pytest.approx(2.5)
+    assert c.vector_angle(0, 1) == pytest.approx(math.degrees(math.atan2(4.0, 3.0)))
+    assert (c.velocity(0), c.velocity(1)) == pytest.approx((600.0, 400.0))
+    until(c, 1.0)
+    assert place(c) == [3.0, 4.0]
+    assert c.is_idle(0)
+    assert c.is_idle(1)
+    assert [(move.axis, move.command, move.line, move.target) for move in c.moves] == [
+        (0, "VECTORR", 3, 300.0),
+        (1, "VECTORR", 3, 200.0),
+    ]
+
+
+def test_go_on_the_master_starts_the_whole_and_go_on_another_axis_nothing() -> None:
+    c = plane()
+    c.load_line([0, 1], [300.0, 200.0])
+    c.go([1])
+    assert until(c, 1.0).is_idle(0)
+    c.go([0])
+    assert not c.is_idle(1)
+
+
+def test_a_path_waits_until_all_its_axes_are_ready() -> None:
+    c = plane()
+    c.load_by(1, 50.0)  # 0.2 s: 1 unit
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0, 1])
+    assert until(c, 0.1).is_idle(0)
+    until(c, 2.0)
+    assert c.moves[1].start_time == c.moves[2].start_time == pytest.approx(0.2)
+    assert place(c) == [3.0, 5.0]
+
+
+def test_a_path_takes_a_place_in_each_buffer() -> None:
+    c = plane(3, buffer_size=2)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    assert [c.room(axis) for axis in c.axes] == [1, 1, 2]
+    c.load_by(1, 1.0)
+    with pytest.raises(Refusal, match="axis 1 is full"):
+        c.load_line_by([0, 1], [300.0, 200.0])
+    assert [c.room(axis) for axis in c.axes] == [1, 0, 2]
+
+
+def test_two_paths_stop_in_the_corner_between_them() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    assert path_speed(until(c, 0.6), 0.6) == pytest.approx(0.0, abs=1e-6)
+    assert until(c, 3.0).moves[2].start_time == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(
+    ("axes", "code"), [([0], "axis"), ([0, 0], "axis")]
+)  # fmt: skip
+def test_a_path_needs_different_axes(axes: list[int], code: str) -> None:
+    with pytest.raises(Refusal) as refusal:
+        plane().load_line(axes, [1.0] * len(axes))
+    assert refusal.value.code == code
+
+
+def test_a_path_of_no_length_takes_no_time() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [0.0, 0.0])
+    c.load_line_by([0, 1], [300.0, 0.0])
+    c.go([0])
+    until(c, 5.0)
+    assert place(c) == [3.0, 0.0]
+    assert c.moves[2].start_time == 0.0
+
+
+def test_the_limits_of_each_axis_are_kept() -> None:
+    c = plane()
+    c.configure(1, "max_speed", 100.0)  # 2 units/s
+    c.configure(1, "max_accel", 400.0)  # 8 units/s²
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 9.0)
+    speeds = [move.profile.peak_speed for move in c.moves if move.profile]
+    rates = [move.profile.peak_acceleration for move in c.moves if move.profile]
+    assert speeds == pytest.approx([150.0, 100.0])
+    assert rates == pytest.approx([10000.0 * 0.6, 4000.0]) or rates[1] <= 4000.0 + 1e-6
+
+
+# --------------------------------------------------------------------------------------------------- arcs
+
+
+def test_a_half_circle_by_its_figures() -> None:
+    c = plane()
+    c.load_arc([0, 1], [200.0, 0.0], -180.0, (), True, "CIRCLER")  # over the top: 0, 0 to 4, 0
+    c.go([0])
+    whole = 2.0 * math.pi / 10.0 + 0.1
+    assert c.idle_time(0) == pytest.approx(whole)
+    assert place(until(c, whole / 2.0)) == pytest.approx([2.0, 2.0])
+    assert c.vector_angle(0, 1) == pytest.approx(0.0, abs=1e-9)
+    until(c, 2.0)
+    assert place(c) == [4.0, 0.0]
+
+
+def test_a_full_circle_ends_where_it_began_to_the_last_bit() -> None:
+    c = plane()
+    until(c, 0.0).define_position(0, 12.3)
+    c.load_arc([0, 1], [200.0, 77.0], 360.0, (), True)
+    c.go([0])
+    assert [until(c, 5.0).position(axis) for axis in (0, 1)] == [12.3, 0.0]
+
+
+def test_a_helix_rises_evenly() -> None:
+    c = plane(3)
+    c.load_arc([0, 1, 2], [200.0, 0.0], 90.0, [2000.0], False, "HELIXA")
+    c.go([0])
+    length = math.hypot(math.pi, 10.0)
+    assert c.idle_time(2) == pytest.approx(length / 10.0 + 0.1)
+    assert place(until(c, c.idle_time(0) / 2.0))[2] == pytest.approx(5.0)
+    assert c.path_speed(0) == pytest.approx(10.0)
+    assert place(until(c, 5.0)) == pytest.approx([2.0, -2.0, 10.0])
+
+
+@quick
+@given(
+    st.floats(-800.0, 800.0).filter(lambda angle: abs(angle) > 5.0),
+    st.floats(-5.0, 5.0),
+    st.floats(0.5, 5.0),
+    st.sampled_from(["trapezoid", "sinusoidal", "scurve", "parabolic"]),
+    st.floats(0.1, 0.9),
+    st.sampled_from(["", "stop", "suspend", "override"]),
+)
+def test_an_arc_never_leaves_its_circle(
+    angle: float, x: float, y: float, shape: str, share: float, event: str
+) -> None:
+    c = plane(feedrate_mode=2, shape=shape)
+    c.load_arc([0, 1], [100.0 * x, 50.0 * y], angle, (), True)
+    c.go([0])
+    at = share * c.idle_time(0)
+    until(c, at)
+    speed = c.path_speed(0)
+    if event == "stop":
+        c.stop(1)
+    elif event == "suspend":
+        c.suspend(1)
+        until(c, at + 1.0).resume(0)
+    elif event == "override":
+        c.configure(0, "override", 0.5)
+    until(c, 99.0)
+    assert c.is_idle(0)
+    assert c.is_idle(1)
+    radius = math.hypot(x, y)
+    for k in range(200):
+        px, py = place(c, k * c.axes[0].starts[-1] / 200.0)
+        assert math.hypot(px - x, py - y) == pytest.approx(radius, abs=1e-9)
+        assert path_speed(c, k * c.axes[0].starts[-1] / 200.0) <= 10.0 * (1.0 + 1e-9)
+    assert path_speed(c, at) == pytest.approx(speed, abs=1e-9)
+    assert c.moves[0].ended == ("stop" if event == "stop" else "")
+
+
+# ------------------------------------------------------------------------------- stop, suspend, abort, faults
+
+
+def test_stop_on_any_axis_stops_all_on_the_path() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 0.3).stop(1)
+    assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.4)
+    until(c, 3.0)
+    assert place(c) == pytest.approx([1.8, 2.4])
+    assert [move.ended for move in c.moves] == ["stop", "stop"]
+    assert [c.room(axis) for axis in (0, 1)] == [20, 20]
+    assert (c.target(0), c.target(1)) == pytest.approx((180.0, 120.0))
+
+
+def test_suspend_and_resume_keep_the_line() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 0.3).suspend(0)
+    assert place(until(c, 2.0)) == pytest.approx([1.8, 2.4])
+    assert not c.is_idle(1)
+    c.resume(1)
+    assert c.idle_time(0) == pytest.approx(2.0 + 0.3)
+    assert place(until(c, 4.0)) == [3.0, 4.0]
+
+
+def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
+    c = plane()
+    c.suspend(1)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    assert place(until(c, 2.0)) == [0.0, 0.0]
+    assert not c.is_idle(0)
+    c.resume(1)
+    assert place(until(c, 2.6)) == [3.0, 4.0]
+
+
+@pytest.mark.parametrize("how", ["abort", "disable"])
+def test_what_holds_one_axis_holds_all(how: str) -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.load_by(1, 100.0)
+    c.go([0])
+    getattr(until(c, 0.3), how)(1)
+    assert c.is_idle(0)
+    assert c.is_idle(1)
+    assert place(until(c, 3.0)) == pytest.approx([1.5, 2.0])
+    assert [move.ended for move in c.moves] == ["cancel", "cancel"]
+
+
+def test_an_error_stop_uses_the_error_rate_of_the_master() -> None:
+    c = plane()
+    c.configure(0, "error_decel", 20000.0)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 0.3).fault(1, 2, "error-stop")
+    assert c.idle_time(0) == pytest.approx(0.35)
+
+
+def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    until(c, 0.3)
+    for verb in ("move_to", "jog", "retarget_to", "define_position"):
+        with pytest.raises(Refusal) as refusal:
+            getattr(c, verb)(1, 5.0)
+        assert refusal.value.code == "moving"
+    assert place(until(c, 3.0)) == [3.0, 4.0]
+
+
+def test_a_path_without_speed_is_refused_with_its_line() -> None:
+    c = plane()
+    c.configure(0, "speed", 0.0)
+    c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 9)
+    with pytest.raises(Refusal) as refusal:
+        c.go([0])
+    assert (refusal.value.code, refusal.value.line) == ("zero-speed", 9)
+
+
+def test_a_limit_stops_the_path() -> None:
+    from motionlang.controller.triggers.limit import Limit
+
+    c = plane()
+    limit = Limit(c, 1, 1, 4, "stop")
+    c.axes[1].limits.append(limit)
+    limit.place(100.0)
+    c.load_line_by([0, 1], [300.0, 200.0])
+    c.go([0])
+    assert place(until(c, 3.0)) == pytest.approx([1.5 + 0.3, 2.0 + 0.4])
+    assert c.faults(1) == 4
+
+
+# ------------------------------------------------------------------------------------------------ contours
+
+
+def test_a_contour_runs_through_a_smooth_join() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_arc([0, 1], [0.0, 50.0], 90.0, (), True)
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    length = 8.0 + math.pi / 2.0
+    total = length / 10.0 + 0.1
+    until(c, 9.0)
+    assert [round(move.start_time, 9) for move in c.moves[::2]] == [
+        0.0,
+        round(0.05 + 0.4, 9),
+        round(0.05 + 0.4 + math.pi / 20.0, 9),
+    ]
+    assert c.axes[0].starts[-1] == pytest.approx(total)
+    assert place(c) == [5.0, 5.0]
+    for k in range(1, 100):
+        t = 0.1 + k * (total - 0.2) / 100.0
+        assert path_speed(c, t) == pytest.approx(10.0)
+
+
+def test_a_sharp_corner_is_a_stop() -> None:
+    c = plane(contour_mode=True, contour_angle=30.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    assert path_speed(until(c, 9.0), 0.5) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_path_released_under_way_prolongs_the_contour() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 0.2)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 9.0)
+    assert c.axes[0].starts[-1] == pytest.approx(0.9)
+    assert path_speed(c, 0.45) == pytest.approx(10.0)
+    assert place(c) == [8.0, 0.0]
+
+
+def test_a_path_released_while_braking_is_still_taken_up() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 0.45)  # 5 units/s, on its way to rest at 0.5 s
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 9.0)
+    assert path_speed(c, 0.5) == pytest.approx(10.0)
+    assert place(c) == [8.0, 0.0]
+
+
+def test_each_path_keeps_its_own_speed_and_slows_down_in_time() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0, feedrate_mode=1)
+    for speed in (1000.0, 500.0, 1000.0):
+        c.configure(0, "speed", speed)
+        c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 9.0)
+    starts = [move.start_time for move in c.moves[::2]]
+    assert [path_speed(c, t) for t in starts] == pytest.approx([0.0, 5.0, 5.0], abs=1e-6)
+    peaks = [move.profile.peak_speed for move in c.moves[::2] if move.profile]
+    assert peaks == pytest.approx([1000.0, 500.0, 1000.0])
+
+
+def test_stop_runs_on_over_the_join_where_it_must() -> None:
+    c = plane(contour_mode=True, contour_angle=1.0)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.go([0])
+    until(c, 0.43).stop(0)  # at 3.8, half a unit from rest
+    until(c, 9.0)
+    assert place(c) == pytest.approx([4.3, 0.0])
+    assert [move.ended for move in c.moves] == ["stop"] * 4
+
+
+corners = st.lists(
+    st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0)).filter(lambda p: math.hypot(*p) > 0.05),
+    min_size=2,
+    max_size=6,
+)
+
+
+@quick
+@given(corners, st.sampled_from([0.0, 20.0, 180.0]), st.sampled_from(["trapezoid", "sinusoidal", "scurve"]))
+def test_contours_keep_speed_rate_and_line(ways: list[tuple[float, float]], angle: float, shape: str) -> None:
+    c = plane(contour_mode=True, contour_angle=angle, shape=shape)
+    points = [(0.0, 0.0)]
+    for x, y in ways:
+        c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
+        points.append((points[-1][0] + x, points[-1][1] + y))
+    c.go([0])
+    until(c, 99.0)
+    assert place(c) == pytest.approx(points[-1], abs=1e-9)
+    speeds = []
+    for k in range(301):
+        t = k * c.axes[0].starts[-1] / 300.0
+        speeds.append(path_speed(c, t))
+        assert speeds[-1] <= 10.0 * (1.0 + 1e-9)
+        assert min(_away(place(c, t), a, b) for a, b in pairwise(points)) < 1e-9
+    step = c.axes[0].starts[-1] / 300.0
+    for before, after in pairwise(speeds):
+        assert abs(after - before) <= 100.0 * step * (1.0 + 1e-6) + 1e-9
+
+
+def _away(point: list[float], a: tuple[float, float], b: tuple[float, float]) -> float:
+    """The distance of a point from a stretch of line."""
+    along = (b[0] - a[0], b[1] - a[1])
+    share = ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / (along[0] ** 2 + along[1] ** 2)
+    share = min(1.0, max(0.0, share))
+    return math.hypot(point[0] - a[0] - share * along[0], point[1] - a[1] - share * along[1])
+
+
+# ------------------------------------------------------------------------------------------------- blends
+
+
+def test_a_blend_rounds_the_corner_with_a_parabola() -> None:
+    c = plane(blend_mode=True, blend_distance=0.5)  # the braking distance
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    until(c, 9.0)
+    assert c.moves[2].start_time == pytest.approx(0.4)
+    assert c.axes[0].starts[-1] == pytest.approx(0.9)
+    assert place(c) == pytest.approx([4.0, 4.0], abs=1e-12)
+    # half way through the corner: x has 0.125 to go, y has gone 0.125
+    assert place(c, 0.45) == pytest.approx([3.875, 0.125])
+    assert path_speed(c, 0.45) == pytest.approx(math.hypot(5.0, 5.0))
+    for k in range(90):
+        assert path_speed(c, 0.01 * k) <= 10.0 + 1e-9
+
+
+def test_blends_follow_one_another_and_end_exactly() -> None:
+    c = plane(blend_mode=True, blend_distance=0.5)
+    for x, y in ((4.0, 0.0), (0.0, 0.6), (3.0, 3.0)):
+        c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
+    c.go([0])
+    until(c, 9.0)
+    assert place(c) == pytest.approx([7.0, 3.6], abs=1e-12)
+    last = [0.0, 0.0]
+    for k in range(1, 1500):
+        here = place(c, 0.001 * k)
+        assert math.hypot(here[0] - last[0], here[1] - last[1]) <= 0.02
+        last = here
+
+
+def test_blend_begins_the_next_path_at_once() -> None:
+    c = plane()
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    until(c, 0.4).blend(0)
+    assert c.moves[2].start_time == pytest.approx(0.4)
+    assert place(until(c, 9.0)) == pytest.approx([4.0, 4.0], abs=1e-12)
+
+
+def test_a_stop_in_a_blend_ends_both() -> None:
+    c = plane(blend_mode=True, blend_distance=0.5)
+    c.load_line_by([0, 1], [400.0, 0.0])
+    c.load_line_by([0, 1], [0.0, 200.0])
+    c.go([0])
+    until(c, 0.45).stop(0)
+    assert until(c, 9.0).is_idle(0)
+    assert place(c) == pytest.approx([4.0, 0.25], abs=1e-9)
+
+
+def test_a_watch_sees_a_path_pass() -> None:
+    c = machine(2, buffer_size=9)
+    seen: list[float] = []
+    c.watch(1, 5.0, lambda direction: seen.append(c.clock.now * direction))
+    c.load_arc([0, 1], [10.0, 0.0], -180.0, (), True)  # up to 10 on axis 1 and back
+    c.go([0])
+    until(c, 99.0)
+    whole = 10.0 * math.pi / 10.0 + 0.1
+    first = 0.05 + (10.0 * math.pi / 6.0) / 10.0
+    assert seen == pytest.approx([first, -(whole - first)])

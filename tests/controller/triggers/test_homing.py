@@ -1,0 +1,133 @@
+"""Homing against the machine's switch and index marks."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.io.wiring import World
+from motionlang.controller.triggers.homing import Homing, next_index
+
+# The machine's own zero is 20 counts below where it stands; the switch is active from -4 to 1, marks every 10.
+SETTINGS = {"axis.0.start": 20.0, "axis.0.home_switch": [-4.0, 1.0], "axis.0.index_every": 10.0}
+
+
+def machine(settings: dict[str, object] | None = None) -> Controller:
+    c = Controller(1)
+    for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
+        c.configure(0, name, value)
+    World(c, SETTINGS if settings is None else settings)
+    return c
+
+
+def where(c: Controller) -> float:
+    """The position on the machine's own scale."""
+    return c.position(0) - c.axes[0].datum + 20.0
+
+
+def test_homing_on_the_switch_puts_zero_on_its_edge() -> None:
+    c = machine()
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(60.0)
+    assert (homing.found, homing.state) == (True, "done")
+    # Left at 0.8 counts/s, the axis stops v²/2a = 0.02 beyond the edge at 1.0.
+    assert c.position(0) == pytest.approx(0.02)
+    assert where(c) == pytest.approx(1.02)
+
+
+def test_homing_on_switch_and_index_puts_zero_on_the_mark() -> None:
+    c = machine()
+    Homing(c, 0, -1, 8.0, 0.8, 0.4, index=True)
+    c.clock.advance(60.0)
+    assert where(c) == pytest.approx(10.005)
+    assert c.position(0) == pytest.approx(0.005)
+
+
+def test_homing_on_the_index_alone() -> None:
+    c = machine()
+    Homing(c, 0, +1, 4.0, 4.0, 4.0, switch="index", datum=100.0)
+    c.clock.advance(60.0)
+    assert where(c) == pytest.approx(30.5)
+    assert c.position(0) == pytest.approx(100.5)
+
+
+def test_an_axis_that_stands_on_the_switch_backs_off_at_once() -> None:
+    c = machine({"axis.0.start": 0.0, "axis.0.home_switch": [-4.0, 1.0]})
+    Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(60.0)
+    assert c.position(0) == pytest.approx(0.02)
+    assert all(move.profile is not None and move.profile.distance >= 0 for move in c.moves)
+
+
+def test_a_stop_that_overruns_the_whole_switch_comes_back_to_it() -> None:
+    c = machine({"axis.0.start": 20.0, "axis.0.home_switch": [0.5, 1.0]})
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(60.0)
+    assert homing.found
+    assert where(c) == pytest.approx(1.02)
+
+
+def test_a_fault_ends_the_homing() -> None:
+    c = machine()
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(0.5)
+    c.fault(0, 2, "off")
+    assert (homing.found, homing.state) == (False, "done")
+
+
+def test_without_a_switch_the_search_never_ends() -> None:
+    c = machine({})
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(1000.0)
+    assert homing.state == "search"
+    assert c.idle_time(0) == float("inf")
+
+
+def test_index_marks_are_where_the_machine_has_them() -> None:
+    c = machine()
+    assert next_index(c, 0, +1) == 10.0
+    assert next_index(c, 0, -1) == -10.0
+    c.define_position(0, 1000.0)
+    assert next_index(c, 0, +1) == 10.0
+
+
+def test_an_offset_is_gone_to_from_the_datum() -> None:
+    c = machine()
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8, offset=-0.5, datum=3.0)
+    c.clock.advance(60.0)
+    assert homing.landed == pytest.approx(0.02)
+    assert c.position(0) == pytest.approx(2.5)
+    assert (homing.state, c.is_idle(0)) == ("done", True)
+
+
+def test_homing_on_a_limit_switch_is_no_error() -> None:
+    c = machine({"axis.0.start": 20.0, "axis.0.travel": [0.0, 50.0]})
+    ended: list[bool] = []
+    Homing(c, 0, -1, 8.0, 0.8, 0.8, switch="limit", ended=lambda homing: ended.append(homing.found))
+    c.clock.advance(60.0)
+    assert c.position(0) == pytest.approx(0.02)
+    assert (ended, c.faults(0)) == ([True], 0)
+    c.jog(0, -1.0)
+    c.clock.advance(90.0)
+    assert c.faults(0) != 0  # and an error again afterwards
+
+
+def test_another_motion_ends_the_homing() -> None:
+    c = machine()
+    homing = Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(0.5)
+    c.jog(0, -2.0)
+    c.clock.advance(60.0)
+    assert (homing.found, homing.state) == (False, "done")
+    assert c.velocity(0) == -2.0
+
+
+def test_nobody_hears_of_rest_before_the_end() -> None:
+    c = machine()
+    idle: list[float] = []
+    c.listeners.append(
+        lambda what, axis: idle.append(c.clock.now) if what == "idle" and c.is_idle(axis) else None
+    )
+    Homing(c, 0, -1, 8.0, 0.8, 0.8)
+    c.clock.advance(60.0)
+    assert len(idle) == 1

@@ -1,0 +1,108 @@
+"""Travel limits, to the count."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import LIMIT_FORWARD, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
+from motionlang.controller.triggers.limit import Limit
+
+
+def machine() -> Controller:
+    c = Controller(1)
+    for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0), ("error_decel", 32.0)):
+        c.configure(0, name, value)
+    return c
+
+
+def limited(action: str, position: float = 6.0, physical: bool = False) -> tuple[Controller, Limit]:
+    c = machine()
+    limit = Limit(c, 0, +1, LIMIT_FORWARD if physical else SOFT_LIMIT_FORWARD, action, physical)
+    c.axes[0].limits.append(limit)
+    limit.place(position)
+    return c, limit
+
+
+@pytest.mark.parametrize(
+    ("action", "rest", "ended"),
+    [
+        ("ignore", 12.0, ""),
+        ("stop", 8.0, "stop"),
+        ("error-stop", 7.0, "fault"),
+        ("abort", 6.0, "fault"),
+        ("off", 6.0, "fault"),
+    ],
+)
+def test_a_limit_does_what_its_action_says(action: str, rest: float, ended: str) -> None:
+    c, _ = limited(action)
+    c.move_to(0, 12.0)
+    c.clock.advance(9.0)
+    assert c.position(0) == pytest.approx(rest)
+    assert c.moves[0].ended == ended
+    assert c.faults(0) == (0 if action == "ignore" else SOFT_LIMIT_FORWARD)
+    assert c.is_enabled(0) is (action != "off")
+
+
+def test_an_active_limit_stops_a_move_into_it_and_lets_one_out() -> None:
+    c, limit = limited("abort")
+    c.move_to(0, 12.0)
+    c.clock.advance(9.0)
+    assert limit.active
+    c.clear_faults(0)
+    c.move_to(0, 12.0)
+    assert (c.is_idle(0), c.faults(0)) == (True, SOFT_LIMIT_FORWARD)
+    c.clear_faults(0)
+    c.move_to(0, 0.0)
+    c.clock.advance(20.0)
+    assert (c.position(0), c.faults(0), limit.active) == (0.0, 0, False)
+
+
+def test_a_soft_limit_counts_from_the_programs_zero_and_a_switch_does_not() -> None:
+    for physical, rest in ((False, 6.0), (True, 106.0)):
+        c, _ = limited("abort", physical=physical)
+        c.define_position(0, 100.0 if physical else 0.0)
+        c.move_by(0, 12.0)
+        c.clock.advance(9.0)
+        assert c.position(0) == pytest.approx(rest)
+
+
+def test_a_reverse_limit() -> None:
+    c = machine()
+    limit = Limit(c, 0, -1, SOFT_LIMIT_REVERSE, "abort")
+    c.axes[0].limits.append(limit)
+    limit.place(-6.0)
+    c.jog(0, -8.0)
+    c.clock.advance(9.0)
+    assert c.position(0) == pytest.approx(-6.0)
+    assert c.faults(0) == SOFT_LIMIT_REVERSE
+
+
+def test_listeners_hear_of_faults_and_of_rest() -> None:
+    c, _ = limited("abort")
+    heard: list[tuple[str, int]] = []
+    c.listeners.append(lambda what, axis: heard.append((what, axis)))
+    c.move_to(0, 12.0)
+    c.clock.advance(9.0)
+    assert heard == [("idle", 0), ("fault", 0), ("limit", 0)]
+
+
+def test_a_new_zero_takes_the_axis_out_of_a_software_limit() -> None:
+    c, limit = limited("abort", -5.0)
+    assert limit.active
+    c.define_position(0, -20.0)
+    assert not limit.active
+    c.move_to(0, -10.0)
+    c.clock.advance(9.0)
+    assert (c.position(0), c.faults(0)) == (-10.0, 0)
+
+
+def test_a_limit_that_is_only_a_switch() -> None:
+    c = machine()
+    limit = Limit(c, 0, +1, LIMIT_FORWARD, "error-stop", True)
+    c.axes[0].limits.append(limit)
+    c.move_to(0, 12.0)
+    c.clock.at(1.0, lambda: limit.set_active(True))
+    c.clock.advance(9.0)
+    assert c.position(0) == pytest.approx(6.0 + 8.0**2 / 64.0)
+    assert (c.faults(0), limit.active) == (LIMIT_FORWARD, True)

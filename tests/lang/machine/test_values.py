@@ -1,0 +1,189 @@
+"""The machine file with every kind of value at every key: it runs, or is told with its place and a hint."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+
+import pytest
+
+import motionlang
+from motionlang.controller.servo.settings import KEYS as SERVO_KEYS
+from motionlang.errors import ProgramError
+from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.keys import KEYS, REQUIRED, TABLES
+from motionlang.source import Source
+
+DIGITS = "1" + "0" * 400
+WRONG = [
+    "inf",
+    "-inf",
+    "nan",
+    "-1",
+    "0",
+    "0.5",
+    "1e308",
+    "7",
+    "true",
+    "1979-05-27",
+    "07:32:00",
+    "[]",
+    "[1]",
+    "[[1],[2]]",
+    "[nan,nan]",
+    "{}",
+    "{a=1}",
+    "[{}]",
+    '""',
+    '"x"',
+    '["a","b"]',
+    '{"0"=1}',
+    '{"²"=1}',
+    DIGITS,
+    f"-{DIGITS}",
+    f"[1, {DIGITS}]",
+    f'{{ "0" = {DIGITS} }}',
+    f'{{ "{DIGITS * 11}" = 1 }}',
+    DIGITS * 11,
+    f"0x{'f' * 5000}",
+    f"[0x{'f' * 5000}]",
+    "[" * 200 + "]" * 200,
+    "[" * 2000,
+    "{a=" * 2000,
+]
+# A value that each kind takes.
+RIGHT = {
+    "text": '"a"',
+    "pair": "[1, 2]",
+    "registers": "{}",
+    "times": "2",
+    "bit": "0",
+    "width": '"word"',
+    "node event": '"live"',
+    "bus event": '"off"',
+    "view": '"float"',
+    "fault": '"drive"',
+}
+# What an entry needs besides what each of its table needs.
+BESIDES = {
+    "fault": {"axis": "1"},
+    "comms": {"value": "1"},
+    "netdata": {"value": "1"},
+    "dpr": {"value": "1"},
+    "remote": {"channel": "1"},
+    "encoder": {"channel": "1"},
+}
+
+
+def told(text: str) -> list[str]:
+    """The mistakes of a machine file, each with its place and its hint; what has none runs."""
+    try:
+        settings = read_machine(Source("machine.toml", text))
+    except ProgramError as error:
+        for each in error.diagnostics:
+            assert each.line, f"{each.message}: no place in {text[:200]}"
+            assert each.hint, f"{each.message}: no hint in {text[:200]}"
+        return [each.message for each in error.diagnostics]
+    for name, program in (("a.mnt", "PRINT 1\n"), ("a.mcl", "0\n")):
+        with suppress(ProgramError):  # an axis that there is not
+            motionlang.run(Source(name, program), machine=settings, until=2.0, cache=False)
+    return []
+
+
+def entry(table: str, values: dict[str, str]) -> str:
+    """An entry of a table."""
+    return f"[[{table}]]\n" + "".join(f"{key} = {value}\n" for key, value in values.items())
+
+
+def right(table: str, key: str) -> str:
+    return RIGHT.get(TABLES[table][key][0], "1")
+
+
+def least(table: str) -> dict[str, str]:
+    """The least that an entry of a table says."""
+    return {key: right(table, key) for key in REQUIRED[table]} | BESIDES.get(table, {})
+
+
+@pytest.mark.parametrize(
+    "key", [*KEYS, *SERVO_KEYS, *TABLES, "controller", "axis", "axis.N", "axis.N.plant", "mint"]
+)
+def test_any_value_of_a_key(key: str) -> None:
+    written = key.replace(".N", ".1").replace("WORD", "DRIVEBUSVOLTS")
+    assert any(told(f"{written} = {value}\n") for value in WRONG)
+
+
+def entries(table: str) -> Iterator[str]:
+    """Entries with every value at every key, with every two keys, and with one that is missing."""
+    for key in TABLES[table]:
+        for value in WRONG:
+            yield entry(table, {**least(table), key: value})
+        for other in TABLES[table]:
+            yield entry(table, {**least(table), key: right(table, key), other: right(table, other)})
+        for other in least(table):
+            left = {**least(table), key: right(table, key)}
+            del left[other]
+            yield entry(table, left)
+
+
+@pytest.mark.parametrize("table", TABLES)
+def test_any_value_in_a_table(table: str) -> None:
+    assert told(entry(table, least(table))) == []
+    assert any(told(text) for text in entries(table))
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "message"),
+    [
+        ("[[input]]\nchannel = 1\naxis = 1\n", 3, 1, "axis of [[input]] decides nothing without a position"),
+        (
+            "[[analogue]]\nchannel = 1\nvalue = 2\naxis = 1\nper_unit = 3\n",
+            4,
+            1,
+            "axis of [[analogue]] decides nothing without a position",
+        ),
+        (
+            "[[input]]\nchannel = 1\noutput = 1\n axis = 1\n",
+            4,
+            2,
+            "axis of [[input]] decides nothing without a position",
+        ),
+        (
+            f"[axis.1.plant]\ninertia = {DIGITS}\n",
+            2,
+            1,
+            f"axis.1.plant.inertia must be no larger than 1.8e+308, not {DIGITS[:60]}…",
+        ),
+        (f"[controller]\naxes = {DIGITS * 11}\n", 2, 8, "a number has too many digits"),
+        ("[controller]\naxes = " + "[" * 2000 + "\n", 2, 2007, "values are nested too deeply"),
+        ("[axis.0]\ntravel = [[[[", 2, 14, "Invalid value"),
+        (f"{'a.' * 3000}b = 1\n", 1, 1, "there is no key a.a.a.a.a.a"),
+        ("[axis.01]\ntravel = [0, 1]\n", 2, 1, "there is no key axis.01.travel"),
+        ('[axis."²".plant]\nkind = "dc"\n', 2, 1, "there is no key axis.².plant.kind"),
+        (
+            "\naxis.1.plant.resonance = 3\n",
+            2,
+            1,
+            "a resonance needs a load inertia to swing against the motor",
+        ),
+        (
+            f"[[comms]]\nelement = 0x{'f' * 5000}\nvalue = 1\n",
+            2,
+            1,
+            "element of [[comms]] must be a whole number",
+        ),
+    ],
+    ids=lambda value: str(value)[:40].split("\n")[0],
+)
+def test_a_typing_mistake_has_its_place(text: str, line: int, column: int, message: str) -> None:
+    with pytest.raises(ProgramError) as error:
+        read_machine(Source("machine.toml", text))
+    first = error.value.diagnostics[0]
+    assert first.hint
+    assert (first.line, first.column, first.message[: len(message)]) == (line, column, message)
+
+
+@pytest.mark.parametrize("place", ["²", "9" * 5000])
+def test_a_reading_at_a_place_that_there_is_not(place: str) -> None:
+    settings = read_machine(Source("machine.toml", f'[mint.readings]\nTEMPERATURE = {{ "{place}" = 3 }}\n'))
+    ran = motionlang.run(Source("a.mnt", "PRINT TEMPERATURE(0)\n"), machine=settings, cache=False)
+    assert [each.code for each in ran.diagnostics] == ["not-simulated"]

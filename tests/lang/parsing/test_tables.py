@@ -1,0 +1,201 @@
+"""The table parser against Lark itself, on the same grammar: same texts accepted, same trees built."""
+
+from __future__ import annotations
+
+import logging
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import lark
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.lang.parsing import generate
+from motionlang.lang.parsing.parser import Stuck, TooDeep
+from motionlang.mint.syntax import build, nodes
+from motionlang.mint.syntax import tables as mint_tables
+from motionlang.mint.syntax.actions import ACTIONS
+from motionlang.mint.syntax.tables import TABLES
+from tests.mint.syntax.test_parser_spec import samples
+
+SCRIPTS = Path(__file__).parents[3] / "scripts" / "mint"
+NAMES = {**vars(build), **vars(nodes)}
+
+
+def test_the_tables_are_those_of_the_grammar() -> None:
+    path = Path(mint_tables.__file__)
+    assert path.read_text() == generate.generate("mint.lark", "mint", ACTIONS), (
+        "run python -m motionlang.lang.parsing.generate"
+    )
+
+
+def test_the_grammar_has_no_conflict(caplog: pytest.LogCaptureFixture) -> None:
+    lark.logger.setLevel(logging.DEBUG)
+    lark.logger.propagate = True
+    try:
+        generate.build_lark("mint.lark", debug=True)
+    finally:
+        lark.logger.setLevel(logging.CRITICAL)
+    assert "conflict" not in caplog.text.lower()
+
+
+def test_every_action_is_used() -> None:
+    text = Path(generate.grammar_path("mint.lark")).read_text()
+    aliases = set(re.findall(r"-> (\w+)", text)) - {"more"}
+    assert aliases == set(ACTIONS)
+
+
+# ------------------------------------------------------------------------------------------ Lark as the judge
+
+
+@cache
+def judge() -> lark.Lark:
+    return generate.build_lark("mint.lark")
+
+
+def judged(text: str) -> str:
+    """What Lark makes of a text: the tree built by the same actions, read off Lark's own tree, or the refusal."""
+    try:
+        tree = judge().parse(text + TABLES.end(text))
+    except lark.exceptions.UnexpectedInput:
+        return "refused"
+    spans = TABLES.spans(text)
+    places = {start: at for at, (start, _) in enumerate(spans)}
+    texts = TABLES.texts(text)
+    try:
+        return repr(_value(tree, places, texts))
+    except build.Misuse:
+        return "misused"
+
+
+def _value(item: Any, places: dict[int, int], texts: list[str]) -> Any:
+    if item is None:
+        return None
+    if isinstance(item, lark.Token):
+        return places[item.start_pos or 0]
+    values = [_value(child, places, texts) for child in item.children]
+    if item.data == "more":
+        last = next(
+            v
+            for v, child in zip(values[::-1], item.children[::-1], strict=True)
+            if not isinstance(child, lark.Token)
+        )
+        return _append(values[0], last)
+    action = ACTIONS[item.data]
+    scope = {"T": texts, "V": [], **{f"v{i}": value for i, value in enumerate(values)}}
+    value = eval(action.removeprefix("+ "), NAMES, scope)
+    return _append(values[0], value) if action.startswith("+ ") else value
+
+
+def _append(values: list[Any], value: Any) -> list[Any]:
+    values.append(value)
+    return values
+
+
+def ours(text: str) -> str:
+    try:
+        return repr(TABLES.parse(TABLES.texts(text)))
+    except Stuck:
+        return "refused"
+    except build.Misuse:
+        return "misused"
+    except TooDeep:
+        return "too deep"
+
+
+@pytest.mark.parametrize("name", samples())
+def test_samples(name: str) -> None:
+    text = samples()[name]
+    assert ours(text) == judged(text) != "refused"
+
+
+def test_gallery() -> None:
+    for path in SCRIPTS.glob("**/*.mnt"):
+        text = path.read_text()
+        assert ours(text) == judged(text), path.name
+
+
+# A program is lines of pieces: right ones mostly, so that both parsers go deep, in any order, so that both fail.
+PIECES = [piece for text in samples().values() for piece in TABLES.texts(text) if piece]
+LINES = [
+    line
+    for text in samples().values()
+    for line in text.split("\n")
+    if not line.rstrip().endswith(("\\", " _"))
+]
+
+
+@settings(max_examples=150, derandomize=True, deadline=None)
+@given(st.lists(st.sampled_from(LINES), max_size=8))
+def test_lines_in_any_order(lines: list[str]) -> None:
+    text = "\n".join(lines)
+    assert ours(text) == judged(text)
+
+
+@settings(max_examples=250, derandomize=True, deadline=None)
+@given(st.lists(st.sampled_from(PIECES), max_size=14))
+def test_tokens_in_any_order(pieces: list[str]) -> None:
+    text = " ".join(pieces)
+    assert ours(text) == judged(text)
+
+
+@settings(max_examples=250, derandomize=True, deadline=None)
+@given(
+    st.sampled_from(sorted(samples().values())),
+    st.integers(0, 400),
+    st.sampled_from(PIECES),
+    st.integers(0, 2),
+)
+def test_one_token_changed(text: str, place: int, piece: str, removed: int) -> None:
+    spans = TABLES.spans(text)
+    if spans:
+        start, end = spans[place % len(spans)][0], spans[(place + removed) % len(spans)][0]
+        text = f"{text[:start]} {piece} {text[max(start, end) :]}"
+    assert ours(text) == judged(text)
+
+
+OPERATORS = [
+    "+",
+    "-",
+    "*",
+    "/",
+    "\\",
+    "^",
+    "&",
+    "|",
+    "<<",
+    ">>",
+    "<",
+    "<=",
+    "=",
+    "<>",
+    "Mod",
+    "And",
+    "Or",
+    "Xor",
+]
+EXPRESSIONS = st.recursive(
+    st.sampled_from(["a", "1", "2.5", "f(3)", "POS.1", '"s"', "p.x", "g[0]"]),
+    lambda inner: st.one_of(
+        st.tuples(inner, st.sampled_from(OPERATORS), inner).map(" ".join),
+        st.tuples(st.sampled_from(["-", "~", "Not ", "+"]), inner).map("".join),
+        inner.map("({})".format),
+    ),
+    max_leaves=12,
+)
+
+
+@settings(max_examples=250, derandomize=True, deadline=None)
+@given(EXPRESSIONS)
+def test_expressions(text: str) -> None:
+    assert ours(f"x = {text}") == judged(f"x = {text}")
+    assert ours(f"Fill {text}, 2") == judged(f"Fill {text}, 2")
+
+
+@settings(max_examples=200, derandomize=True, deadline=None)
+@given(st.text(st.sampled_from("aREMrem019.xX_e+-'\"`\\:;,()=<> \t\n#?"), max_size=24))
+def test_any_text(text: str) -> None:
+    assert ours(text) == judged(text)

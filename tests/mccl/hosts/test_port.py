@@ -1,0 +1,243 @@
+"""The board's ASCII interface, character by character, as its clients use it."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
+from motionlang.mccl.hosts.port import Port
+
+
+def board(model: str = "multiflex", echo: bool | None = False) -> tuple[Console, Port]:
+    """A board and one port, its first prompt taken."""
+    console = Console(Machine({"controller.model": model}, first_axis=1))
+    port = console.open(echo)
+    port.take()
+    return console, port
+
+
+def ask(console: Console, port: Port, sent: bytes) -> bytes:
+    """Send, let the board work, and take what it says."""
+    assert port.feed(sent) == len(sent)
+    console.settle()
+    return port.take()
+
+
+def mx_command(console: Console, port: Port, text: str) -> str:
+    """The beam-line driver: command and CR, one line back, a leading prompt dropped, `?` is an error."""
+    reply = ask(console, port, text.encode() + b"\r")
+    line, end, rest = reply.partition(b"\n")
+    assert end
+    assert rest in (b"", b">")
+    answer = line.removeprefix(b">").removesuffix(b"\r").decode()
+    if answer.startswith("?"):
+        raise ValueError(int(answer[1:]))
+    return answer
+
+
+def test_every_command_is_answered_with_a_line() -> None:
+    console, port = board()
+    assert ask(console, port, b"1SA70000.000000\r") == b"\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+    assert ask(console, port, b"\r") == b"\n>"
+
+
+def test_the_sequence_of_the_beam_line_driver() -> None:
+    console, port = board()
+    assert mx_command(console, port, "1SV11000.000000") == ""
+    mx_command(console, port, "MD1,1MN,1MR1000,1WS0.1")
+    assert mx_command(console, port, "GT1,TR0") == "1"
+    with pytest.raises(ValueError, match="1"):
+        mx_command(console, port, "1XX")
+    with pytest.raises(ValueError, match="-6"):
+        mx_command(console, port, "MC9")
+
+
+def test_the_sequence_of_the_self_test() -> None:
+    """One read for the value, a second one for the prompt."""
+    console, port = board()
+    assert ask(console, port, b"TC1\r").split(b"\n") == [b"01 0", b">"]
+
+
+def test_line_ends() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP\n") == b"01 0\n>"
+    assert ask(console, port, b"1TP\r\n") == b"01 0\n>"
+    assert ask(console, port, b"1TP\r2TP\r") == b"01 0\n>02 0\n>"
+    old, port = board("dcx-at200")
+    assert ask(old, port, b"1TP\r") == b"01 0\r>"
+    oldest, port = board("dcx-pc100")
+    assert ask(oldest, port, b"1TP\r") == b"01 0\r"
+
+
+def test_echo_and_backspace() -> None:
+    console, port = board(echo=None)
+    assert ask(console, port, b"1TX\x08P\r") == b"1TX\b \bP\n01 0\n>"
+    assert ask(console, port, b"EF\r") == b"EF\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+    assert ask(console, port, b"\x08\x7f1TP\r") == b"01 0\n>"
+
+
+def test_escape_aborts_a_wait_and_the_line() -> None:
+    console, port = board()
+    port.feed(b"1MN,1VM,1GO,WA100,1TP\r")
+    console.run(1.0)
+    assert port.busy
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+    assert not port.busy
+    # The motion is not the line's.
+    assert console.machine.controller.velocity(1) == 40000.0
+    assert ask(console, port, b"TE\r") == b"-7\n>"
+
+
+def test_escape_at_the_prompt_clears_the_line() -> None:
+    console, port = board()
+    assert ask(console, port, b"1MR\x1b\x1b1TP\r") == b"\n>\n>01 0\n>"
+
+
+def test_a_blank_pauses_a_busy_port() -> None:
+    console, port = board()
+    port.feed(b"AA1,WA0.1,RP\r")
+    console.run(1.05)
+    port.feed(b" ")
+    console.run(5.0)
+    held = port.task.registers[0]
+    assert held == 11
+    port.feed(b" ")
+    console.run(6.0)
+    assert port.task.registers[0] > held
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+
+
+def test_other_characters_wait_until_the_port_is_idle() -> None:
+    console, port = board()
+    assert ask(console, port, b"WA1,1TP\r2TP\r") == b"01 0\n>02 0\n>"
+    port.feed(b"WA1\r")
+    taken = port.feed(b"1TP," * 2000)
+    assert taken == 4096
+
+
+def test_single_steps() -> None:
+    console, port = board()
+    assert ask(console, port, b"\x02") == b""
+    assert ask(console, port, b"AL1,AA2,TR0\r") == b"{ C0,AL1 } <"
+    assert ask(console, port, b"x") == b"{ C1,AA2 } <"
+    assert ask(console, port, b"x") == b"{ C2,TR0 } <"
+    assert ask(console, port, b"x") == b"3\n>"
+    assert ask(console, port, b"AL9,TR0\r") == b"{ C0,AL9 } <"
+    assert ask(console, port, b"\x1b") == b"?-7\n>"
+    assert ask(console, port, b"TR0\r") == b"3\n>"
+
+
+def test_xoff_holds_the_output() -> None:
+    console, port = board()
+    assert ask(console, port, b"\x131TP\r") == b""
+    assert ask(console, port, b"\x11") == b"01 0\n>"
+    assert ask(console, port, b"\x131TP\r") == b""
+    assert ask(console, port, b"\x1b") == b"01 0\n>\n>"
+
+
+def test_too_long_a_line() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP," * 300 + b"\r") == b"?4\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"
+
+
+def test_a_host_that_does_not_read_holds_the_board_up_and_not_the_memory() -> None:
+    console, port = board()
+    port.feed(b"HE,RP\r")
+    console.run(60.0)
+    assert len(port.take()) < 200_000
+    assert port.busy
+
+
+def test_ports_share_the_board_and_not_the_first_ten_registers() -> None:
+    console, first = board()
+    second = console.open(echo=False)
+    second.take()
+    ask(console, first, b"AL5,AR1,AR20\r")
+    assert ask(console, second, b"TR1,TR20\r") == b"0\n5\n>"
+
+
+def test_a_host_that_vanishes_in_mid_line() -> None:
+    """Its line is abandoned; motion and background tasks go on; others do not notice."""
+    console, port = board()
+    other = console.open(echo=False)
+    other.take()
+    port.feed(b"MD1,WA1,AL9,AR20\r")
+    port.feed(b"1MN,1MR100000,GT1,WA5,1AB\r1MR")
+    console.run(0.5)
+    console.close(port)
+    console.run(10.0)
+    assert ask(console, other, b"1TP,TR20\r") == b"01 100000\n9\n>"
+
+
+def test_a_task_that_polls_does_not_hold_others_up() -> None:
+    console, port = board()
+    ask(console, port, b"MD1,IF33,MJ1,NO,AL7,AR20\r")
+    ask(console, port, b"GT1\r")
+    console.run(3600.0)
+    assert ask(console, port, b"CN33,WA0.1,TR20\r") == b"7\n>"
+
+
+@settings(derandomize=True, max_examples=150, deadline=None)
+@given(st.lists(st.binary(max_size=40), max_size=8))
+def test_any_characters(sent: list[bytes]) -> None:
+    console, port = board(echo=None)
+    for piece in sent:
+        port.feed(piece)
+        console.run(console.now + 0.01)
+        port.take()
+    port.feed(b"\x1b\x1b")
+    console.run(console.now + 1.0)
+    port.feed(b"\x11\x1b")
+    port.take()
+    assert b"01 0" in ask(console, port, b"RT\r1TP\r") or not port.board.prompt
+
+
+def test_a_blank_in_a_line_that_was_sent_ahead_is_no_pause() -> None:
+    console, port = board()
+    assert ask(console, port, b"1TP\r1TP 2TP\r") == b"01 0\n>01 0\n02 0\n>"
+
+
+def test_a_port_that_waits_for_a_key_is_not_working() -> None:
+    """Time does not pass for the sake of a host that is thinking."""
+    console, port = board()
+    ask(console, port, b"MD1,WA1,RP\r")
+    ask(console, port, b"GT1\r")
+    port.feed(b"\x02WA1,TR0\r")
+    began = console.now
+    assert console.settle()
+    assert (port.busy, port.working) == (True, False)
+    assert console.now < began + 0.1
+
+
+def test_what_background_tasks_say_to_a_host_that_does_not_read_is_lost_in_the_end() -> None:
+    console, port = board()
+    ask(console, port, b"MD1,HE,RP\r")
+    ask(console, port, b"GT1\r")
+    console.run(console.now + 0.05)
+    assert 500_000 < len(port.take()) < 600_000
+    console.close(port)
+    console.run(console.now + 0.01)
+    assert port.take() == b""
+
+
+def test_an_error_of_our_own_costs_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    console, port = board()
+    other = console.open(echo=False)
+    other.take()
+    monkeypatch.setattr("motionlang.mccl.hosts.port.PortTask._carry_out", lambda task, line: 1 / 0)
+    port.feed(b"1TP\r")
+    other.feed(b"1TP\r")
+    with pytest.raises(ZeroDivisionError) as trouble:
+        console.settle()
+    monkeypatch.undo()
+    console.drop_broken(trouble.value)
+    assert console.settle()
+    assert port.take() == b"?3\n>"
+    assert other.take() == b"01 0\n>"
+    assert ask(console, port, b"1TP\r") == b"01 0\n>"

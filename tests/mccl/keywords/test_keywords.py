@@ -1,0 +1,49 @@
+"""The table of keywords: every row says what it should, and every example runs."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.lang.keyword import Keyword
+from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords.operations import ACTIONS, PURE
+from tests.keyword_pages import machine_of
+from tests.mccl.conftest import Runner
+
+SIMULATED = [row for row in TABLE if row.simulated]
+KNOWN = [row for row in TABLE if not row.simulated]
+
+
+@pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)
+def test_an_example_stands_alone_and_runs_without_a_complaint(row: Keyword, mccl: Runner) -> None:
+    """As it stands on the page: from power-up, on a bare machine unless the row says what the machine must have."""
+    assert row.name in row.example
+    result = mccl(f"{row.example}\n", until=2.0, machine=machine_of(row))
+    assert not [each.message for each in result.diagnostics]
+    assert result.status == "ended" or row.name in ("GO", "RP")
+    assert not any(line.startswith("?") for line in result.output)
+
+
+@pytest.mark.parametrize("row", KNOWN, ids=lambda row: row.name)
+def test_what_is_not_simulated_says_so(row: Keyword, mccl: Runner) -> None:
+    result = mccl(f"1{row.name}1\n")
+    assert [each.code for each in result.diagnostics] == ["not-simulated"]
+    assert result.output == []
+
+
+def test_every_row_has_its_action_and_every_action_its_row() -> None:
+    verbs = {row.verb for row in SIMULATED}
+    assert verbs == set(ACTIONS)
+    assert verbs >= PURE
+    assert all(row.verb == "" for row in KNOWN)
+
+
+@pytest.mark.parametrize("row", list(TABLE), ids=lambda row: row.name)
+def test_a_row_is_filled_in(row: Keyword) -> None:
+    assert len(row.name) == 2
+    assert row.name.isupper()
+    assert row.help.endswith(".")
+    assert row.source
+    assert row.group
+    assert row.index in ("axes", "axis", "none")
+    assert row.access in ("C", "W", "R")

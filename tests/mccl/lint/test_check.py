@@ -1,0 +1,50 @@
+"""`check`: every mistake of a file in one pass, and whole messages as a person sees them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang.mccl import DIALECT
+from motionlang.source import Source
+from motionlang.views.diagnostics import render
+from tests.mccl.conftest import Runner
+
+ERRORS = Path(__file__).parents[2] / "errors" / "mccl"
+CHECKED = sorted(ERRORS.glob("*.check.mcl"))
+RUN = sorted(ERRORS.glob("*.run.mcl"))
+
+
+def rendered(found: list[object], source: Source) -> str:
+    return "\n".join(render(each, source) for each in found)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("path", CHECKED, ids=lambda path: path.stem)
+def test_what_check_says(path: Path, update: bool) -> None:
+    source = Source.read(path)
+    compare(path, rendered(list(DIALECT.check(source)), source), update)
+
+
+@pytest.mark.parametrize("path", RUN, ids=lambda path: path.stem)
+def test_what_a_run_says(path: Path, mccl: Runner, update: bool) -> None:
+    source = Source.read(path)
+    compare(
+        path, rendered(list(mccl(source.text, until=5.0).diagnostics), Source(path.name, source.text)), update
+    )
+
+
+def compare(path: Path, found: str, update: bool) -> None:
+    expected = path.with_suffix(".txt")
+    if update:
+        expected.write_text(found)
+    assert found == expected.read_text()
+
+
+def test_there_are_some_of_both() -> None:
+    assert CHECKED
+    assert RUN
+
+
+def test_a_clean_file_has_no_mistakes() -> None:
+    assert DIALECT.check(Source("a.mcl", "MD1,1MR100,1WS0.1,RP4\n1MN,MC1,1TP ; fine\n")) == []

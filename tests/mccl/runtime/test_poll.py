@@ -1,0 +1,68 @@
+"""Loops that only look are skipped to the next event, with the same result as without skipping."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import pytest
+
+from motionlang.mccl.runtime.poll import Poll
+from tests.mccl.conftest import Runner
+
+POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
+
+PROGRAMS = {
+    "until a move is over": f"1MN,1SV1000,1MR700\n{POLL},1TP,WA0.1,1MR300,{POLL},1TP",
+    "by a macro that jumps to itself": 'MD1,LU"STATUS",1RL@0,IC3,MJ1,NO,1TP\n1MN,1MR5000\nMJ1\n1TV',
+    "for ever, by RP, in the background": (
+        'MD1,LU"STATUS",1RL@0,AR20,RP\n1MN,1MR5000\nGT1,AR30,WA0.05,1MR-400,TR20,1WS,WA0.013,TR20,ET@30,1TP'
+    ),
+    "two tasks that watch two axes": (
+        'MD1,LU"STATUS",1RL@0,IC3,MJ1,NO,1TP\nMD2,LU"STATUS",2RL@0,IC3,MJ2,NO,2TP\n'
+        "MN,1MR5000,2MR3000\nGT1\nGT2\nWA0.3,1TV"
+    ),
+    "the target band": f"1MN,1DB100,1DT0.02,1MR5000\n{POLL.replace('IC3', 'IC2')},1TP",
+    "the direction while it turns": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
+    "an input that another task sets": "MD1,WA0.1,CN33,WA0.1,CF33\nGT1\nIF33,JR-1,NO,IN33,JR-1,NO,TC33",
+    "a register that another task sets": "MD1,WA0.1,AL7,AR20\nGT1\nRA20,IU7,JR-2,NO,TR20",
+    "a position, which is not skipped": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP',
+    "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
+    "a breakpoint": f"1MN,1MR5000,1IP2000\n{POLL.replace('IC3', 'IC10')},1TP,1WS",
+    "the segments of a contour": "1MN,2MN,1CM1,2CM1,1CP1,1MR500,2MR0,1CP1,1MR0,2MR500\n"
+    'LU"SEGMENT",1RL@0,IB1,JR-3,NO,1TP,2TP,1WS',
+}
+
+
+def outcome(runner: Runner, text: str) -> dict[str, Any]:
+    report: Any = runner(text, until=2.0).report
+    return {key: report[key] for key in ("status", "time", "output", "moves", "axes")}
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_skipping_changes_nothing(name: str, mccl: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    skipped = outcome(mccl, PROGRAMS[name])
+    monkeypatch.setattr(Poll, "again", lambda self: None)
+    assert outcome(mccl, PROGRAMS[name]) == skipped
+    assert skipped["output"]
+
+
+def test_eight_hours_of_polling(mccl: Runner) -> None:
+    """0.0001 counts/s is eight hours and more for three counts; the loop looks all the time."""
+    text = f"1US10000,1MN,1SV0.0001,1SA1,1DS1,1MR3\n{POLL},1TP"
+    begin = time.process_time()
+    result = mccl(text, until=8 * 3600.0)
+    assert time.process_time() - begin < 1.0
+    assert result.time >= 8 * 3600.0
+    finished = mccl(text, until=1e6)
+    assert finished.output == ["01 3.000000"]
+    assert finished.time == pytest.approx(30001, rel=1e-3)
+
+
+def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
+    result = mccl(POLL.replace("IC3", "IS3"))
+    assert result.status == "fault"
+    (diagnostic,) = result.diagnostics
+    assert diagnostic.code == "never"
+    assert "loop" in diagnostic.message
+    assert diagnostic.line == 1

@@ -1,0 +1,64 @@
+"""Compiling a program with twice as many labels or jumps is twice the work, counted in calls."""
+
+from __future__ import annotations
+
+import sys
+from types import FrameType
+
+import pytest
+
+from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.syntax.parser import parse
+from motionlang.source import Source
+
+
+def labels(count: int) -> str:
+    return "".join(f"#l{i}\nn = n + 1\n" for i in range(count))
+
+
+def handler(count: int) -> str:
+    return f"{labels(count)}End\n#ONERROR\nReturn\n"
+
+
+def jumps(count: int) -> str:
+    return "".join(f"#l{i}\nn = n + 1\nIf n > {i} Then Goto l{i * 7 % count}\n" for i in range(count))
+
+
+def subroutines(count: int) -> str:
+    calls = "".join(f"Gosub l{i}\n" for i in range(count))
+    return f"{calls}End\n" + "".join(f"#l{i}\nReturn\n" for i in range(count))
+
+
+def in_blocks(count: int) -> str:
+    return "".join(f"If n > 0 Then\n#l{i}\nn = n + 1\nGoto l{i}\nEnd If\n" for i in range(count))
+
+
+def back_to_few_labels(count: int) -> str:
+    """Every jump makes a turn that is watched, as there are few labels."""
+    turns = "n = n + 1\nIf n > 5 Then Goto l0\n" * (count // 20)
+    return "".join(f"#l{i}\n{turns}" for i in range(20))
+
+
+def calls_to_compile(text: str) -> int:
+    module = parse(Source("a.mnt", f"n = 0\n{text}"))
+    calls = 0
+
+    def note(_frame: FrameType, event: str, _argument: object) -> None:
+        nonlocal calls
+        calls += event in ("call", "c_call")
+
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        compile_module(module)
+    finally:
+        sys.setprofile(before)
+    return calls
+
+
+@pytest.mark.parametrize("write", [labels, handler, jumps, subroutines, in_blocks, back_to_few_labels])
+def test_twice_the_labels_are_twice_the_work(write: object) -> None:
+    assert callable(write)
+    calls_to_compile(write(40))  # what is imported or remembered is there from now on
+    once, twice = calls_to_compile(write(400)), calls_to_compile(write(800))
+    assert twice < 2.2 * once

@@ -1,0 +1,45 @@
+"""Broken programs under tests/errors/mint, and the whole of what is said about each, beside it in a `.txt`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.errors import ProgramError
+from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.syntax.parser import parse
+from motionlang.source import Source
+from motionlang.views.diagnostics import render
+
+BROKEN = sorted((Path(__file__).parents[2] / "errors" / "mint").glob("*.mnt"))
+
+
+def told(path: Path) -> str:
+    """What was printed until then, and every message."""
+    source = Source.read(path)
+    result = run(source, cache=False, until=3600.0)
+    shown = [f"{line}\n" for line in result.output]
+    return "".join(shown + [render(each, source) for each in result.diagnostics])
+
+
+@pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.stem)
+def test_the_message_teaches(path: Path, request: pytest.FixtureRequest) -> None:
+    text, golden = told(path), path.with_suffix(".txt")
+    if request.config.getoption("--update"):
+        golden.write_text(text)
+    assert text == golden.read_text()
+
+
+def test_there_are_broken_programs() -> None:
+    assert len(BROKEN) >= 15
+
+
+def test_a_hundred_warnings_hide_no_error() -> None:
+    problems = Problems(parse(Source("a.mnt", "PRINT 1\n" * 200)))
+    for at in range(150):
+        problems.add("not-simulated", "no effect", at, severity="warning")
+    problems.add("type", "wrong", 151)
+    with pytest.raises(ProgramError):
+        problems.raise_errors()

@@ -1,0 +1,107 @@
+"""Every operator takes every kind of number, comparisons among them, and gives the type and value it should."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+
+from motionlang import run
+from motionlang.errors import ProgramError
+from motionlang.mint.syntax.parser import parse
+from motionlang.source import Source
+from tests.mint.reference import Reference
+
+OPERATORS = (
+    "^",
+    "*",
+    "/",
+    "\\",
+    "Mod",
+    "+",
+    "-",
+    "<<",
+    ">>",
+    "&",
+    "|",
+    "Xor",
+    "=",
+    "<>",
+    "<",
+    ">",
+    "<=",
+    ">=",
+    "And",
+    "Or",
+)
+COMPARISONS = ("(n > 1)", "(n > 2)", "(x < n)", "(Not n)", "(Not x > n)", "(n > 1 And x > 1)", "+(n > 1)")
+OTHERS = (
+    "n",
+    "m",
+    "x",
+    "u",
+    "a(2)",
+    "3",
+    "0",
+    "2.5",
+    "-(n > 1)",
+    "~(n > 1)",
+    "Abs(n > 1)",
+    "Min(n > 1, n > 0)",
+)
+PROGRAM = """\
+Dim n As Integer, m As Integer, k As Integer, x As Float, y As Float, a(3) As Integer
+n = 2 : m = -7 : x = 1.5 : u = 3 : a(2) = 5
+PRINT {whole}
+k = {whole}
+PRINT k
+y = {whole}
+PRINT y
+"""
+TEXT = "PRINT Str({whole})\n"
+
+
+def outcome(text: str) -> tuple[list[str], bool] | None:
+    """What a program printed, and whether it came to its end; None where it is refused before it runs."""
+    try:
+        result = run(Source("a.mnt", text), cache=False)
+    except ProgramError:
+        return None
+    return result.output, not result.diagnostics
+
+
+@pytest.mark.parametrize("op", OPERATORS)
+def test_operators_and_operands(op: str) -> None:
+    kinds = COMPARISONS + OTHERS
+    ran = 0
+    for left, right in product(kinds, kinds):
+        whole = f"{left} {op} {right}"
+        program = PROGRAM.format(whole=whole)
+        slow = Reference(parse(Source("a.mnt", program)))
+        fast = outcome(program + TEXT.format(whole=whole))
+        if fast is None:
+            continue
+        again = [] if slow.trouble else slow.printed[:1]
+        assert fast == (slow.printed + again, not slow.trouble), whole
+        ran += 1
+    assert ran > 0.9 * len(kinds) ** 2 - 2 * len(kinds)
+
+
+@pytest.mark.parametrize("whole", ["n > 1", "Not n", '"a" = "b"', "s", "(n > 1)", "IIf(n > 0, n > 1, n > 2)"])
+def test_a_truth_is_the_integer_1_or_0(whole: str) -> None:
+    """It is shown as one, made a text as one, and divided as one."""
+    text = (
+        f"Dim n As Integer, s As Semaphore\nn = 2\nPRINT {whole}\nPRINT Str({whole})\nPRINT ({whole}) Mod n"
+    )
+    output, ended = outcome(text) or ([], False)
+    assert ended
+    assert output[0] in ("0", "1")
+    assert output == output[:1] * 3
+
+
+def test_a_comparison_in_a_condition_stays_as_it_is() -> None:
+    from tests.mint.compile.test_range_analysis import text_of
+
+    text = text_of("Dim n As Integer\nWhile n < 5 And Not n = 3\n  n = n + 1\nEnd While")
+    assert "while ((v_n < 5) and (not (v_n == 3))):" in text
+    assert "1 if" not in text

@@ -1,0 +1,107 @@
+"""What the compiler leaves out on the strength of the range analysis never makes a difference."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang import run
+from motionlang.mint import DIALECT
+from motionlang.mint.compile import intervals
+from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.syntax.parser import parse
+from motionlang.source import Source
+from tests.mint.programs import Writer
+from tests.mint.reference import Reference
+
+
+def compare(text: str) -> None:
+    """The compiled program prints what the plain one prints, and ends in the same trouble."""
+    source = Source("random.mnt", text)
+    if DIALECT.check(source):
+        return  # a mistake that is seen before the program runs
+    slow = Reference(parse(source))
+    if slow.trouble == "limit":
+        return
+    fast = run(source, cache=False)
+    assert fast.output == slow.printed, text
+    # Of two troubles in one expression either may be told.
+    assert bool(fast.diagnostics) is bool(slow.trouble), text
+
+
+@settings(max_examples=300, deadline=None, derandomize=True)
+@given(st.integers(0, 10**9))
+def test_compiled_programs_agree_with_a_plain_interpreter(seed: int) -> None:
+    compare(Writer(Random(seed)).program())
+
+
+@pytest.mark.long
+def test_many_compiled_programs_agree_with_a_plain_interpreter() -> None:
+    for seed in range(20_000):
+        compare(Writer(Random(seed)).program())
+
+
+def text_of(program: str) -> str:
+    return compile_module(parse(Source("a.mnt", program))).code.text
+
+
+LOOP = "For i = 1 To 1000000\n  x = x + i * 2\n  If x > 1000 Then x = 0\nNext"
+
+
+@pytest.mark.parametrize(
+    "declared", ["", "Dim i As Integer, x As Integer\n", "Dim i As Float, x As Integer\n"]
+)
+def test_a_bounded_loop_needs_no_check_and_no_float(declared: str) -> None:
+    text = text_of(declared + LOOP)
+    assert "v_x = (v_x + (v_i * 2))" in text
+    assert "v_i += 1" in text
+
+
+def test_a_sum_without_bound_keeps_its_check() -> None:
+    assert "(z := v_x + v_i)" in text_of("Dim i As Integer, x As Integer\nFor i = 1 To 10\n  x = x + i\nNext")
+
+
+def test_a_float_without_bound_becomes_a_float() -> None:
+    assert "v_x * 2.0" in text_of("x = 1\nLoop\n  x = x * 2\nEnd Loop")
+
+
+def test_a_subscript_that_is_in_bounds_is_not_checked() -> None:
+    text = text_of("Dim a(10) As Integer\nFor i = 1 To 10\n  a(i) = 1\nNext")
+    assert "v_a[v_i] = 1" in text
+
+
+BOUNDS = st.integers(-(2**33), 2**33)
+
+
+@given(BOUNDS, BOUNDS, BOUNDS, BOUNDS, st.sampled_from(["+", "-", "*"]), st.booleans(), st.data())
+@settings(derandomize=True, deadline=None)
+def test_the_range_of_a_result_holds_every_result(
+    a: int, b: int, c: int, d: int, op: str, integer: bool, data: st.DataObject
+) -> None:
+    first, second = (min(a, b), max(a, b), "i"), (min(c, d), max(c, d), "i")
+    known, how = intervals.arithmetic(op, integer, first, second)
+    x = data.draw(st.integers(first[0], first[1]))
+    y = data.draw(st.integers(second[0], second[1]))
+    result = x + y if op == "+" else x - y if op == "-" else x * y
+    survives = how == intervals.CHECKED and intervals.INT_LOW <= result <= intervals.INT_HIGH
+    if how == intervals.PLAIN or survives:
+        assert known[0] <= result <= known[1]
+
+
+@given(st.integers(-1000, 1000), st.integers(-1000, 1000), st.data())
+@settings(derandomize=True, deadline=None)
+def test_quotients_and_remainders_stay_in_their_ranges(a: int, b: int, data: st.DataObject) -> None:
+    from motionlang.mint.runtime.functions import divide, modulo
+
+    first = (min(a, b), max(a, b), "i")
+    low = data.draw(st.integers(-20, 20))
+    second = (low, low + data.draw(st.integers(0, 20)), "i")
+    x, y = data.draw(st.integers(first[0], first[1])), data.draw(st.integers(second[0], second[1]))
+    if y:
+        known = intervals.quotient(first, second)
+        assert known[0] <= divide(x, y) <= known[1]
+        known = intervals.remainder(first, second)
+        assert known[0] <= modulo(x, y) <= known[1]

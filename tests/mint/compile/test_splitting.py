@@ -1,0 +1,230 @@
+"""Long programs are cut into parts, and compiled as they are called: nobody can tell from what they do.
+
+Every page and every script is run as it is, and again with parts of a few lines, each compiled at its first call: the
+reports are the same to the last digit of every time.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.lang.machine.file import read_machine
+from motionlang.mint import DIALECT
+from motionlang.mint.compile import assembly, loops, splitting
+from motionlang.mint.program import MintProgram, load
+from motionlang.source import Source
+
+ROOT = Path(__file__).parents[3]
+PROGRAMS = sorted(
+    path
+    for folder in ("scripts/mint", "tests/spec/mint", "tests/spec/mint/machine", "tests/errors/mint")
+    for path in (ROOT / folder).glob("*.mnt")
+)
+
+
+def machine_of(path: Path) -> dict[str, object]:
+    """The machine of a page: in a file beside it, in the file of a script, or in its own comments."""
+    for beside in (path.with_suffix(".toml"), path.with_suffix(".machine.toml")):
+        if beside.exists():
+            return read_machine(Source.read(beside))
+    lines = [line[3:] for line in path.read_text().split("\n") if line.startswith("'| ")]
+    return read_machine(Source("machine.toml", "\n".join(lines)))
+
+
+def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(splitting, "LONGEST", 6)
+    monkeypatch.setattr(splitting, "SIZE", 4)
+    monkeypatch.setattr(splitting, "DEEPEST", 3)
+    monkeypatch.setattr(splitting, "MOST_LOOPS", 1)
+    monkeypatch.setattr(loops, "MANY_CASES", 1)
+    monkeypatch.setattr(assembly, "SIZE", 4)
+    monkeypatch.setattr(assembly, "SHORT", 0)
+
+
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
+def test_parts_change_nothing(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    settings = machine_of(path)
+    whole = run(path, machine=settings, cache=False).report
+    short_parts(monkeypatch)
+    assert run(path, machine=settings, cache=False).report == whole
+
+
+def program(text: str) -> MintProgram:
+    compiled = DIALECT.compile(Source("long.mnt", text))
+    assert isinstance(compiled, MintProgram)
+    return compiled
+
+
+STATEMENTS = "\n".join(f"x = x + {n} : PRINT x" for n in range(1, 1001))
+
+
+def test_a_long_program_is_compiled_as_it_runs() -> None:
+    text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
+    long = program(text)
+    units = len(long.code.units)
+    assert long.size == 1 < units
+    result = run(Source("long.mnt", text), cache=False)
+    assert result.output[-1] == "500500.0000"
+    assert result.time == pytest.approx(2001 * 1e-5)
+
+
+def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
+    first = run(Source("long.mnt", text))
+    (entry,) = tmp_path.iterdir()
+    kept = load(entry.read_bytes()[32:])
+    assert 1 < kept.size < len(kept.code.units)
+    assert run(Source("long.mnt", text)).report == first.report
+
+
+def test_what_was_not_called_is_kept_as_text() -> None:
+    long = program(f"PRINT 1\nSub Never()\n{STATEMENTS}\nEnd Sub\n")
+    again = load(long.payload())
+    assert [unit.codes == () for unit in again.code.units] == [unit.codes == () for unit in long.code.units]
+    again.code.compile_all()
+    long.code.compile_all()
+    again = load(again.payload())
+    assert again.size == len(long.code.units)
+    assert again.code.units[-1].codes == long.code.units[-1].codes
+
+
+@pytest.mark.parametrize(
+    ("around", "end"),
+    [
+        ("", ""),
+        ("Sub Work(a)\n", "End Sub"),
+        ("Task Work\n", "End Task"),
+        ("While 1\n", "End While"),
+        ("If 1 Then\n", "End If"),
+    ],
+)
+def test_a_mistake_is_told_at_its_place(around: str, end: str) -> None:
+    call = {"S": "Work(3)\n", "T": "Run Work\nWAIT(1000)\n"}.get(around[:1], "")
+    body = f"{STATEMENTS}\nx = 1 / (x - x)\n{STATEMENTS}\n"
+    text = f"{call}{around}{body}{end}\n" if not call else f"{call}End\n{around}{body}{end}\n"
+    (found,) = run(Source("long.mnt", text), cache=False).diagnostics
+    line = text.split("\n").index("x = 1 / (x - x)") + 1
+    assert (found.code, found.line) == ("division-by-zero", line)
+
+
+LEAVES = """
+For i = 1 To 3
+  PRINT "begin "; i
+{}
+  If i = 2 Then Exit For
+{}
+Next
+PRINT "behind"
+Loop
+{}
+  k = k + 1
+  If k = 2 Then Exit Loop
+{}
+End Loop
+Show()
+End
+Sub Show()
+{}
+  If x > 5 Then Exit Sub
+  PRINT "never"
+{}
+End Sub
+"""
+
+
+def test_what_leaves_a_block_stays_in_it() -> None:
+    some = "\n".join("  x = x + 1\n  If x = -1 Then PRINT x" for _ in range(500))
+    result = run(Source("long.mnt", LEAVES.format(*[some] * 6)), cache=False)
+    assert result.diagnostics == []
+    assert result.output == ["begin 1.0000", "begin 2.0000", "behind"]
+
+
+def test_a_loop_that_polls_may_be_long() -> None:
+    some = "\n".join(f"  If x = {n} Then PRINT x" for n in range(-1000, 0))
+    result = run(Source("long.mnt", f"x = 1\nTIME = 0\nWhile TIME < 5000\n{some}\nEnd While\n"), cache=False)
+    assert result.diagnostics == []
+    assert result.time == pytest.approx(5.0, abs=0.02)
+
+
+def test_a_choice_may_have_many_branches() -> None:
+    cases = "\n".join(f"Case {n}\n  PRINT {n}" for n in range(5000))
+    branches = "\n".join(f"ElseIf x = {n} Then\n  PRINT {n}" for n in range(190))
+    text = f"x = 189\nSelect Case x\n{cases}\nEnd Select\nIf x < 0 Then\n  x = 0\n{branches}\nEnd If\n"
+    result = run(Source("long.mnt", text), cache=False)
+    assert result.diagnostics == []
+    assert result.output == ["189", "189"]
+
+
+def test_a_sub_in_parts_may_call_itself() -> None:
+    some = "\n".join("  y = y + 1" for _ in range(800))
+    text = f"""
+PRINT Down(3)
+Function Down(ByVal n As Integer) As Integer
+Dim y
+{some}
+  If n > 0 Then y = y + Down(n - 1)
+{some}
+  Down = y
+End Function
+"""
+    result = run(Source("long.mnt", text), cache=False)
+    assert result.diagnostics == []
+    assert result.output == [str(4 * 1600)]
+
+
+def nested(count: int, leaf: str) -> str:
+    return "While x < 3\n" * count + leaf + "\n" + "Exit\nEnd While\n" * count
+
+
+# More loops within one another than CPython takes, and what the program prints.
+DEEP = {
+    "counted": (
+        "For i = 1 To 1\n" * 60 + "x = x + 1\n" + "Next\n" * 60 + "Print x",
+        ["1.0000"],
+    ),
+    "left one by one": (nested(60, "x = x + 1") + "Print x", ["1.0000"]),
+    "left at once by a jump": (nested(60, "x = 7 : Goto out") + "x = 8\n#out\nPrint x", ["7.0000"]),
+    "left for a loop a few further out": (
+        "For i = 1 To 5\n" + nested(12, "x = x + 1 : WAIT = 1\nExit For") + "Next\nPrint x; i",
+        ["1.00001.0000"],
+    ),
+    "in a task that others see": (
+        "Run t\nPause x > 2\nPrint x\nTask t\nDim y\n"
+        + nested(30, "x = x + 5 : y = x : WAIT = 2")
+        + "End Task",
+        ["5.0000"],
+    ),
+    "in a sub that calls itself": (
+        "f(3)\nPrint x\nSub f(a)\n"
+        + nested(20, "x = x + 0.1\nIf a > 0 Then f(a - 1)")
+        + "x = x + a\nEnd Sub",
+        ["6.4000"],
+    ),
+    "with a parameter by reference": (
+        "x = 1\nf(2, x)\nPrint x\nSub f(a, ByRef b)\nDim i\nFor i = 1 To 3\n"
+        + nested(30, "b = b + a + i")
+        + "Next\nEnd Sub",
+        ["4.0000"],
+    ),
+    "with a handler of errors": (
+        nested(30, "i = 3 : a(i) = 1 : x = 2") + "Print x\nEnd\nEvent ONERROR\nPrint ERRCODE > 0\nEnd Event",
+        ["1", "2.0000"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", DEEP)
+def test_more_loops_within_one_another_than_python_takes(name: str) -> None:
+    text, output = DEEP[name]
+    result = run(Source("deep.mnt", f"Dim x, i, a(2)\n{text}\n"), cache=False)
+    assert (result.output, result.diagnostics) == (output, [])
+
+
+def test_a_turn_of_many_loops_takes_as_long_as_its_statements() -> None:
+    """Sixty headers, one assignment, sixty ends."""
+    text = "Dim x, i\n" + "For i = 1 To 1\n" * 60 + "x = x + 1\n" + "Next\n" * 60
+    assert run(Source("deep.mnt", text), cache=False).time == pytest.approx(121 * 10e-6)

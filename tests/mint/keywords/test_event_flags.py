@@ -1,0 +1,26 @@
+"""Handlers of events that nothing of the simulated machine raises are accepted, and said to be so."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.mint import DIALECT
+from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS
+from motionlang.source import Source
+
+
+def handler(kind: str) -> Source:
+    name = kind.upper() + ("" if kind in SINGLE else "1")
+    return Source("a.mnt", f"WAIT = 1\nEnd\nEvent {name}\n  PRINT 1\nEnd Event\n")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_of_event_can_be_handled(kind: str) -> None:
+    told = [each.message for each in DIALECT.check(handler(kind))]
+    name = kind.upper() + ("" if kind in SINGLE else "1")
+    assert told == ([f"nothing raises the event {name} here"] if kind in SOURCELESS else [])
+
+
+def test_the_warning_says_what_raises_the_event() -> None:
+    (told,) = DIALECT.check(handler("knife"))
+    assert (told.severity, told.line, told.hint) == ("warning", 3, "EVENTPEND(16, 0, 0) raises it")

@@ -1,0 +1,38 @@
+"""docs/fidelity.md names every simulated word of Mint that rests on memory."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from motionlang.mint.keywords import table
+
+PAGE = (Path(__file__).parents[3] / "docs" / "fidelity.md").read_text(encoding="utf-8")
+CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")
+
+
+def mint() -> str:
+    """The chapters that are about Mint, in small letters."""
+    chapters = PAGE.split("\n## ")[1:]
+    return "\n".join(chapter for chapter in chapters if chapter.startswith(CHAPTERS)).lower()
+
+
+def test_what_rests_on_memory_is_listed() -> None:
+    """By its name, or by the beginning of it and an ellipsis, such as LATCH…"""
+    text = mint()
+    words = set(re.findall(r"\w+", text))
+    stems = tuple(re.findall(r"(\w{3,})…", text))
+    remembered = [row.name.lower() for row in table() if row.simulated and row.trust == "memory"]
+    assert [name for name in remembered if name not in words and not name.startswith(stems)] == []
+
+
+def test_no_question_is_answered_twice_in_a_chapter() -> None:
+    for chapter in PAGE.split("\n### "):
+        questions = re.findall(r"^\| ([^|]+) \|", chapter, re.MULTILINE)
+        answered = [each for each in questions if each not in ("question", "matter", "what", "choice")]
+        assert len(answered) == len(set(answered))
+
+
+def test_the_contents_are_the_chapters() -> None:
+    listed = re.findall(r"^\* \[([^\]]+)\]", PAGE, re.MULTILINE)
+    assert listed == re.findall(r"^## (?!Contents)(.+)$", PAGE, re.MULTILINE)

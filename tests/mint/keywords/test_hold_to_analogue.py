@@ -1,0 +1,137 @@
+"""HTA: an axis against a sensor whose value rises with its position, to the recurrence of its law."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+PERIOD = 1e-3
+RATES = "SPEED(0) = 1e5 : ACCEL(0) = 1e8 : DECEL(0) = 1e8\nHTACHANNEL(0) = 2\n"
+# A sensor of 2 percent a unit from position 0 on.
+SENSOR = [{"channel": 2, "axis": 0, "above": 0.0, "value": 0.0, "per_unit": 2.0}]
+
+
+def ran(text: str, sensor: list[dict[str, float]] | None = None, until: float = 5.0) -> Run:
+    result = run(Source("a.mnt", text), machine={"analogue": sensor or SENSOR}, cache=False, until=until)
+    assert [each.message for each in result.diagnostics] == []
+    return result
+
+
+def at_ticks(result: Run, count: int) -> list[float]:
+    """Positions at the ticks from the first at which the axis was told anything."""
+    a = result.controller.axes[0]
+    first = a.starts[2]
+    return [a.position(first + k * PERIOD) for k in range(count)]
+
+
+def law(
+    wanted: float, kp: float, kd: float = 0.0, ki: float = 0.0, per_unit: float = 2.0, n: int = 200
+) -> list[float]:
+    """x' = x + T (v + v')/2, v' = kp e + kd (e - e_before) + ki sum(e), e = wanted - per_unit x."""
+    x = v = total = 0.0
+    before = None
+    places = []
+    for _ in range(n):
+        places.append(x)
+        e = wanted - per_unit * x
+        total += e
+        following = kp * e + kd * (e - before if before is not None else 0.0) + ki * total
+        before = e
+        x, v = x + PERIOD * (v + following) / 2.0, following
+    return places
+
+
+def test_proportional_holding_has_a_closed_form() -> None:
+    """e'' = (1 - a) e' - a e with a = slope gain T/2: two roots, of which the larger one is the time constant."""
+    result = ran(RATES + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2), VEL(0)\nSTOP(0)")
+    a = 2.0 * 10.0 * PERIOD / 2.0
+    root = ((1 - a) ** 2 - 4 * a) ** 0.5
+    r1, r2 = (1 - a + root) / 2.0, (1 - a - root) / 2.0
+    e0, e1 = 40.0, 40.0 * (1 - a)
+    c1 = (e1 - r2 * e0) / (r1 - r2)
+    errors = [c1 * r1**k + (e0 - c1) * r2**k for k in range(300)]
+    assert [40.0 - 2.0 * x for x in at_ticks(result, 300)] == pytest.approx(errors, abs=1e-9)
+    assert result.output == ["40.00000.0000"]
+
+
+@pytest.mark.parametrize(
+    ("kp", "kd", "ki"), [(10.0, 0.0, 0.0), (10.0, 5.0, 0.0), (5.0, 1.0, 0.05), (20.0, -3.0, 0.0)]
+)
+def test_the_law_to_the_tick(kp: float, kd: float, ki: float) -> None:
+    gains = f"HTAKPROP(0) = {kp} : HTADAMPING(0) = {kd} : HTAKINT(0) = {ki}\n"
+    result = ran(RATES + gains + "HTA(0) = 40\nWAIT = 400\nSTOP(0)")
+    assert at_ticks(result, 200) == pytest.approx(law(40.0, kp, kd, ki), abs=1e-9)
+
+
+def test_negative_gains_turn_the_direction_round() -> None:
+    falling = [{"channel": 2, "axis": 0, "below": 30.0, "value": 10.0, "per_unit": -2.0}]
+    text = RATES + "HTAKPROP(0) = -10\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2), POS(0)\nSTOP(0)"
+    assert ran(text, falling).output == ["40.000015.0000"]
+
+
+def test_within_the_dead_band_it_stands() -> None:
+    result = ran(
+        RATES + "HTAKPROP(0) = 10 : HTADEADBAND(0) = 8\nHTA(0) = 40\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)"
+    )
+    assert result.output == ["0.0000"]
+    assert 32.0 <= 2.0 * result.controller.position(0) < 33.0
+
+
+def test_it_keeps_to_speed_and_acceleration() -> None:
+    """50 at 200: 0.25 s, 6.25 units up; the gain would ask for 400."""
+    text = "SPEED(0) = 50 : ACCEL(0) = 200 : DECEL(0) = 200\nHTACHANNEL(0) = 2 : HTAKPROP(0) = 10\n"
+    result = ran(text + "HTA(0) = 40\nWAIT = 2000\nSTOP(0)")
+    a = result.controller.axes[0]
+    assert max(profile.peak_speed for profile in a.profiles) == pytest.approx(50.0)
+    assert a.velocity(a.starts[2] + 0.1) == pytest.approx(20.0)
+
+
+def test_a_new_value_and_a_filter() -> None:
+    text = RATES + "HTAKPROP(0) = 10 : HTAFILTER(0) = 0.5\nHTA(0) = 40\nWAIT = 2000\nPRINT ADC(2)\n"
+    result = ran(
+        text
+        + "HTA(0) = 10\nHTA(0) = 10\nWAIT = 2000\nPRINT ADC(2), HTA(0)\nSTOP(0)\nPAUSE IDLE(0)\nPRINT HTA(0)"
+    )
+    assert result.output == ["40.0000", "10.000010.0000", "0.0000"]
+    assert len(result.controller.moves) == 1
+
+
+def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes() -> None:
+    """A pulse of 30 percent: -30 a second for 100 ms, with ramps of a tick."""
+    pulse = [{"channel": 2, "at": 1.0, "for": 0.1, "value": 30.0}]
+    result = ran(RATES + "HTA(0) = 0\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)", pulse)
+    assert result.output == ["0.0000"]
+    assert result.controller.position(0) == pytest.approx(-3.0, abs=0.04)
+    assert len(result.controller.axes[0].profiles) < 10
+
+
+def test_suspended_it_rests_and_goes_on() -> None:
+    text = (
+        RATES
+        + "HTAKPROP(0) = 10\nHTA(0) = 40\nWAIT = 20\nSUSPEND(0) = 1\nWAIT = 100\nPRINT VEL(0)\nSUSPEND(0) = 0\n"
+    )
+    assert ran(text + "WAIT = 2000\nPRINT ADC(2)\nSTOP(0)").output == ["0.0000", "40.0000"]
+
+
+def test_a_program_waits_for_the_force() -> None:
+    """Contact at 20, 5 percent a unit: 50 percent at 30."""
+    contact = [{"channel": 2, "axis": 0, "above": 20.0, "value": 0.0, "per_unit": 5.0}]
+    result = ran(
+        "SPEED(0) = 10\nJOG(0) = 10\nPAUSE ADC(2) >= 50\nSTOP(0)\nPAUSE IDLE(0)\nPRINT POS(0)", contact
+    )
+    assert float(result.output[0]) == pytest.approx(30.0, abs=0.02)
+
+
+def test_an_end_of_the_program_ends_a_run_that_holds_for_ever() -> None:
+    never = [{"channel": 2, "at": 0.0, "value": 10.0}]
+    result = ran(RATES + "HTA(0) = 40\nWAIT = 100", never)
+    assert result.status == "until"
+
+
+def test_per_unit_needs_an_axis() -> None:
+    from motionlang.lang.machine.file import first_mistake
+
+    assert "needs the axis" in first_mistake({"analogue": [{"channel": 1, "value": 0.0, "per_unit": 2.0}]})

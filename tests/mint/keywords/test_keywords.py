@@ -1,0 +1,158 @@
+"""The vocabulary: every simulated word has an example that runs, every other word is answered as what it is."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from motionlang import run
+from motionlang.lang.keyword import Keyword
+from motionlang.mint import DIALECT
+from motionlang.mint.keywords import Vocabulary, indexing, no_effect, table, unsimulated
+from motionlang.mint.keywords.type_library import words_a_i as library_a_i
+from motionlang.mint.keywords.type_library import words_j_z as library_j_z
+from motionlang.source import Source
+from tests.keyword_pages import shown
+
+SIMULATED = [row for row in table() if row.simulated and row.example]
+OTHERS = [row for row in table() if not row.simulated]
+
+
+@pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)
+def test_the_example_runs(row: Keyword) -> None:
+    result = run(Source("example.mnt", row.example), cache=False, until=60.0)
+    assert [each.message for each in result.diagnostics] == []
+    assert result.status == "ended"
+
+
+# What changes nothing that a program could print, and INPUT, for which nobody is there.
+SILENT = {"NOP", "TRON", "TROFF", "BEEPON", "BEEPOFF", "REMOTEPDOOUT", "Input", "Rem"}
+
+
+def test_an_example_has_its_word_and_shows_something() -> None:
+    for row in SIMULATED:
+        assert re.search(rf"\b{row.name}\b", row.example, re.IGNORECASE), row.name
+    assert {row.name for row in SIMULATED if not shown(row, "mint")} == SILENT
+
+
+def test_rows_are_complete() -> None:
+    for row in table():
+        assert row.help, row.name
+        assert row.access in ("R", "W", "RW", "C"), row.name
+        if row.simulated and row.kind not in ("constant",):
+            assert row.example or row.name == "Controller", row.name
+
+
+def test_the_whole_type_library_is_known() -> None:
+    lines = (library_a_i.WORDS + library_j_z.WORDS).splitlines()
+    assert len(lines) >= 907
+    assert all(table().get(line.partition("|")[0]) is not None for line in lines)
+
+
+def test_every_word_of_the_library_is_simulated_or_sorted() -> None:
+    """How many of each: a word never falls from one into another unnoticed."""
+    names = [line.partition("|")[0] for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines()]
+    rows = [row for row in map(table().get, names) if row is not None]
+    simulated = [row for row in rows if row.simulated]
+    assert len(names) == len(set(names)) == len(rows) == 908
+    assert len(simulated) >= 276
+    assert len([row for row in rows if row.verb == no_effect.VERB]) <= 423
+    assert all(row.help and row.source for row in rows)
+    assert all(row.example and row.trust for row in simulated)
+
+
+VERBS = (no_effect.VERB, unsimulated.VALUE, unsimulated.COMMAND, unsimulated.MOTION, unsimulated.FACTOR)
+
+
+def test_what_is_not_simulated_is_sorted() -> None:
+    assert {row.verb for row in OTHERS} <= set(VERBS)
+    for row in OTHERS:
+        assert (row.verb == unsimulated.COMMAND) <= (row.access == "C"), row.name
+        assert (row.access == "C") <= (row.verb in (unsimulated.COMMAND, unsimulated.MOTION)), row.name
+
+
+def test_every_list_has_words_of_mint() -> None:
+    for word in unsimulated.words() | no_effect.WORDS | set(unsimulated.WRITTEN):
+        row = table().get(word)
+        assert row is not None, word
+        assert row.name == word
+    assert not unsimulated.words() & no_effect.WORDS
+
+
+MOTION = """
+ACCELJERKTIME ACCELTIMEMAX BLEND BLENDDISTANCE BLENDMODE CAM CAMAMPLITUDE CAMEND CAMINDEX CAMPHASE CAMSEGMENT CAMSTART
+CAMTABLE CIRCLEA CIRCLER CONTOURANGLE CONTOURMODE DECELJERKTIME DECELTIMEMAX FEEDRATE FEEDRATEMODE FEEDRATEOVERRIDE
+FEEDRATEPARAMETER FLY FOLLOW FOLLOWMODE GEARING GEARINGMODE HELIXA HELIXR INCA INCR JOG MASTERCHANNEL MASTERDISTANCE
+MASTERSOURCE MAXACCEL MAXDECEL MAXSPEED MOVEA MOVEBUFFERFREE MOVEBUFFERID MOVEBUFFERIDLAST MOVEBUFFERLOW MOVEBUFFERSIZE
+MOVEDWELL MOVEOUT MOVEOUTX MOVEPULSEOUTX MOVER NVFLOAT NVLONG OFFSET OFFSETDISTANCE OFFSETMODE OFFSETSTATUS PROFILEMODE
+SPLINE SPLINEEND SPLINEINDEX SPLINESEGMENT SPLINESTART SPLINESUSPENDTIME SPLINETABLE SPLINETIME SRAMP SUSPEND
+TRIGGERMODE VECTORA VECTORR VELDEMANDPATH
+"""
+
+
+@pytest.mark.parametrize("name", MOTION.split())
+def test_the_motion_set_is_simulated(name: str) -> None:
+    row = table().get(name)
+    assert row is not None
+    assert row.simulated
+
+
+@pytest.mark.parametrize(
+    ("short", "name"),
+    [
+        ("MB", "MOVEBUFFERSIZE"),
+        ("FRM", "FEEDRATEMODE"),
+        ("FRO", "FEEDRATEOVERRIDE"),
+        ("OFS", "OFFSETSTATUS"),
+        ("GR", "GEARING"),
+        ("GRM", "GEARINGMODE"),
+        ("SPL", "SPLINE"),
+        ("MA", "MOVEA"),
+        ("ps", "POS"),
+        ("cn", "CANCEL"),
+        ("st", "STOP"),
+        ("de", "DRIVEENABLE"),
+        ("kp", "KPROP"),
+        ("hps", "HOMEPOS"),
+    ],
+)
+def test_documented_short_forms_are_the_words_themselves(short: str, name: str) -> None:
+    assert table().get(short) is table().get(name)
+
+
+def used(row: Keyword) -> str:
+    """A statement that uses a word as it may be used."""
+    word = row.name if row.index == "none" else f"{row.name}({', '.join('0' for _ in row.index.split(', '))})"
+    if "R" in row.access:
+        return f"x = Len({word})" if row.unit == "text" else f"x = {word}"
+    return word if row.access == "C" else f"{word} = 1"
+
+
+def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
+    for row in OTHERS:
+        codes = {each.code for each in DIALECT.check(Source("a.mnt", used(row)))}
+        assert "not-simulated" in codes, row.name
+        assert "unknown-word" not in codes, row.name
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [("SPED(0) = 1", "SPEED"), ("x = POOS(0)", "POS"), ("GOO(0)", "GO"), ("ACELTIME = 5", "ACCELTIME")],
+)
+def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant: str) -> None:
+    (diagnostic, *_) = DIALECT.check(Source("a.mnt", written))
+    assert diagnostic.code == "unknown-word"
+    assert f"did you mean {meant}?" in diagnostic.hint
+
+
+def test_the_index_knows_where_every_word_stands() -> None:
+    assert indexing.PLACE.read_text(encoding="utf-8") == indexing.written()
+
+
+def test_a_word_is_found_whatever_was_looked_for_before() -> None:
+    for row in table():
+        for spelling in filter(None, (row.name, row.short)):
+            found = Vocabulary().get(spelling)
+            assert found is not None
+            assert found.name == row.name

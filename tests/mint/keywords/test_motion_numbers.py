@@ -1,0 +1,191 @@
+"""Motion of Mint to the figure: at exact times, from the controller's own profiles, against arithmetic by hand."""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin, sqrt
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+RAMPS = "ACCEL(0) = {a} : DECEL(0) = {a} : ACCELJERK(0) = {j} : DECELJERK(0) = {j}\nPROFILEMODE(0) = 1\n"
+FIRST = (
+    (0.1, 5 / 6, 25.0),
+    (0.2, 35 / 6, 75.0),
+    (0.3, 15.0, 100.0),
+    (0.65, 50.0, 100.0),
+    (1.0, 85.0, 100.0),
+    (1.1, 565 / 6, 75.0),
+    (1.2, 595 / 6, 25.0),
+    (1.3, 100.0, 0.0),
+)
+
+
+def ran(text: str) -> Run:
+    result = run(Source("a.mnt", text), cache=False)
+    assert [each.message for each in result.diagnostics] == []
+    return result
+
+
+def s_ramp(speed: float, distance: float) -> Run:
+    return ran(
+        RAMPS.format(a=500, j=5000) + f"SPEED(0) = {speed}\nMOVER(0) = {distance}\nGO(0)\nPAUSE IDLE(0)"
+    )
+
+
+@pytest.mark.parametrize(
+    ("speed", "distance", "ramp", "peak_accel", "peak_speed", "time"),
+    [
+        (100.0, 100.0, 0.3, 500.0, 100.0, 1.3),
+        (40.0, 100.0, 2 * sqrt(40 / 5000), sqrt(40 * 5000), 40.0, 2.5 + 2 * sqrt(40 / 5000)),
+        (100.0, 10.0, 0.2, 500.0, 50.0, 0.4),
+        (100.0, 1.25, 0.1, 250.0, 12.5, 0.2),
+    ],
+)
+def test_the_four_s_ramps(
+    speed: float, distance: float, ramp: float, peak_accel: float, peak_speed: float, time: float
+) -> None:
+    (move,) = s_ramp(speed, distance).controller.moves
+    profile = move.profile
+    assert profile is not None
+    assert profile.duration == pytest.approx(time, abs=1e-9)
+    assert profile.peak_speed == pytest.approx(peak_speed, abs=1e-9)
+    first = profile.phases[0]
+    assert first.name == "accel"
+    assert [first.duration, first.distance] == pytest.approx([ramp, peak_speed * ramp / 2], abs=1e-9)
+    accelerations = [profile.at(k * ramp / 1000).acceleration for k in range(1001)]
+    assert max(accelerations) == pytest.approx(peak_accel, rel=1e-9)
+
+
+def test_the_samples_of_the_first_s_ramp() -> None:
+    profile = s_ramp(100.0, 100.0).controller.moves[0].profile
+    assert profile is not None
+    for time, position, velocity in FIRST:
+        assert profile.position(time) == pytest.approx(position, abs=1e-9)
+        assert profile.velocity(time) == pytest.approx(velocity, abs=1e-9)
+
+
+SPEEDS = "ACCEL(0) = 100 : DECEL(0) = 100\nFEEDRATEMODE(0) = {mode} : SPEED(0) = {speed}\n"
+
+
+def test_a_speed_written_in_motion_acts_at_once_in_speed_mode() -> None:
+    """30 for 25 units, 0.2 s down to 10, then 10: 0.3 + 20.5/30 + 0.2 + 20.5/10 + 0.1 s."""
+    result = ran(
+        SPEEDS.format(mode=0, speed=30)
+        + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nPAUSE IDLE(0)"
+    )
+    (move,) = result.controller.moves
+    assert move.profile is not None
+    # The statement that writes the new speed begins when the wait is over, at 25 units.
+    assert move.profile.duration == pytest.approx(0.3 + 20.5 / 30 + 0.2 + 20.5 / 10 + 0.1, abs=1e-4)
+    assert move.profile.end == 50.0
+
+
+def test_a_move_keeps_its_speed_in_feed_rate_mode() -> None:
+    result = ran(
+        SPEEDS.format(mode=1, speed=30)
+        + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nMOVER(0) = 20 : GO(0)\nPAUSE IDLE(0)"
+    )
+    first, second = (move.profile for move in result.controller.moves)
+    assert first is not None
+    assert second is not None
+    assert first.duration == pytest.approx(0.3 + 41 / 30 + 0.3, abs=1e-9)
+    assert second.duration == pytest.approx(0.1 + 19 / 10 + 0.1, abs=1e-9)
+
+
+def test_the_override_ends_in_motion() -> None:
+    """At 10 for half a second, then 20: the ramp between them takes 0.1 s."""
+    result = ran(
+        SPEEDS.format(mode=2, speed=20)
+        + "FEEDRATEOVERRIDE(0) = 50\nMOVEA(0) = 20 : GO(0)\nPAUSE POS(0) >= 5\nFEEDRATEMODE(0) = 0\nPAUSE IDLE(0)"
+    )
+    (move,) = result.controller.moves
+    assert move.profile is not None
+    times = 0.1 + 4.5 / 10 + 0.1 + (15 - 1.5 - 2) / 20 + 0.2
+    assert move.profile.duration == pytest.approx(times, abs=1e-4)
+    assert move.profile.peak_speed == pytest.approx(20.0)
+
+
+def test_an_arc_lies_on_its_circle() -> None:
+    result = ran(
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nCIRCLER(0, 1) = 0, 50, 270 : GO(0)\nPAUSE IDLE(0)"
+    )
+    x, y = (move.profile for move in result.controller.moves)
+    assert x is not None
+    assert y is not None
+    length = 50 * radians(270)
+    assert x.duration == pytest.approx(length / 100 + 0.1, abs=1e-9)
+    for k in range(101):
+        t = x.duration * k / 100
+        assert x.position(t) ** 2 + (y.position(t) - 50) ** 2 == pytest.approx(2500.0, rel=1e-9)
+    middle = x.duration / 2
+    angle = radians(-90 + 135)
+    there = [50 * cos(angle), 50 + 50 * sin(angle)]
+    assert [x.position(middle), y.position(middle)] == pytest.approx(there, abs=1e-6)
+
+
+def test_scales_do_not_bend_a_path() -> None:
+    """User units count, whatever the counts are: 3 : 4 with 100 and 7 counts a unit."""
+    result = ran(
+        "SCALEFACTOR(0) = 100 : SCALEFACTOR(1) = 7\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+        "VECTORR(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)"
+    )
+    x, y = (move.profile for move in result.controller.moves)
+    assert x is not None
+    assert y is not None
+    assert x.duration == pytest.approx(0.6, abs=1e-12)
+    assert y.position(0.25) / 7 == pytest.approx(x.position(0.25) / 100 * 4 / 3, rel=1e-12)
+
+
+def test_a_shear_is_as_fast_as_its_master_while_it_cuts() -> None:
+    result = ran(
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMASTERCHANNEL(1) = 0\nMOVEBUFFERSIZE(1) = 3\n"
+        "MASTERDISTANCE(1) = 20 : FLY(1) = 10\nMASTERDISTANCE(1) = 10 : FLY(1) = 10\n"
+        "MASTERDISTANCE(1) = 20 : FLY(1) = 10\nGO(1)\nMOVER(0) = 60 : GO(0)\nPAUSE IDLE(0)"
+    )
+    master, slave = result.controller.axes[0], result.controller.axes[1]
+    start = result.controller.moves[1].start_time
+    for k in range(601):
+        t = start + k / 1000
+        m, s = master.position(t), slave.position(t)
+        if m <= 20:
+            assert s == pytest.approx(m * m / 40, abs=1e-9)
+        elif m <= 30:
+            assert s == pytest.approx(m - 10, abs=1e-9)
+        elif m <= 50:
+            assert s == pytest.approx(30 - (50 - m) ** 2 / 40, abs=1e-9)
+        else:
+            assert s == pytest.approx(30.0, abs=1e-9)
+
+
+def test_a_continuous_spline_goes_over_into_itself() -> None:
+    """Four points on a circle's sine: no velocity jumps at the seam, the acceleration only where SPLINE_1 says."""
+    values = ", ".join(str(round(10 * sin(2 * pi * k / 8), 6)) for k in range(1, 9))
+    result = ran(
+        f"Dim way(9) As Float = 8, {values}\nSPLINETABLE(0, way)\nSPLINETIME(0) = 50\n"
+        "SPLINE(0) = _spABSOLUTE | _spCONTINUOUS | _spSPLINE_2\nGO(0)\nPAUSE TIME >= 1230\nCANCEL(0)"
+    )
+    axis = result.controller.axes[0]
+    begins = [move.start_time for move in result.controller.moves]
+    assert len(begins) == 4
+    for begin in begins[1:]:
+        before, after = axis.at(begin - 1e-9), axis.at(begin + 1e-9)
+        assert after.velocity == pytest.approx(before.velocity, abs=1e-5)
+        assert after.velocity == pytest.approx(10 * 2 * pi / 0.4, rel=0.01)
+
+
+def test_a_contour_at_three_speeds_arrives() -> None:
+    result = ran("""ACCEL(0)=90:DECEL(0)=60
+MOVEBUFFERSIZE(0)=3:MOVEBUFFERSIZE(1)=3
+FEEDRATEMODE(0)=1:CONTOURMODE(0)=1
+SPEED(0)=20:VECTORR(0,1)=80,0
+SPEED(0)=30:VECTORR(0,1)=30,0
+SPEED(0)=45:VECTORR(0,1)=80,0
+GO(0)
+PAUSE IDLE(0)
+PRINT POS(0)""")
+    assert result.output == ["190.0000"]
+    times = [move.profile.duration for move in result.controller.moves if move.profile and move.axis == 0]
+    assert times == pytest.approx([20 / 90 + (80 - 20 / 9) / 20, 1 / 9 + (30 - 25 / 9) / 30, 157 / 72])

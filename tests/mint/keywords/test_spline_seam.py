@@ -1,0 +1,69 @@
+"""SUSPEND and STOP of a spline near the end of a cycle: its time slows down, and runs on into the next cycle."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+TABLE = "Dim c(5) As Float = 3, 10, 20, 5\nSPLINETABLE(0, c)\nSPLINETIME(0) = 200\n"
+TABLE += "SPLINESUSPENDTIME(0) = {}\nSPLINE(0) = {}\nGO(0)\n"
+
+
+def ran(text: str) -> Run:
+    result = run(Source("a.mnt", text), cache=False, until=10.0)
+    assert [each.message for each in result.diagnostics] == []
+    return result
+
+
+def undisturbed(mode: int, time: float) -> float:
+    """Where the spline is so long after its start."""
+    a = ran(TABLE.format(100, mode) + "WAIT = 6000\nCANCEL(0)").controller.axes[0]
+    return a.position(a.starts[1] + time)
+
+
+@pytest.mark.parametrize("mode", [4, 12])
+@pytest.mark.parametrize("wait", [300, 540, 555, 580, 599, 600, 640, 1190])
+@pytest.mark.parametrize("slowing", [100, 1500])
+def test_it_stands_where_half_of_the_time_more_would_have_brought_it(
+    mode: int, wait: int, slowing: int
+) -> None:
+    """In the time of suspending the time of the spline goes half as far, in that of resuming too."""
+    for word in ("SUSPEND(0) = 1", "STOP(0)"):
+        result = ran(
+            TABLE.format(slowing, mode) + f"WAIT = {wait}\n{word}\nWAIT = 2000\nPRINT VEL(0)\nCANCEL(0)"
+        )
+        a = result.controller.axes[0]
+        begun = next(
+            start for start, profile in zip(a.starts, a.profiles, strict=True) if profile.shape != "hold"
+        )
+        slowed = next(
+            start
+            for start, profile in zip(a.starts, a.profiles, strict=True)
+            if profile.shape == "suspend"
+            or (start > begun and "stop" in [each.name for each in profile.phases])
+        )
+        place = slowed - begun + slowing / 2000.0
+        assert result.controller.position(0) == pytest.approx(undisturbed(mode, place), abs=1e-6)
+        assert result.output == ["0.0000"]
+
+
+@pytest.mark.parametrize("wait", [540, 580, 599, 600])
+def test_it_goes_on_in_the_cycle_in_which_it_stands(wait: int) -> None:
+    """All that is lost is the time between the two words: half of each ramp is made up by the other."""
+    text = f"WAIT = {wait}\nSUSPEND(0) = 1\nWAIT = 300\nPRINT SPLINEINDEX(0)\nSUSPEND(0) = 0\nWAIT = 1000\n"
+    result = ran(TABLE.format(100, 4) + text + "CANCEL(0)")
+    a = result.controller.axes[0]
+    held = next(k for k, profile in enumerate(a.profiles) if profile.shape == "suspend")
+    lost = a.starts[held + 1] - a.starts[held]
+    time = a.starts[-1] - a.starts[1] - lost
+    assert result.controller.position(0) == pytest.approx(undisturbed(4, time), abs=1e-6)
+    assert result.output == ["3" if wait < 550 else "1"]
+
+
+def test_a_spline_that_ends_while_it_slows_down_has_ended() -> None:
+    text = "WAIT = 560\nSUSPEND(0) = 1\nPAUSE IDLE(0)\nPRINT POS(0)\nSUSPEND(0) = 0\n"
+    text += "MOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
+    assert ran(TABLE.format(100, 0) + text + "PRINT POS(0)").output == ["35.0000", "36.0000"]

@@ -1,0 +1,249 @@
+"""Words that are known and not simulated: how far a program with them comes, and what is said of it."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from motionlang import run
+from motionlang.errors import Diagnostic, ProgramError
+from motionlang.lang.keyword import Keyword
+from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.keys import KEYS
+from motionlang.lang.machine.machine import Machine
+from motionlang.mint import DIALECT
+from motionlang.mint.keywords import identity, table, unsimulated
+from motionlang.mint.keywords import legacy as older
+from motionlang.mint.keywords.machine_readings import can_be_told
+from motionlang.mint.keywords.unsimulated import COMMAND, FACTOR, MOTION, VALUE
+from motionlang.repl.runner import Runner
+from motionlang.result import Run
+from motionlang.source import Source
+
+MEANINGLESS = "listed by the type library without a meaning"
+OTHERS = [row for row in table() if not row.simulated]
+
+
+def ran(*lines: str, **machine: object) -> Run:
+    return run(Source("a.mnt", "\n".join(lines)), machine=machine, cache=False, until=60.0)
+
+
+def places(result: Run) -> list[tuple[str, int, int]]:
+    return [(each.severity, each.line, each.column) for each in result.diagnostics]
+
+
+def word(row: Keyword) -> str:
+    return row.name if row.index == "none" else f"{row.name}({', '.join('0' for _ in row.index.split(', '))})"
+
+
+def value(row: Keyword) -> str:
+    return '"abc"' if row.unit == "text" else "2.5" if row.unit == "number" else "1"
+
+
+def shown(row: Keyword) -> str:
+    return {"text": "abc", "number": "2.5000"}.get(row.unit, "1")
+
+
+# --------------------------------------------------------------------------------------- every word of the lists
+
+
+@pytest.mark.parametrize("row", [row for row in OTHERS if "W" in row.access and row.verb != MOTION], ids=str)
+def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
+    given = "1" if row.verb == FACTOR else value(row)
+    read = f"PRINT {word(row)}" if "R" in row.access else ""
+    result = ran(f"{word(row)} = {given}", read, 'PRINT "on"')
+    assert result.status == "ended"
+    shows = "1.0000" if row.verb == FACTOR else shown(row)
+    assert result.output == [*([shows] if read else []), "on"]
+    assert f"{row.name} (line 1)" in result.not_counted[0]
+
+
+@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == COMMAND], ids=str)
+def test_a_command_without_an_effect_is_named(row: Keyword) -> None:
+    result = ran(word(row), 'PRINT "on"')
+    assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
+    assert result.not_counted == [f"words that have no effect here: {row.name} (line 1)"]
+
+
+@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == MOTION], ids=str)
+def test_what_moves_or_decides_ends_the_run_where_it_stands(row: Keyword) -> None:
+    statement = word(row) if row.access == "C" else f"{word(row)} = 1"
+    result = ran('PRINT "before"', f"IF 1 THEN {statement}", 'PRINT "after"')
+    assert (result.status, result.output) == ("fault", ["before"])
+    assert places(result) == [("warning", 2, 11), ("error", 2, 11)]
+    assert {each.code for each in result.diagnostics} == {"not-simulated"}
+
+
+@pytest.mark.parametrize(
+    "row", [row for row in OTHERS if row.verb in (MOTION, FACTOR) and "W" in row.access], ids=str
+)
+def test_what_would_move_may_be_switched_off(row: Keyword) -> None:
+    result = ran(f"{word(row)} = {1 if row.verb == FACTOR else 0}", 'PRINT "on"')
+    assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
+
+
+@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == VALUE and "R" in row.access], ids=str)
+def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(row: Keyword) -> None:
+    result = ran(f"PRINT {word(row)}")
+    assert result.status == "fault"
+    assert places(result) == [("warning", 1, 7), ("error", 1, 7)]
+    assert f"[mint.readings] {row.name} = " in result.diagnostics[1].hint
+    told = "abc" if row.unit == "text" else 2.5 if row.unit == "number" else 1
+    result = ran(f"PRINT {word(row)}", **{f"mint.readings.{row.name}": told})
+    assert (result.status, result.output, result.diagnostics) == ("ended", [shown(row)], [])
+
+
+# ------------------------------------------------------------------------------------------- where the run ends
+
+
+def test_onerror_does_not_hear_of_it() -> None:
+    result = ran("AUTOHOMEMODE(0) = 5", "End", "Event ONERROR", ' PRINT "handled"', "End Event")
+    assert (result.status, result.output) == ("fault", [])
+
+
+@pytest.mark.parametrize(
+    ("lines", "place"),
+    [
+        (["Fill()", "End", "Sub Fill()", "  AUTOTUNE(0, 1)", "End Sub"], (4, 3)),
+        (["Run Move", "WAIT = 10", "End", "Task Move", "  x = 1 : AUTOTUNE(0, 1)", "End Task"], (5, 11)),
+        (["PAUSE TEMPERATURE(0) > 40"], (1, 7)),
+        (["WHILE 1 > 0 AND HALL(0) = 1 : WAIT = 1", "ENDW"], (1, 17)),
+        (["TIMEREVENT = 10", "WAIT = 50", "Event TIMER", "  PRINT dbv(0)", "End Event"], (4, 9)),
+        (["SPEED(0) = 100 + TEMPERATURE(1)"], (1, 18)),
+    ],
+)
+def test_the_run_ends_at_the_word(lines: list[str], place: tuple[int, int]) -> None:
+    last = ran(*lines).diagnostics[-1]
+    assert (last.code, last.severity, last.line, last.column) == ("not-simulated", "error", *place)
+
+
+def test_what_was_computed_so_far_stays() -> None:
+    result = ran("MOVER(0) = 100", "GO(0)", "PAUSE IDLE(0)", "AUTOTUNE(0, 1)")
+    assert [each["distance"] for each in result.report["moves"]] == [100.0]  # type: ignore[attr-defined]
+
+
+def test_a_word_that_the_program_does_not_come_to_ends_nothing() -> None:
+    result = ran("If 0 Then AUTOTUNE(0, 1)", 'PRINT "done"')
+    assert (result.status, result.output) == ("ended", ["done"])
+    assert places(result) == [("warning", 1, 11)]
+
+
+def test_a_run_tells_those_warnings_of_the_check_that_it_may_end_at() -> None:
+    text = "CONFIG(0) = 1\nBINARY\nPRINT TEMPERATURE(0)\nAUTOTUNE(0, 1)\nAUTOHOMEMODE(0) = 0"
+    checked = [each for each in DIALECT.check(Source("a.mnt", text)) if each.code == "not-simulated"]
+    assert [each.line for each in checked] == [1, 2, 3, 4, 5]
+    warned = [each.as_dict() for each in ran(text).diagnostics if each.severity == "warning"]
+    assert warned == [each.as_dict() for each in checked[2:4]]
+
+
+def test_the_warnings_stay_with_a_program_in_the_cache() -> None:
+    program = DIALECT.compile(Source("a.mnt", "AUTOTUNE(0, 1)"))
+    payload = program.payload()
+    assert payload is not None
+    again = DIALECT.load(payload)
+    assert [each.as_dict() for each in again.warnings] == [each.as_dict() for each in program.warnings] != []
+
+
+def test_lines_are_named_once_and_not_too_many() -> None:
+    result = ran("For i = 1 To 3", *["PARAMETERSAVE"] * 7, "Next")
+    assert result.not_counted == ["words that have no effect here: PARAMETERSAVE (lines 2, 3, 4, 5, 6, …)"]
+
+
+def test_a_text_is_no_number_for_them_either() -> None:
+    codes = {each.code for each in DIALECT.check(Source("a.mnt", 'DRIVEPARAMETERFLOAT(1, 2) = "abc"'))}
+    assert "type" in codes
+
+
+def test_any_values_stand_in_their_brackets() -> None:
+    result = ran("Dim a(3) = 1, 2, 3", "PRECISIONTABLE(0, a, NULL)", 'PLCTASK(1, "x", 2.5, 4)', 'PRINT "on"')
+    assert (result.status, result.output) == ("ended", ["on"])
+
+
+def test_at_the_prompt_they_end_the_line() -> None:
+    told: list[str] = []
+
+    def tell(found: list[Diagnostic], source: Source) -> None:
+        told.extend(each.message for each in found)
+
+    runner = Runner(DIALECT, Machine(), tell, lambda time: None)
+    for line in ("PARAMETERSAVE", "AUTOTUNE(0, 1)", "Sub S()\n AUTOTUNE(0, 1)\nEnd Sub", "S()"):
+        runner.execute(Source("<line>", line))
+    assert told == ["AUTOTUNE is not simulated"] * 2
+
+
+def test_the_demand_can_be_read_and_not_written() -> None:
+    result = ran("PRINT POSDEMAND(0)", "POSDEMAND(0) = 5")
+    assert result.output == ["0.0000"]
+    assert result.diagnostics[-1].message.startswith("writing POSDEMAND makes the demanded position jump")
+
+
+# ------------------------------------------------------------------------------------------- the machine file
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "hint"),
+    [
+        ("DRIVEBUSVOLT = 3", "there is no word DRIVEBUSVOLT to be read", "did you mean DRIVEBUSVOLTS?"),
+        ("dbv = 3", "there is no word dbv to be read", "did you mean DRIVEBUSVOLTS?"),
+        ("POS = 3", "POS is no word for the machine file to answer", "what it reads comes about in the run"),
+        ("AUTOTUNE = 3", "AUTOTUNE is no word for the machine file to answer", "it has no value"),
+        ("HALL = 2.5", "HALL is a whole number, not 2.5", "hall sensors group"),
+        ('HALL = "a"', "HALL is a whole number, not 'a'", "hall sensors group"),
+        ('DBVOLTS = "a"', "DBVOLTS is a whole number, not 'a'", "dynamic brake group"),
+        (
+            'EFFORTS = "a"',
+            "there is no word EFFORTS to be read",
+            "motionlang keywords lists the words of Mint",
+        ),
+        ("PRODUCTSERIALNUMBER = 3", "PRODUCTSERIALNUMBER is a text, not 3", MEANINGLESS),
+        ('HALL = { "0, 1" = 2 }', "HALL has 1 in its brackets, not 2", "it stands for axis"),
+        (
+            "HALL = [1]",
+            "mint.readings.HALL must be a number, a text, true or false, not [1]",
+            KEYS["mint.readings.WORD"][1],
+        ),
+    ],
+)
+def test_a_mistake_in_the_machine_file_is_told_with_its_line(line: str, message: str, hint: str) -> None:
+    with pytest.raises(ProgramError) as caught:
+        read_machine(Source("m.toml", f"[mint.readings]\nTEMPERATURE = 20.5\n{line}\n"))
+    (found,) = caught.value.diagnostics
+    assert (found.message, found.line, found.column) == (message, 3, 1)
+    assert found.hint == hint
+
+
+def test_every_word_that_reads_something_unknown_can_be_told() -> None:
+    assert all(can_be_told(row) for row in OTHERS if "R" in row.access)
+    assert all(can_be_told(row) for row in identity.ROWS if row.group == "identity")
+    assert not any(can_be_told(row) for row in older.ROWS)
+
+
+# --------------------------------------------------------------------------------------------------- any order
+
+given_values = st.sampled_from(["0", "1", "n", "x", '"t"'])
+indices = st.sampled_from(["0", "1", "n", "x", "less", '"a"'])
+
+
+@st.composite
+def statements(draw: st.DrawFn) -> str:
+    row: Keyword = draw(st.sampled_from(OTHERS))
+    count = draw(st.integers(0, 3)) if row.index != "axis" else 1
+    where = ", ".join(draw(indices) for _ in range(count))
+    use = f"{row.name}({where})" if count else row.name
+    if row.access == "C" or ("W" in row.access and draw(st.booleans())):
+        return use if row.access == "C" else f"{use} = {draw(given_values)}"
+    return f"PRINT {use}"
+
+
+@settings(max_examples=200, suppress_health_check=list(HealthCheck))
+@given(st.lists(statements(), min_size=1, max_size=8))
+def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
+    first = "Dim n As Integer = 3, x As Float = 2.5, less As Integer = -1"
+    result = ran(first, *lines)
+    assert result.status in ("ended", "fault")
+    assert all(each.line for each in result.diagnostics)
+
+
+def test_the_lists_are_of_words_that_are_still_not_simulated_or_were_when_they_were_sorted() -> None:
+    assert all(table().get(name) is not None for name in unsimulated.words())

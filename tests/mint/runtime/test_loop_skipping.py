@@ -1,0 +1,230 @@
+"""Loops that only poll are skipped, with the same result as without skipping."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.lang.task import GeneratorTask
+from motionlang.mint.compile import polling
+from motionlang.mint.compile.pause import TAKING
+from motionlang.mint.keywords import table
+from motionlang.mint.runtime.loop_skipping import Skipper
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.mint.polling_programs import COST, program
+
+STATES = """\
+Dim state As Integer, moves As Integer
+SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100
+TIME = 0
+Loop
+  Select Case state
+  Case 0
+    MOVER(0) = 100
+    GO(0)
+    state = 1
+  Case 1
+    If IDLE(0) Then state = 2 : TIME = 0 : PRINT "arrived ", POS(0)
+  Case 2
+    If TIME > 5000 Then
+      state = 0
+      moves = moves + 1
+    End If
+  End Select
+  If moves = WANTED Then Exit Loop
+End Loop
+PRINT moves
+"""
+PROGRAMS = {
+    "states": STATES.replace("WANTED", "2"),
+    "while not idle": 'SPEED = 100 : MOVER = 5 : GO\nWhile Not IDLE\nEnd While\nPRINT TIME, " ", POS',
+    "until there": 'SPEED = 100 : MOVER = 5 : GO\nRepeat\nUntil POS > 2\nPRINT TIME, " ", POS',
+    "a timer's flag": "TIMEREVENT = 70\nWhile n < 3\nEnd While\nPRINT TIME, n\nEnd\n"
+    "Event TIMER\n  n = n + 1\nEnd Event",
+    "a counter that counts": "TIME = 0\nWhile TIME < 50\n  n = n + 1\nEnd While\nPRINT n",
+    "two steps": "SPEED = 100 : MOVER = 5 : GO\nLoop\n  a = 1 - a\n  If IDLE Then Exit Loop\nEnd Loop\nPRINT a, TIME",
+    "a level that moves": "SPEED = 100 : MOVER(0, 1) = 5, 9 : GO(0, 1)\nWhile POS(0) < POS(1) + 0.5\n"
+    "  If IDLE(1) Then Exit While\nEnd While\nPRINT TIME",
+    "a reading kept": 'SPEED = 100 : MOVER = 3 : GO\nRepeat\n  x = POS\nUntil IDLE\nPRINT x, " ", TIME',
+    "both ends": "SPEED = 100 : MOVER = 5 : GO\nLoop\n  If POS > 1 And TIME > 20 Then Exit Loop\nEnd Loop\n"
+    "PRINT TIME, POS",
+    "another task": "Run Work\nWhile turns < 5\nEnd While\nPRINT TIME\nEnd\n"
+    "Task Work\n  Loop\n    WAIT = 7\n    turns = turns + 1\n  End Loop\nEnd Task",
+    "an empty loop under a timer": "TIMEREVENT = 70\nLoop\nEnd Loop\n"
+    'Event TIMER\n  n = n + 1 : PRINT n, " ", TIME\n  If n = 9 Then End\nEnd Event',
+    "a task that works": "Run Work\nWhile turns < 500\nEnd While\nPRINT TIME\nEnd\n"
+    "Task Work\n  Loop\n    turns = turns + 1\n  End Loop\nEnd Task",
+}
+
+
+# Loops that wait for ever, in all the ways in which programs are written.
+TASKS = """\
+Run First
+Run Second
+Loop
+  If INX(1) Then OUTX(1) = 1
+End Loop
+Task First
+  Loop
+    If INX(2) Then
+      OUTX(2) = 1
+      seen = 1
+    End If
+  End Loop
+End Task
+Task Second
+  While INX(3) = 0
+  End While
+End Task
+"""
+FOR_EVER = {
+    "while": "While 1\nEnd While",
+    "loop": "Loop\nEnd Loop",
+    "repeat": "Dim x = 0\nRepeat\nUntil x = 1",
+    "goto": "again:\nIF INX(0) = 0 THEN GOTO again",
+    "a machine of gotos": "again:\nIF s = 0 AND INX(1) THEN GOTO first\nIF s = 1 THEN GOTO second\nGOTO again\n"
+    "first:\ns = 1\nGOTO again\nsecond:\nOUTX(1) = 1\nGOTO again",
+    "an output follows an input": "Loop\n  OUTX(1) = INX(3)\nEnd Loop",
+    "the same value": "While 1\n  x = 5\nEnd While",
+    "memory for a host": "Loop\n  COMMS(1) = POS(0)\n  COMMS(2) = INX(1)\nEnd Loop",
+    "a jog panel": "Loop\n  If INX(1) Then JOG(0) = 10 Else JOG(0) = 0\nEnd Loop",
+    "a timer of its own": "Dim since As Time, state As Integer\nLoop\n  Select Case state\n  Case 0\n"
+    "    If INX(1) Then since = 0 : state = 1\n  Case 1\n    If since > 500 Then state = 0\n  End Select\nEnd Loop",
+    "what other states look at": "Loop\n  If INX(1) Then\n    COMMS(1) = TIME\n    COMMS(2) = POS(0)\n"
+    "  End If\nEnd Loop",
+    "a jog that goes on": "Loop\n  JOG(0) = 10\n  SPEED(1) = 20\nEnd Loop",
+    "a speed": "Loop\n  SPEED(0) = 50 + 10 * INX(1)\nEnd Loop",
+    "subs": "Dim seen As Integer\nLoop\n  Look\n  OUTX(1) = seen\nEnd Loop\n"
+    "Sub Look()\n  If INX(1) Then seen = 1\nEnd Sub",
+    "gosubs": "Loop\n  GOSUB look\n  GOSUB set\nEnd Loop\n"
+    "#look\n  seen = INX(1)\nRETURN\n#set\n  OUTX(1) = seen\nRETURN",
+    "an array": "Dim v(8) As Integer\nLoop\n  For i = 1 To 8\n    v(i) = INX(i - 1)\n  Next\nEnd Loop",
+    "a wait": "Loop\n  WAIT = 10\n  If INX(1) Then OUTX(2) = 1\nEnd Loop",
+    "a parent beside a task that waits": "Run Work\nLoop\nEnd Loop\nTask Work\n  PAUSE INX(1)\nEnd Task",
+    "tasks that wait": "Run Ten\nRun Hundred\nLoop\n  WAIT = 10\n  If INX(1) Then OUTX(1) = 1\nEnd Loop\n"
+    "Task Ten\n  Loop\n    WAIT = 10\n    If INX(2) Then OUTX(2) = 1\n  End Loop\nEnd Task\n"
+    "Task Hundred\n  Loop\n    WAIT = 100\n    If INX(3) Then OUTX(3) = 1\n  End Loop\nEnd Task",
+    "a task that waits beside one that does not": "Run Ten\nLoop\n  If INX(1) Then OUTX(1) = 1\nEnd Loop\n"
+    "Task Ten\n  Loop\n    WAIT = 10\n    If INX(2) Then OUTX(2) = 1\n  End Loop\nEnd Task",
+    "tasks side by side": "seen = 0\n" + TASKS,
+}
+
+
+class Near(float):
+    """A time to a tenth of a microsecond: without skipping, the costs of millions of statements are added up."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, float) and abs(self - other) < 1e-7
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def outcome(text: str, machine: dict[str, object] | None = None, until: float = 100.0) -> list[object]:
+    """What a program prints, what is wrong with it, and when it ends and moves."""
+    machine = machine or {"controller.instruction_time": COST}
+    result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
+    starts = [move.start_time for move in result.controller.moves]
+    wrong = [each.message for each in result.diagnostics]
+    return [result.output, wrong, result.status, *(Near(time) for time in (result.time, *starts))]
+
+
+def turn_by_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """From now on nothing is skipped."""
+    monkeypatch.setattr(polling, "watched", lambda *_: None)
+    monkeypatch.setattr(polling, "watched_jump", lambda *_: None)
+
+
+@pytest.mark.parametrize("text", PROGRAMS.values(), ids=PROGRAMS.keys())
+def test_skipping_makes_no_difference(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "n = 0 : turns = 0\n" + text if "Task" in text or "Event" in text else text
+    skipped = outcome(text)
+    turn_by_turn(monkeypatch)
+    assert skipped == outcome(text)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_skipping_makes_no_difference_to_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    text, machine = program(seed)
+    skipped = outcome(text, machine, until=3.0)
+    turn_by_turn(monkeypatch)
+    assert skipped == outcome(text, machine, until=3.0)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("first", range(24, 1024, 50))
+def test_skipping_makes_no_difference_at_length(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    programs = [program(seed) for seed in range(first, first + 50)]
+    skipped = [outcome(text, machine, until=3.0) for text, machine in programs]
+    turn_by_turn(monkeypatch)
+    assert skipped == [outcome(text, machine, until=3.0) for text, machine in programs]
+
+
+def effort(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Run, int]:
+    """A run of eight hours, and how often a task was resumed or looked at in it."""
+    count = 0
+
+    def counted(original: object) -> object:
+        def call(*arguments: object, **named: object) -> object:
+            nonlocal count
+            count += 1
+            return original(*arguments, **named)  # type: ignore[operator]
+
+        return call
+
+    monkeypatch.setattr(GeneratorTask, "resume", counted(GeneratorTask.resume))
+    monkeypatch.setattr(Skipper, "skip", counted(Skipper.skip))
+    return run(Source("a.mnt", text), cache=False), count
+
+
+def test_a_state_machine_polls_for_eight_hours_at_the_price_of_its_moves(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    text = STATES.replace("WANTED", "-1").replace(' : PRINT "arrived ", POS(0)', "")
+    result, count = effort(text, monkeypatch)
+    assert result.time > 28_000.0
+    moves = len(result.controller.moves)
+    assert moves > 1900
+    assert count < 20 * moves
+
+
+@pytest.mark.parametrize("text", FOR_EVER.values(), ids=FOR_EVER.keys())
+def test_eight_hours_of_nothing_are_over_at_once(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    result, count = effort(text, monkeypatch)
+    assert not result.diagnostics
+    assert result.time == pytest.approx(28_800.0, abs=0.05)
+    assert count < 5000
+
+
+def test_what_may_be_written_over_and_over_can_be_read() -> None:
+    readable = {row.verb for row in table() if row.access == "RW"}
+    assert readable >= polling.REPEATABLE
+
+
+def test_what_takes_away_by_being_read_is_in_the_table() -> None:
+    assert {row.verb for row in table()} >= TAKING
+
+
+def test_a_loop_that_looks_for_what_cannot_happen_is_told() -> None:
+    result = run(
+        Source("a.mnt", "Loop\n  If POS > 5 Then Exit Loop\nEnd Loop"), cache=False, until=float("inf")
+    )
+    (diagnostic,) = result.diagnostics
+    assert diagnostic.code == "never"
+
+
+IN_VAIN = "still polled, and nothing could change what it looks at any more, since"
+
+
+def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> None:
+    result = run(
+        Source("a.mnt", "SPEED = 100 : MOVER = 5 : GO\nPAUSE IDLE\nWhile INX(3) = 0\nEnd While"), cache=False
+    )
+    assert result.not_counted == [f"line 3: ParentTask {IN_VAIN} 0.051 s"]
+    result = run(Source("a.mnt", "seen = 0\n" + TASKS), cache=False)
+    assert [each.partition(":")[0] for each in result.not_counted] == ["line 4", "line 8", "line 16"]
+
+
+def test_a_parent_that_leaves_the_work_to_its_tasks_looks_for_nothing() -> None:
+    text = "Run Work\nLoop\nEnd Loop\nTask Work\n  Loop\n    WAIT = 5000\n  End Loop\nEnd Task"
+    assert run(Source("a.mnt", text), cache=False).not_counted == []

@@ -1,0 +1,36 @@
+"""Random motion: no program ends in a traceback or hangs, and the same program does the same again."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.mint import DIALECT
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.mint.motion_programs import program
+
+
+def ran(text: str) -> Run:
+    return run(Source("a.mnt", text), cache=False, until=3.0)
+
+
+@pytest.mark.parametrize("seed", range(120))
+def test_a_random_program_comes_to_an_end_in_order(seed: int) -> None:
+    text = program(seed)
+    result = ran(text)
+    for each in result.diagnostics:  # a full buffer that nothing empties is the program's own mistake
+        assert each.code == "never", each.message
+    DIALECT.check(Source("a.mnt", text))
+
+
+def test_the_programs_move_something() -> None:
+    moves = {move.command for seed in range(40) for move in ran(program(seed)).controller.moves}
+    assert {"MOVER", "MOVEA", "VECTORR", "CIRCLER", "JOG", "FOLLOW", "INCR"} <= moves
+
+
+@pytest.mark.parametrize("seed", [3, 11])
+def test_the_same_program_does_the_same_again(seed: int) -> None:
+    first, second = ran(program(seed)), ran(program(seed))
+    assert first.output == second.output
+    assert first.report == second.report

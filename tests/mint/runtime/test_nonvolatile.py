@@ -1,0 +1,148 @@
+"""nv data: what one run leaves, the next one finds, as far as it still fits; without a file nothing lasts."""
+
+from __future__ import annotations
+
+import os
+from json import loads
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+COUNTERS = """\
+Type Point
+  x As Float
+  n As Integer
+End Type
+Dim nv total As Integer = 10
+Dim nv label As String * 8 = "new"
+Dim nv place(3) As Float = 1, 2, 3
+Dim nv corner As Point
+Dim nv corners(2) As Point
+total = total + 1
+label = Left(label, 3) + Str(total)
+place(2) = place(2) * 2
+corner.x = corner.x + 0.5 : corner.n = corner.n + 1
+corners(2).n = corners(2).n + 7
+count() : count()
+NVLONG(3) = NVLONG(3) + 1
+NVFLOAT(4) = NVFLOAT(4) - 0.25
+PRINT total, " ", label, " ", place(2), " ", corner.x, " ", corner.n, " ", corners(2).n
+PRINT NVLONG(3), " ", NVFLOAT(4)
+Sub count()
+  Dim nv calls As Integer
+  calls = calls + 1
+  PRINT calls;
+End Sub
+"""
+
+
+def ran(text: str, file: Path | None, status: str = "ended") -> Run:
+    result = run(Source("a.mnt", text), nv=None if file is None else str(file), cache=False)
+    assert result.status == status
+    return result
+
+
+def test_the_next_run_goes_on_where_the_last_one_ended(tmp_path: Path) -> None:
+    file = tmp_path / "kept.json"
+    outputs = [ran(COUNTERS, file).output for _ in range(3)]
+    assert outputs == [
+        ["1211 new11 4.0000 0.5000 1 7", "1 -0.2500"],
+        ["3412 new12 8.0000 1.0000 2 14", "2 -0.5000"],
+        ["5613 new13 16.0000 1.5000 3 21", "3 -0.7500"],
+    ]
+
+
+def test_without_a_file_nothing_lasts_and_the_run_says_so() -> None:
+    first, second = ran(COUNTERS, None), ran(COUNTERS, None)
+    assert first.output == second.output
+    assert first.not_counted == [
+        "nv data that lasts as long as the run, without --nv FILE: "
+        "total, label, place, corner, corners, count.calls, NVLONG"
+    ]
+
+
+def test_a_program_without_nv_data_says_nothing(tmp_path: Path) -> None:
+    assert ran("PRINT 1", None).not_counted == []
+    file = tmp_path / "kept.json"
+    ran("Dim nv a As Integer = 4", file)
+    ran("PRINT 1", file)
+    assert loads(file.read_text())["values"] == {"a": [4]}
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "shown"),
+    [
+        ("Dim nv a As Integer = 4", "Dim nv a As Float = 1\nPRINT a", "4.0000"),
+        ("Dim nv a As Float = 4.5", "Dim nv a As Integer = 1\nPRINT a", "1"),
+        ("Dim nv a As Integer = 4", 'Dim nv a As String = "no"\nPRINT a', "no"),
+        ("Dim nv a(2) As Integer = 4, 5", "Dim nv a(3) As Integer = 1, 2, 3\nPRINT a(2)", "2"),
+        ("Dim nv a As Integer = 4", "Dim nv b As Integer = 1\nPRINT b", "1"),
+    ],
+)
+def test_what_no_longer_fits_is_forgotten(before: str, after: str, shown: str, tmp_path: Path) -> None:
+    file = tmp_path / "kept.json"
+    ran(before, file)
+    assert ran(after, file).output == [shown]
+
+
+def test_a_run_that_fails_keeps_what_it_had_done(tmp_path: Path) -> None:
+    file = tmp_path / "kept.json"
+    ran("Dim nv a As Integer\na = 7\na = a / 0", file, "fault")
+    assert ran("Dim nv a As Integer\nPRINT a", file).output == ["7"]
+
+
+@pytest.mark.parametrize(
+    "text", ["", "[]", "{}", '{"schema": "other/1"}', "\x00", '{"schema": "motionlang.nv/1", ']
+)
+def test_a_file_that_is_none_is_refused_and_left_alone(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "kept.json"
+    file.write_text(text)
+    result = ran("Dim nv a As Integer\nPRINT 1", file, "fault")
+    assert result.output == []
+    assert [each.code for each in result.diagnostics] == ["file"]
+    assert file.read_text() == text
+
+
+@pytest.mark.parametrize(
+    "part", ['"values": 3', '"words": [1]', '"values": {"a": 4}', '"words": {"x": 1}', '"words": {"3": 1e9}']
+)
+def test_nonsense_inside_is_no_traceback(part: str, tmp_path: Path) -> None:
+    file = tmp_path / "kept.json"
+    file.write_text('{"schema": "motionlang.nv/1", ' + part + "}")
+    result = run(Source("a.mnt", "Dim nv a As Integer = 5\nPRINT a, NVLONG(3)"), nv=str(file), cache=False)
+    assert result.output == ["50"] or [each.code for each in result.diagnostics] == ["file"]
+
+
+def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
+    result = ran("Dim nv a As Integer\nPRINT 1", tmp_path / "none" / "kept.json", "fault")
+    assert result.output == ["1"]
+    assert "cannot be written" in result.diagnostics[0].message
+
+
+def test_runs_that_end_at_once_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "kept.json"
+    replace, others = os.replace, ["Dim nv b As Integer = 2"]
+
+    def replace_after_another(source: str, target: str) -> None:
+        if others:
+            ran(others.pop(), file)
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", replace_after_another)
+    ran("Dim nv a As Integer = 1", file)
+    assert others == []
+    assert loads(file.read_text())["values"] == {"a": [1]}
+    assert os.listdir(tmp_path) == ["kept.json"]
+
+
+def test_a_handler_and_a_task_share_the_data_of_the_program(tmp_path: Path) -> None:
+    file = tmp_path / "kept.json"
+    text = (
+        "Dim nv ticks As Integer\nTIMEREVENT = 10\nWAIT = 35\nRun more\nWAIT = 1\nPRINT ticks\nEnd\n"
+        "Event TIMER\n ticks = ticks + 1\nEnd Event\nTask more\n ticks = ticks + 100\nEnd Task"
+    )
+    assert [ran(text, file).output for _ in range(2)] == [["103"], ["206"]]

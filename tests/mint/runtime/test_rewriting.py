@@ -1,0 +1,76 @@
+"""A loop may set any word over and over: it runs, and ends as when every turn of it is carried out."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.errors import ProgramError
+from motionlang.lang.keyword import Keyword
+from motionlang.mint.compile import polling
+from motionlang.mint.keywords import table
+from motionlang.source import Source
+
+WORDS = [row for row in table() if "W" in row.access and row.kind != "move" and row.verb != "wait"]
+# The same value in every turn, and two by turns, which a task looks at meanwhile where the word can be read.
+STEADY = "Loop\n  {word} = {first}\n  Wait = 100\nEnd Loop\n"
+CHANGING = """\
+Dim n As Integer
+Run watcher
+Loop
+  {word} = {first}
+  Wait = 10
+  {word} = {second}
+  Wait = 10
+End Loop
+Task watcher
+  Loop
+    If {word} = {second} Then n = n + 1 : PRINT n
+    Wait = 7
+  End Loop
+End Task
+"""
+
+
+def spellings(row: Keyword) -> list[str]:
+    """The word without brackets, and with a 0 for everything that may stand in them."""
+    zeros = ", ".join("0" for _ in row.index.split(", "))
+    return [row.name, f"{row.name}({zeros})"]
+
+
+def outcome(text: str) -> object:
+    try:
+        result = run(Source("a.mnt", text), cache=False, until=0.1)
+    except ProgramError as error:
+        return error.diagnostics[0].code
+    told = [(each.code, each.message, each.line) for each in result.diagnostics]
+    return result.output, result.status, told, result.not_counted, round(result.time, 9)
+
+
+def outcomes(program: str) -> dict[str, object]:
+    found = {}
+    for row in WORDS:
+        first, second = ('"1"', '"0"') if row.unit == "text" else (1, 0)
+        for word in spellings(row):
+            found[word] = outcome(program.format(word=word, first=first, second=second))
+    return found
+
+
+@pytest.mark.parametrize("program", [STEADY, CHANGING], ids=["steady", "changing"])
+def test_a_word_that_is_set_in_every_turn(program: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    watched = outcomes(program)
+    monkeypatch.setattr(polling, "watched", lambda *_: None)
+    assert outcomes(program) == watched
+    # Nearly all of them can be written one way or the other, and so run.
+    ran = {word.partition("(")[0] for word, result in watched.items() if isinstance(result, tuple)}
+    assert len(ran) > 0.9 * len(WORDS)
+
+
+def test_every_word_that_a_watched_loop_may_set_is_among_them() -> None:
+    verbs = {row.verb for row in WORDS}
+    assert verbs >= polling.REPEATABLE
+
+
+def test_looking_at_a_word_before_it_is_set_is_no_reading() -> None:
+    result = run(Source("a.mnt", STEADY.format(word="BACKLASH(0)", first=1)), cache=False, until=1.0)
+    assert result.not_counted == ["words that have no effect here: BACKLASH (line 2)"]
