@@ -3,6 +3,17 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import HealthCheck, settings
+
+# No property depends on how fast the machine is, and each run draws the same cases.
+settings.register_profile(
+    "motionlang",
+    deadline=None,
+    derandomize=True,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+settings.load_profile("motionlang")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

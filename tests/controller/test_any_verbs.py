@@ -99,7 +99,7 @@ def jumps(c: Controller, axis: int) -> float:
     return worst
 
 
-@settings(max_examples=400, derandomize=True, deadline=None, database=None)
+@settings(max_examples=400)
 @given(SEEDS)
 def test_positions_never_jump(seed: int) -> None:
     r = Random(seed)
@@ -121,7 +121,7 @@ def test_positions_never_jump(seed: int) -> None:
         assert all(math.isfinite(c.axes[axis].position(0.25 * k)) for k in range(40))
 
 
-@settings(max_examples=100, derandomize=True, deadline=None, database=None)
+@settings(max_examples=100)
 @given(SEEDS)
 def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
     r = Random(seed)

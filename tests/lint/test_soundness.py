@@ -79,7 +79,7 @@ def warned(text: str, code: str) -> list[Diagnostic]:
     return [each for each in DIALECT.check(Source("random.mnt", text)) if each.code == code]
 
 
-@settings(derandomize=True, max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(programs())
 def test_what_is_unreachable_is_never_done(text: str) -> None:
     output = ran(text).output
@@ -87,7 +87,7 @@ def test_what_is_unreachable_is_never_done(text: str) -> None:
         assert f"line {each.line}" not in output
 
 
-@settings(derandomize=True, max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(programs())
 def test_what_is_never_started_never_moves(text: str) -> None:
     lines = {move.line for move in ran(text).controller.moves}
@@ -95,7 +95,7 @@ def test_what_is_never_started_never_moves(text: str) -> None:
         assert each.line not in lines
 
 
-@settings(derandomize=True, max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(programs())
 def test_an_overfilled_buffer_ends_the_run_there(text: str) -> None:
     result = ran(text)
@@ -107,7 +107,7 @@ def test_an_overfilled_buffer_ends_the_run_there(text: str) -> None:
             assert end.line in lines
 
 
-@settings(derandomize=True, max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(programs())
 def test_a_position_that_is_read_too_soon_is_read_in_motion(text: str) -> None:
     for each in warned(text, "in-motion"):
@@ -116,7 +116,7 @@ def test_a_position_that_is_read_too_soon_is_read_in_motion(text: str) -> None:
         assert all(line.startswith("read 0") for line in read)
 
 
-@settings(derandomize=True, max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(programs())
 def test_without_an_unused_setting_every_move_is_the_same(text: str) -> None:
     for each in warned(text, "unused-setting"):

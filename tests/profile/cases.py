@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from motionlang.profile import Profile, plan
 
-quick = settings(max_examples=150, derandomize=True, deadline=None, database=None)
+quick = settings(max_examples=150)
 
 SHAPES = ("trapezoid", "sinusoidal", "ratio", "jerk", "parabolic")
 

@@ -37,7 +37,7 @@ PROMPTS = (
 
 
 @pytest.mark.parametrize("name", sorted(PIECES))
-@settings(derandomize=True, deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(data=st.data())
 def test_whatever_is_typed_is_answered(name: str, data: st.DataObject) -> None:
     piece = st.one_of(st.sampled_from(PIECES[name]), st.sampled_from(PROMPTS), st.text(max_size=8))

@@ -65,7 +65,7 @@ def test_a_thousandth_of_a_count_is_shown(resolution: float, decimals: int) -> N
     assert decimals_for(resolution) == decimals
 
 
-@settings(max_examples=300, derandomize=True)
+@settings(max_examples=300)
 @given(
     st.lists(st.floats(-9e5, 9e5).map(lambda x: round(x, 9)), min_size=1, max_size=30),
     st.sampled_from(DECIMALS),

@@ -147,7 +147,7 @@ def test_several_stand_apart_and_are_counted() -> None:
     assert tally([]) == ""
 
 
-@settings(max_examples=300, derandomize=True)
+@settings(max_examples=300)
 @given(
     text=st.text(st.characters(codec="utf-8"), max_size=300),
     column=st.integers(0, 400),

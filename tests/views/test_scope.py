@@ -48,7 +48,7 @@ def test_every_value_under_the_cursor_is_that_of_the_trace(make: Callable[[], Ru
     made = make()
     engine = Engine(made)
     quantities = ("position", "velocity", "acceleration", "jerk")
-    samples = made.trace.sample(97.123, quantities=quantities)
+    samples = made.trace.sample(4001.3 / made.trace.end, quantities=quantities)
     for k, axis in enumerate(made.trace.axes):
         for order, quantity in enumerate(quantities):
             values = samples.get(axis, quantity)[:-1]

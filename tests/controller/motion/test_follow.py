@@ -15,7 +15,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.io.encoder import turns, wrapped
 from tests.controller.machines import machine, until
 
-quick = settings(max_examples=60, derandomize=True, deadline=None, database=None)
+quick = settings(max_examples=60)
 
 
 def at(c: Controller, axis: int, time: float) -> float:

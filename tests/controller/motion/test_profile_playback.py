@@ -12,7 +12,7 @@ from motionlang.controller.controller import Controller
 from motionlang.profile.table_motion import table_curve
 from tests.controller.machines import machine, until
 
-quick = settings(max_examples=60, derandomize=True, deadline=None, database=None)
+quick = settings(max_examples=60)
 TIMES = [0.0, 0.5, 1.0, 1.5, 2.0]
 
 

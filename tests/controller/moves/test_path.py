@@ -13,7 +13,7 @@ from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Refusal
 from tests.controller.machines import machine, until
 
-quick = settings(max_examples=60, derandomize=True, deadline=None, database=None)
+quick = settings(max_examples=60)
 INFINITY = float("inf")
 
 

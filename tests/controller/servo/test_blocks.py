@@ -57,7 +57,7 @@ def test_only_what_is_around_a_limit_is_stepped(monkeypatch: pytest.MonkeyPatch)
 
 
 @given(st.integers(0, 10_000), st.floats(0.0, 3000.0), st.integers(20, 400), st.sampled_from([1, 2, 3, 4]))
-@settings(derandomize=True, max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_limits_hit_anywhere(seed: int, size: float, every: int, slow: int) -> None:
     rng = np.random.default_rng(seed)
     loop = Loop(

@@ -95,7 +95,7 @@ def test_the_discrete_trapezoid_is_the_chapters_progression() -> None:
 
 
 @given(st.integers(1, 50_000), st.integers(1, 300), st.integers(1, 50))
-@settings(derandomize=True, max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_the_progression_ends_exactly(distance: int, speed: int, accel: int) -> None:
     made = dissect.discrete_trapezoid(distance, speed, accel)
     velocities = [0, *(v for v, _ in made)]
@@ -136,7 +136,7 @@ def test_the_listing_arrives() -> None:
     st.integers(1, 5),
     st.sampled_from([0, 8, 64]),
 )
-@settings(derandomize=True, max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_the_listing_never_overshoots_its_trajectory(
     distance: int, speed: int, accel: int, held: int, steps: int
 ) -> None:

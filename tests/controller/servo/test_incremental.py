@@ -39,7 +39,7 @@ def test_any_cut_gives_the_same_readings(plant: Motor) -> None:
 
 
 @given(st.lists(st.floats(0.0, 1.0), min_size=1, max_size=6))
-@settings(derandomize=True, max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_cuts_do_not_matter(cuts: list[float]) -> None:
     servo = Servo(PID, Motor(), track(), record=True)
     for to in sorted(cuts):

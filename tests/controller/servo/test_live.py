@@ -71,7 +71,7 @@ DRIVE: dict[str, object] = {"kind": "drive", "quantised": True}
     ids=["linear", "rough", "chapter 12"],
 )
 @given(cuts=st.lists(st.floats(0.0, 0.9), min_size=1, max_size=12), stops=st.booleans())
-@settings(derandomize=True, max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_what_is_read_live_is_what_a_later_simulation_gives(
     plant: dict[str, object], section: dict[str, object], cuts: list[float], stops: bool
 ) -> None:

@@ -115,7 +115,7 @@ EDGES = st.lists(st.integers(-40, 40), min_size=1, max_size=6, unique=True).map(
 MOVES = st.lists(st.tuples(st.integers(-50, 50), st.integers(1, 60)), min_size=1, max_size=6)
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=120)
 @given(edges=EDGES, moves=MOVES, wraps=st.booleans())
 def test_any_motion_is_always_in_the_stretch_that_it_is_told_to_be_in(
     edges: list[int], moves: list[tuple[int, int]], wraps: bool

@@ -128,21 +128,21 @@ LINES = [
 ]
 
 
-@settings(max_examples=150, derandomize=True, deadline=None)
+@settings(max_examples=150)
 @given(st.lists(st.sampled_from(LINES), max_size=8))
 def test_lines_in_any_order(lines: list[str]) -> None:
     text = "\n".join(lines)
     assert ours(text) == judged(text)
 
 
-@settings(max_examples=250, derandomize=True, deadline=None)
+@settings(max_examples=250)
 @given(st.lists(st.sampled_from(PIECES), max_size=14))
 def test_tokens_in_any_order(pieces: list[str]) -> None:
     text = " ".join(pieces)
     assert ours(text) == judged(text)
 
 
-@settings(max_examples=250, derandomize=True, deadline=None)
+@settings(max_examples=250)
 @given(
     st.sampled_from(sorted(samples().values())),
     st.integers(0, 400),
@@ -188,14 +188,14 @@ EXPRESSIONS = st.recursive(
 )
 
 
-@settings(max_examples=250, derandomize=True, deadline=None)
+@settings(max_examples=250)
 @given(EXPRESSIONS)
 def test_expressions(text: str) -> None:
     assert ours(f"x = {text}") == judged(f"x = {text}")
     assert ours(f"Fill {text}, 2") == judged(f"Fill {text}, 2")
 
 
-@settings(max_examples=200, derandomize=True, deadline=None)
+@settings(max_examples=200)
 @given(st.text(st.sampled_from("aREMrem019.xX_e+-'\"`\\:;,()=<> \t\n#?"), max_size=24))
 def test_any_text(text: str) -> None:
     assert ours(text) == judged(text)

@@ -183,7 +183,7 @@ def test_a_task_that_polls_does_not_hold_others_up() -> None:
     assert ask(console, port, b"CN33,WA0.1,TR20\r") == b"7\n>"
 
 
-@settings(derandomize=True, max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(st.lists(st.binary(max_size=40), max_size=8))
 def test_any_characters(sent: list[bytes]) -> None:
     console, port = board(echo=None)

@@ -12,7 +12,7 @@ from motionlang.profile.verify import verify
 rates = st.floats(100.0, 1e5)
 
 
-@settings(derandomize=True, max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     st.integers(-(10**6), 10**6),
     st.integers(1, 10**6),

@@ -30,13 +30,13 @@ def survives(source: Source) -> None:
     assert "".join(text for _, text, _ in DIALECT.tokens(source.text)) == source.text
 
 
-@settings(derandomize=True, max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(st.binary(max_size=200))
 def test_any_bytes(data: bytes) -> None:
     survives(Source.from_bytes("any.mcl", data))
 
 
-@settings(derandomize=True, max_examples=250, deadline=None)
+@settings(max_examples=250)
 @given(programs)
 def test_any_commands(text: str) -> None:
     survives(Source("any.mcl", "MN\n" + text))

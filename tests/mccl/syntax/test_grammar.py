@@ -89,7 +89,7 @@ def is_form(text: str) -> bool:
     return True
 
 
-@settings(derandomize=True, max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(files)
 def test_both_ways_read_the_same(text: str) -> None:
     hand = by_hand(text)
@@ -100,7 +100,7 @@ def test_both_ways_read_the_same(text: str) -> None:
             assert (hand_kind, hand_value) in ((kind, value), (NONE, 0))
 
 
-@settings(derandomize=True, max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.text(alphabet='1aM.@",; -+e#\n', max_size=12))
 def test_what_one_way_refuses_the_other_refuses(text: str) -> None:
     try:

@@ -23,6 +23,8 @@ PROGRAMS = sorted(
     for folder in ("scripts/mint", "tests/spec/mint", "tests/spec/mint/machine", "tests/errors/mint")
     for path in (ROOT / folder).glob("*.mnt")
 )
+# Most of their time is a motor's, whose program is short.
+MOTORS = {"torque", "wrapped_compare"}
 
 
 def machine_of(path: Path) -> dict[str, object]:
@@ -44,7 +46,11 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(assembly, "SHORT", 0)
 
 
-@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=pytest.mark.long) if path.stem in MOTORS else path for path in PROGRAMS],
+    ids=[path.stem for path in PROGRAMS],
+)
 def test_parts_change_nothing(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     settings = machine_of(path)
     whole = run(path, machine=settings, cache=False).report
@@ -73,6 +79,7 @@ def test_a_long_program_is_compiled_as_it_runs() -> None:
 
 def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    monkeypatch.delenv("MOTIONLANG_NO_CACHE", raising=False)
     text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
     first = run(Source("long.mnt", text))
     (entry,) = tmp_path.iterdir()

@@ -77,7 +77,7 @@ def statements(draw: st.DrawFn) -> str:
 programs = st.lists(statements() | st.sampled_from(MOTION), min_size=1, max_size=12)
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=300, suppress_health_check=list(HealthCheck))
 @given(programs)
 def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     text = "\n".join([NAMES, *lines, "WAIT = 3000", "End", *HANDLERS])

@@ -58,7 +58,7 @@ HANDLER = "Event ONERROR\n  While ERRORREADNEXT(_egALL, 0)\n    PRINT ERRCODE\n 
 
 
 @pytest.mark.parametrize("motor", [{}, MOTOR], ids=["no motor", "a motor"])
-@settings(max_examples=100, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(max_examples=100, suppress_health_check=list(HealthCheck))
 @given(lines=programs)
 def test_no_program_ends_in_a_traceback(motor: dict[str, object], lines: list[str]) -> None:
     text = "\n".join(

@@ -89,7 +89,7 @@ SOUP = st.text(st.sampled_from("IfThenEndSubForNext x1.+-*/=<>()[],;:#?'\"`\\_~!
 LINES = [line for text in [*samples().values(), *broken().values()] for line in text.split("\n")]
 
 
-@settings(max_examples=300, derandomize=True, deadline=None)
+@settings(max_examples=300)
 @given(st.one_of(SOUP, st.lists(st.sampled_from(LINES), max_size=10).map("\n".join)))
 def test_any_text_is_answered(text: str) -> None:
     """A tree, or diagnostics inside the text and never two alike."""
@@ -111,7 +111,7 @@ def mistakes(text: str) -> list[Diagnostic]:
 BLOCKS = ["For i = 1 To 3|Next", "While a|End While", "If a Then|End If", "Repeat|Until a", "Loop|End Loop"]
 
 
-@settings(max_examples=200, derandomize=True, deadline=None)
+@settings(max_examples=200)
 @given(st.lists(st.tuples(st.sampled_from(BLOCKS), st.integers(0, 6)), min_size=1, max_size=7), st.data())
 def test_one_line_missing_is_one_diagnostic(shape: list[tuple[str, int]], data: st.DataObject) -> None:
     """An indented program loses an opener or a closer: one diagnostic, and it names the right line."""

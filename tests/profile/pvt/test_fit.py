@@ -82,7 +82,7 @@ def _close(motion: Profile, p: list[int], v: list[float], i: int, j: int, tolera
     return True
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(st.floats(30.0, 400.0), st.floats(0.51, 3.0), st.floats(1e5, 4e5))
 def test_no_choice_of_knots_takes_fewer_segments(distance: float, tolerance: float, accel: float) -> None:
     motion = plan_sinusoidal(0.0, distance, 1e5, accel, accel)
