@@ -205,3 +205,16 @@ def read_zero_place(environment: Environment, row: Row) -> Operation:
     """AUXENCODERZEROPOSITION: what the encoder would show at the mark that was caught."""
     indexes, encoders = environment.part(Indexes), environment.part(AuxEncoders)
     return lambda channel: encoders.shown(channel, indexes.of(_aux(channel)).place)
+
+
+OPERATIONS = {
+    "auxiliary_latches.setting": {"read": read_setting, "write": write_setting},
+    "auxiliary_latches.enable": {"write": write_enable},
+    "auxiliary_latches.caught": {"read": read_caught},
+    "auxiliary_latches.encoder": {"read": read_encoder},
+    "auxiliary_latches.passed": {"read": read_passed},
+    "auxiliary_latches.aux_passed": {"read": read_aux_passed},
+    "auxiliary_latches.zero_enable": {"write": write_zero_enable},
+    "auxiliary_latches.zero_mode": {"read": read_zero_mode, "write": write_zero_mode},
+    "auxiliary_latches.zero_place": {"read": read_zero_place},
+}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from motionlang.controller.triggers.watch import Watch, arm
 from motionlang.mint.keywords.axis_settings import reading, writing
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import refuse_stopping, scale_of
+from motionlang.mint.keywords.motion_operations import refuse_stopping
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -182,3 +182,14 @@ def load_pulse(environment: Environment, row: Row) -> Operation:
         load(axis, checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0, row.name, line)
 
     return loader(environment, put)
+
+
+OPERATIONS = {
+    "buffer.last_id": {"read": read_last_id},
+    "buffer.trigger_mode": {"read": read_trigger_mode, "write": write_trigger_mode},
+    "buffer.trigger": {"read": read_trigger, "write": write_trigger},
+    "buffer.dwell": {"load": load_dwell},
+    "buffer.out": {"load": load_out},
+    "buffer.out_bit": {"load": load_out_bit},
+    "buffer.pulse": {"load": load_pulse},
+}

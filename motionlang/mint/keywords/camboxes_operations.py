@@ -14,10 +14,9 @@ from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
-from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.keywords.sensing_operations import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -213,3 +212,9 @@ def do_data(environment: Environment, row: Row) -> Operation:
             box.enable(True)
 
     return do
+
+
+OPERATIONS = {
+    "camboxes.box": {"read": read_box, "write": write_box},
+    "camboxes.data": {"do": do_data},
+}

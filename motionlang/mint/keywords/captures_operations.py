@@ -408,3 +408,17 @@ def read_progress(environment: Environment, row: Row) -> Operation:
 
 def read_point(environment: Environment, row: Row) -> Operation:
     return environment.part(Capture).point
+
+
+OPERATIONS = {
+    "captures.channel": {"read": read_channel, "write": write_channel},
+    "captures.name": {"read": read_name},
+    "captures.points": {"read": read_points, "write": write_points},
+    "captures.spacing": {"read": read_spacing, "write": write_spacing},
+    "captures.before": {"read": read_before, "write": write_before},
+    "captures.trigger": {"read": read_trigger, "write": write_trigger, "do": do_trigger},
+    "captures.running": {"read": read_running, "write": write_running},
+    "captures.status": {"read": read_status},
+    "captures.progress": {"read": read_progress},
+    "captures.point": {"read": read_point},
+}

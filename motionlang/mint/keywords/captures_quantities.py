@@ -10,9 +10,8 @@ from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, _signed, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.keywords.sensing_operations import Encoders, channel_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -100,3 +100,12 @@ def _area(row: Row) -> str:
     area = {"NET": "netdata", "DPR": "dpr"}.get(row.name[:3], "comms")
     assert area in AREAS
     return area
+
+
+OPERATIONS = {
+    "comms.modbus_parameter": {"read": read_modbus_parameter, "write": write_modbus_parameter},
+    "comms.real": {"read": read_real, "write": write_real},
+    "comms.whole": {"read": read_whole, "write": write_whole},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"comms": HostEvents, "netdata": HostEvents}

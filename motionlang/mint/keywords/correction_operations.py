@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -65,3 +64,9 @@ def write_time(environment: Environment, row: Row) -> Operation:
 
 def read_time(environment: Environment, row: Row) -> Operation:
     return lambda axis: float(scale_of(environment, axis).rate)
+
+
+OPERATIONS = {
+    "correction.correction": {"write": write_correction},
+    "correction.time": {"read": read_time, "write": write_time},
+}

@@ -12,8 +12,7 @@ from motionlang.controller.motion.reference import PERIOD
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.profile.reference import Slope
 
 TYPE_CHECKING = False
@@ -215,3 +214,12 @@ def read_error(environment: Environment, row: Row) -> Operation:
         return scale_of(environment, axis).to_user(error, row.unit)
 
     return read
+
+
+OPERATIONS = {
+    "drives.setting": {"read": read_setting, "write": write_setting},
+    "drives.speed": {"read": read_speed, "write": write_speed},
+    "drives.velocity": {"read": read_velocity, "write": write_velocity},
+    "drives.position": {"read": read_position, "write": write_position},
+    "drives.error": {"read": read_error},
+}

@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import floor
 
 from motionlang.controller.moves import buffer
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -77,3 +76,12 @@ def read_frequency(environment: Environment, row: Row) -> Operation:
     """Pulses a second as they are demanded now."""
     axes, clock = environment.controller.axes, environment.clock
     return lambda axis: axes[axis_of(environment, axis)].velocity(clock.now)
+
+
+OPERATIONS = {
+    "encoder_wrap.demand": {"read": read_demand},
+    "encoder_wrap.target": {"read": read_target},
+    "encoder_wrap.last_target": {"read": read_last_target},
+    "encoder_wrap.datum": {"do": do_datum},
+    "encoder_wrap.frequency": {"read": read_frequency, "write": write_frequency},
+}

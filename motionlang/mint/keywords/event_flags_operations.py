@@ -85,3 +85,11 @@ def do_unpend(environment: Environment, row: Row) -> Operation:
         ]
 
     return do
+
+
+OPERATIONS = {
+    "event_flags.pend": {"do": do_pend},
+    "event_flags.unpend": {"do": do_unpend},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"terminalreceive": Keys}

@@ -24,3 +24,8 @@ def do_defaults(environment: Environment, row: Row) -> Operation:
         values.clear()
 
     return do
+
+
+OPERATIONS = {
+    "factory_defaults.defaults": {"do": do_defaults},
+}

@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -196,3 +195,13 @@ def write_limit(environment: Environment, row: Row) -> Operation:
             times.renew(axis)
 
     return write
+
+
+OPERATIONS = {
+    "feedrate.override": {"read": read_override, "write": write_override},
+    "feedrate.parameter": {"read": read_parameter, "write": write_parameter},
+    "feedrate.limit": {"read": read_limit, "write": write_limit},
+    "feedrate.time_to_most": {"read": read_time_to_most, "write": write_time_to_most},
+    "feedrate.jerk_time": {"read": read_jerk_time, "write": write_jerk_time},
+    "feedrate.s_ramp": {"read": read_s_ramp, "write": write_s_ramp},
+}

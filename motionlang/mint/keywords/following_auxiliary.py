@@ -89,3 +89,11 @@ def write_setting(environment: Environment, row: Row) -> Operation:
         encoders.set(name, _channel(channel), value)
 
     return write
+
+
+OPERATIONS = {
+    "following.auxiliary.position": {"read": read_position, "write": write_position},
+    "following.auxiliary.velocity": {"read": read_velocity},
+    "following.auxiliary.speed": {"read": read_speed, "write": write_speed},
+    "following.auxiliary.setting": {"read": read_setting, "write": write_setting},
+}

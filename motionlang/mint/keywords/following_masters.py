@@ -6,7 +6,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.axis_settings import reading
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -137,3 +137,8 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
         )
     found = masters.of(axis)
     return found, over * found.per_unit
+
+
+OPERATIONS = {
+    "following.masters.setting": {"read": read_setting, "write": write_setting},
+}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.buffer_operations import loader
 from motionlang.mint.keywords.following_masters import Masters, distance
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import finite, scale_of
+from motionlang.mint.keywords.motion_operations import finite
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -125,3 +125,11 @@ def read_offset(environment: Environment, row: Row) -> Operation:
         return scale.to_user(controller.offset_remaining(axis) if slave else controller.remaining(axis))
 
     return read
+
+
+OPERATIONS = {
+    "following.follow": {"read": read_follow, "write": write_follow},
+    "following.part": {"read": read_part, "write": write_part},
+    "following.fly": {"load": load_fly},
+    "following.offset": {"read": read_offset, "load": load_offset},
+}

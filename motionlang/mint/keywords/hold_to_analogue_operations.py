@@ -9,8 +9,7 @@ from __future__ import annotations
 from motionlang.mint.keywords.axis_settings import forget, reading
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -150,3 +149,9 @@ def write_setting(environment: Environment, row: Row) -> Operation:
         holds.set(name, axis_of(environment, axis), value)
 
     return write
+
+
+OPERATIONS = {
+    "hold_to_analogue.hold": {"read": read_hold, "write": write_hold},
+    "hold_to_analogue.setting": {"read": read_setting, "write": write_setting},
+}

@@ -6,8 +6,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -206,3 +205,13 @@ def write_status(environment: Environment, row: Row) -> Operation:
 def read_position(environment: Environment, row: Row) -> Operation:
     landed = environment.part(Homes).landed
     return lambda axis: scale_of(environment, axis).to_user(landed.get(axis, 0.0))
+
+
+OPERATIONS = {
+    "homing.home": {"read": read_home, "write": write_home},
+    "homing.type": {"read": read_type, "write": write_type},
+    "homing.setting": {"read": read_setting, "write": write_setting},
+    "homing.position": {"read": read_position},
+    "homing.status": {"read": read_status, "write": write_status},
+    "homing.phase": {"read": read_phase},
+}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.identity import AXES
-from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.keywords.no_effect_operations import Kept
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -144,3 +144,17 @@ def write_date(environment: Environment, row: Row) -> Operation:
 
 def do_nothing(environment: Environment, row: Row) -> Operation:
     return lambda *given: None
+
+
+OPERATIONS = {
+    "identity.platform": {"read": read_platform},
+    "identity.version": {"read": read_version},
+    "identity.count": {"read": read_count},
+    "identity.local": {"read": read_local},
+    "identity.fit": {"read": read_fit},
+    "identity.fit_axis": {"read": read_fit_axis},
+    "identity.nothing_wrong": {"read": read_nothing_wrong, "write": write_nothing_wrong},
+    "identity.takes_moves": {"read": read_takes_moves},
+    "identity.date": {"read": read_date, "write": write_date},
+    "identity.nothing": {"do": do_nothing},
+}

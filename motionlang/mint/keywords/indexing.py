@@ -1,8 +1,12 @@
-"""Writes `index.py`, which tells in which group each word stands: `python -m motionlang.mint.keywords.indexing`."""
+"""Writes what a program finds its words by: `python -m motionlang.mint.keywords.indexing`.
+
+`index.py` tells in which group each word stands, `operations_index.py` in which module what it does.
+"""
 
 from __future__ import annotations
 
 import sys
+from importlib import import_module
 from pathlib import Path
 from textwrap import fill
 
@@ -10,11 +14,20 @@ from motionlang.lang.keyword import Table
 from motionlang.mint.keywords.all_words import groups, rows
 
 PLACE = Path(__file__).with_name("index.py")
+OPERATIONS_PLACE = Path(__file__).with_name("operations_index.py")
 _HEAD = '''"""In which group each word of Mint stands, "" for the type library. Written by `indexing`; do not edit."""
 
 from __future__ import annotations
 
 GROUPS = {
+'''
+_OPERATIONS_HEAD = '''"""In which module of this folder what a verb does stands, and what raises the events of a kind.
+
+Written by `indexing`; do not edit.
+"""
+
+from __future__ import annotations
+
 '''
 
 
@@ -40,6 +53,26 @@ def _spellings(row: object) -> list[str]:
     return [spelling.lower() for spelling in (row.name, row.short) if spelling]  # type: ignore[attr-defined]
 
 
+def operations_written() -> str:
+    """The text of `operations_index.py`; AssertionError where a verb or a kind of event has two modules."""
+    verbs: dict[str, list[str]] = {}
+    sources: dict[str, str] = {}
+    seen: set[str] = set()
+    for path in sorted(set(PLACE.parent.glob("*_*.py")) - {OPERATIONS_PLACE}):
+        module = import_module(f"motionlang.mint.keywords.{path.stem}")
+        own, raised = getattr(module, "OPERATIONS", {}), getattr(module, "SOURCES", {})
+        assert seen.isdisjoint(own), (path.stem, seen & own.keys())
+        assert sources.keys().isdisjoint(raised), (path.stem, raised)
+        seen.update(own)
+        sources.update(dict.fromkeys(raised, path.stem))
+        if own:
+            verbs[path.stem] = list(own)
+    entries = "".join(_entry(name, own) for name, own in verbs.items())
+    events = "".join(f'    "{kind}": "{name}",\n' for kind, name in sources.items())
+    return f"{_OPERATIONS_HEAD}VERBS = {{\n{entries}}}\nSOURCES = {{\n{events}}}\n"
+
+
 if __name__ == "__main__":
     PLACE.write_text(written(), encoding="utf-8")
+    OPERATIONS_PLACE.write_text(operations_written(), encoding="utf-8")
     sys.stdout.write(f"{PLACE.name}: {len(rows())} words\n")

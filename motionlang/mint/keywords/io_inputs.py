@@ -188,3 +188,16 @@ def write_debounce(environment: Environment, row: Row) -> Operation:
         inputs.set_debounce(checked(bank, LAST_CHANNEL // BANK, "bank"), samples)
 
     return write
+
+
+OPERATIONS = {
+    "io.inputs.bank": {"read": read_bank},
+    "io.inputs.bit": {"read": read_bit},
+    "io.inputs.level_bank": {"read": read_level_bank},
+    "io.inputs.level_bit": {"read": read_level_bit},
+    "io.inputs.active_level": {"read": read_active_level, "write": write_active_level},
+    "io.inputs.debounce": {"read": read_debounce, "write": write_debounce},
+    "io.inputs.pattern": {"read": read_pattern, "write": write_pattern},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"in": Inputs}

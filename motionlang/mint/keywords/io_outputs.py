@@ -121,3 +121,13 @@ def write_dac(environment: Environment, row: Row) -> Operation:
         set_output(checked(channel, LAST_ANALOGUE, "analogue output"), value)
 
     return write
+
+
+OPERATIONS = {
+    "io.outputs.bank": {"read": read_bank, "write": write_bank},
+    "io.outputs.bit": {"read": read_bit, "write": write_bit},
+    "io.outputs.active_level": {"read": read_active_level, "write": write_active_level},
+    "io.outputs.adc": {"read": read_adc},
+    "io.outputs.adc_setting": {"read": read_adc_setting, "write": write_adc_setting},
+    "io.outputs.dac": {"read": read_dac, "write": write_dac},
+}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -84,3 +84,9 @@ def write_error_output(environment: Environment, row: Row) -> Operation:
         signals.assign_errors(output)
 
     return write
+
+
+OPERATIONS = {
+    "io.signals.enable_output": {"read": read_enable_output, "write": write_enable_output},
+    "io.signals.error_output": {"read": read_error_output, "write": write_error_output},
+}

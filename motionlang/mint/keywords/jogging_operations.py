@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -180,3 +179,12 @@ def read_began(environment: Environment, row: Row) -> Operation:
 def read_time(environment: Environment, row: Row) -> Operation:
     jogs = environment.part(Jogs)
     return lambda axis: jogs.elapsed(axis_of(environment, axis))
+
+
+OPERATIONS = {
+    "jogging.setting": {"read": read_setting, "write": write_setting},
+    "jogging.command": {"read": read_command, "write": write_command},
+    "jogging.time": {"read": read_time},
+    "jogging.velocity": {"read": read_velocity, "write": write_velocity},
+    "jogging.began": {"read": read_began},
+}

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.triggers.homing import next_index
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -240,3 +239,14 @@ def read_encoder(environment: Environment, row: Row) -> Operation:
         return find(axis).value - environment.controller.axes[axis].datum
 
     return read
+
+
+OPERATIONS = {
+    "latches.setting": {"read": read_setting, "write": write_setting},
+    "latches.enable": {"read": read_enable, "write": write_enable},
+    "latches.caught": {"read": read_caught},
+    "latches.value": {"read": read_value},
+    "latches.encoder": {"read": read_encoder},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"latch": Latches, "fastin": FastLatches}

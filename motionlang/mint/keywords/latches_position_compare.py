@@ -5,8 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -181,3 +180,11 @@ def write_enable(environment: Environment, row: Row) -> Operation:
             each.enable(bool(enabled))
 
     return write
+
+
+OPERATIONS = {
+    "latches.position_compare.setting": {"read": read_setting, "write": write_setting},
+    "latches.position_compare.position": {"read": read_position, "write": write_position},
+    "latches.position_compare.enable": {"read": read_enable, "write": write_enable},
+    "latches.position_compare.passed": {"read": read_passed},
+}

@@ -50,3 +50,11 @@ def do_contour(environment: Environment, row: Row) -> Operation:
             mode(axis, on)
 
     return do
+
+
+OPERATIONS = {
+    "legacy.error": {"read": read_error},
+    "legacy.error_line": {"read": read_error_line},
+    "legacy.error_axis": {"read": read_error_axis},
+    "legacy.contour": {"do": do_contour},
+}

@@ -19,7 +19,7 @@ from motionlang.controller.faults import (
 )
 from motionlang.controller.triggers.limit import Limit
 from motionlang.mint.keywords.defaults import MODES
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -138,12 +138,6 @@ class AxisErrors:
                 self.set_soft_limit(axis, bit, 0.0)
 
 
-def axis_of(environment: Environment, axis: int) -> int:
-    """The axis, or the refusal of one that does not exist."""
-    scale_of(environment, axis)
-    return axis
-
-
 # ----------------------------------------------------------------------------------------------- operations
 
 
@@ -229,3 +223,15 @@ def do_line(environment: Environment, row: Row) -> Operation:
     world = environment.machine.world
     assert world is not None
     return world.reach
+
+
+OPERATIONS = {
+    "limits.mode": {"read": read_mode, "write": write_mode},
+    "limits.soft": {"read": read_soft, "write": write_soft},
+    "limits.forward": {"read": read_forward},
+    "limits.reverse": {"read": read_reverse},
+    "limits.either": {"read": read_either},
+    "limits.error": {"read": read_error, "write": write_error},
+    "limits.abort": {"do": do_abort},
+    "limits.line": {"do": do_line},
+}

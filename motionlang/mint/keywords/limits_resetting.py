@@ -6,7 +6,7 @@ from math import inf
 
 from motionlang.controller.axis import DEFAULTS
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -153,3 +153,13 @@ def do_default_all(environment: Environment, row: Row) -> Operation:
             _default(environment, axis)
 
     return do
+
+
+OPERATIONS = {
+    "limits.resetting.stop": {"do": do_stop},
+    "limits.resetting.stop_mode": {"read": read_stop_mode, "write": write_stop_mode},
+    "limits.resetting.reset": {"do": do_reset},
+    "limits.resetting.reset_all": {"do": do_reset_all},
+    "limits.resetting.default": {"do": do_default},
+    "limits.resetting.default_all": {"do": do_default_all},
+}

@@ -9,8 +9,9 @@ from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVER
 from motionlang.mint.keywords.axis_settings import writing
 from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.keywords.io_inputs import Inputs
-from motionlang.mint.keywords.limits_operations import ACTIONS, AxisErrors, axis_of
+from motionlang.mint.keywords.limits_operations import ACTIONS, AxisErrors
 from motionlang.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, reset, stop
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -148,3 +149,13 @@ def write_stop_input_mode(environment: Environment, row: Row) -> Operation:
         modes[axis_of(environment, axis)] = mode
 
     return write
+
+
+OPERATIONS = {
+    "limits.switches.input": {"read": read_input, "write": write_input},
+    "limits.switches.switch": {"read": read_switch},
+    "limits.switches.stop_input_mode": {"read": read_stop_input_mode, "write": write_stop_input_mode},
+    "limits.switches.home_switch": {"read": read_home_switch},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"stop": Switches}

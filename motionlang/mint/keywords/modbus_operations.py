@@ -252,3 +252,12 @@ def write_coil(environment: Environment, row: Row) -> Operation:
         coils.values[coils.checked(coil)] = int(value != 0)
 
     return write
+
+
+OPERATIONS = {
+    "modbus.word": {"read": read_word, "write": write_word},
+    "modbus.whole": {"read": read_whole, "write": write_whole},
+    "modbus.real": {"read": read_real, "write": write_real},
+    "modbus.own_register": {"read": read_own_register, "write": write_own_register},
+    "modbus.coil": {"read": read_coil, "write": write_coil},
+}

@@ -6,8 +6,8 @@ from motionlang.controller.faults import ANALOGUE_LIMIT
 from motionlang.mint.keywords.defaults import FATAL_ERROR
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.keywords.limits_operations import AxisErrors, axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.keywords.limits_operations import AxisErrors
+from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS
 
 TYPE_CHECKING = False
@@ -338,3 +338,21 @@ def write_misc(environment: Environment, row: Row) -> Operation:
             world.misc = 0
 
     return write
+
+
+OPERATIONS = {
+    "monitoring.limit": {"read": read_limit, "write": write_limit},
+    "monitoring.minded": {"read": read_minded, "write": write_minded},
+    "monitoring.beyond": {"read": read_beyond},
+    "monitoring.trim": {"do": do_trim},
+    "monitoring.following_warning": {"read": read_following_warning, "write": write_following_warning},
+    "monitoring.warning": {"read": read_warning, "write": write_warning},
+    "monitoring.warning_disable": {"read": read_warning_disable, "write": write_warning_disable},
+    "monitoring.mask": {"read": read_mask, "write": write_mask},
+    "monitoring.code_mask": {"read": read_code_mask, "write": write_code_mask},
+    "monitoring.asynchronous": {"read": read_asynchronous},
+    "monitoring.enable_switch": {"read": read_enable_switch},
+    "monitoring.drive_error": {"read": read_drive_error, "write": write_drive_error},
+    "monitoring.misc": {"read": read_misc, "write": write_misc},
+    "monitoring.misc_disable": {"read": read_misc_disable, "write": write_misc_disable},
+}

@@ -142,3 +142,16 @@ def read_is_master(environment: Environment, row: Row) -> Operation:
 def read_is_member(environment: Environment, row: Row) -> Operation:
     groups = environment.part(Groups)
     return lambda bus, group: int(_place(bus, group, groups.own.get(bus, 0)) in groups.members)
+
+
+OPERATIONS = {
+    "network.groups.own_node": {"read": read_own_node, "write": write_own_node},
+    "network.groups.connection": {"read": read_connection, "write": write_connection},
+    "network.groups.connections": {"read": read_connections},
+    "network.groups.member": {"read": read_member, "write": write_member},
+    "network.groups.comms": {"write": write_comms},
+    "network.groups.info": {"read": read_info},
+    "network.groups.master": {"read": read_master, "write": write_master},
+    "network.groups.is_master": {"read": read_is_master},
+    "network.groups.is_member": {"read": read_is_member},
+}

@@ -321,3 +321,29 @@ def do_send_process_data(environment: Environment, row: Row) -> Operation:
 def read_process_data_valid(environment: Environment, row: Row) -> Operation:
     nodes = environment.part(Nodes)
     return lambda bus, node: int(nodes.answers(bus, node))
+
+
+OPERATIONS = {
+    "network.event": {"read": read_event},
+    "network.event_info": {"read": read_event_info},
+    "network.bus_state": {"read": read_bus_state},
+    "network.bus_reset": {"do": do_bus_reset},
+    "network.scan": {"do": do_scan},
+    "network.comms_real": {"read": read_comms_real, "write": write_comms_real},
+    "network.comms_whole": {"read": read_comms_whole, "write": write_comms_whole},
+    "network.first_bus_comms": {"read": read_first_bus_comms, "write": write_first_bus_comms},
+    "network.encoder": {"read": read_encoder, "write": write_encoder},
+    "network.object_whole": {"read": read_object_whole, "write": write_object_whole},
+    "network.object_value": {"read": read_object_value, "write": write_object_value},
+    "network.object_text": {"read": read_object_text, "write": write_object_text},
+    "network.error_register": {"read": read_error_register},
+    "network.status_register": {"read": read_status_register, "write": write_status_register},
+    "network.emergency": {"read": read_emergency},
+    "network.emergency_stop": {"read": read_emergency_stop, "write": write_emergency_stop},
+    "network.reset": {"do": do_reset},
+    "network.input_level": {"read": read_input_level, "write": write_input_level},
+    "network.output_level": {"read": read_output_level, "write": write_output_level},
+    "network.process_data": {"read": read_process_data},
+    "network.send_process_data": {"do": do_send_process_data},
+    "network.process_data_valid": {"read": read_process_data_valid},
+}

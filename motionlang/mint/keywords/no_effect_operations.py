@@ -66,3 +66,8 @@ def write_value(environment: Environment, row: Row) -> Operation:
         values[name, *where] = value
 
     return write
+
+
+OPERATIONS = {
+    "no_effect.value": {"read": read_value, "write": write_value, "held": held_value},
+}

@@ -37,3 +37,9 @@ def read_real(environment: Environment, row: Row) -> Operation:
 def write_real(environment: Environment, row: Row) -> Operation:
     kept = environment.machine.kept
     return lambda address, value: kept.set_real(_address(address), value)
+
+
+OPERATIONS = {
+    "nonvolatile.word": {"read": read_word, "write": write_word},
+    "nonvolatile.real": {"read": read_real, "write": write_real},
+}

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import finite, scale_of
+from motionlang.mint.keywords.motion_operations import finite
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,3 +51,10 @@ def write_suspend(environment: Environment, row: Row) -> Operation:
         (controller.suspend if value else controller.resume)(axis_of(environment, axis))
 
     return write
+
+
+OPERATIONS = {
+    "on_the_fly.by": {"write": write_by},
+    "on_the_fly.to": {"write": write_to},
+    "on_the_fly.suspend": {"read": read_suspend, "write": write_suspend},
+}

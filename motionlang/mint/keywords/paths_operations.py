@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import refuse_stopping, scale_of
+from motionlang.mint.keywords.motion_operations import refuse_stopping
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -115,3 +115,12 @@ def read_angle(environment: Environment, row: Row) -> Operation:
         return environment.controller.vector_angle(axis_of(environment, x), axis_of(environment, y))
 
     return read
+
+
+OPERATIONS = {
+    "paths.line": {"load": load_line},
+    "paths.arc": {"load": load_arc},
+    "paths.mode": {"read": read_mode, "write": write_mode},
+    "paths.blend": {"do": do_blend},
+    "paths.angle": {"read": read_angle},
+}

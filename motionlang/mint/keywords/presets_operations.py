@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
-from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -228,3 +228,12 @@ def read_index(environment: Environment, row: Row) -> Operation:
 
 
 write_index = write_setting
+
+
+OPERATIONS = {
+    "presets.format": {"read": read_format, "write": write_format},
+    "presets.entry": {"read": read_entry, "write": write_entry},
+    "presets.index": {"read": read_index, "write": write_index},
+    "presets.setting": {"read": read_setting, "write": write_setting},
+    "presets.inputs": {"read": read_inputs},
+}

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
-from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -250,3 +250,16 @@ def write_brake_delay(environment: Environment, row: Row) -> Operation:
         brake(axis).delays[checked(which, ENGAGE, "delay of a brake")] = int(milliseconds)
 
     return write
+
+
+OPERATIONS = {
+    "relays.pulse": {"write": write_pulse},
+    "relays.relay": {"read": read_relay, "write": write_relay},
+    "relays.bank": {"read": read_bank, "write": write_bank},
+    "relays.auxiliary": {"read": read_auxiliary, "write": write_auxiliary},
+    "relays.brake": {"write": write_brake},
+    "relays.brake_status": {"read": read_brake_status},
+    "relays.brake_mode": {"read": read_brake_mode, "write": write_brake_mode},
+    "relays.brake_output": {"read": read_brake_output, "write": write_brake_output},
+    "relays.brake_delay": {"read": read_brake_delay, "write": write_brake_delay},
+}

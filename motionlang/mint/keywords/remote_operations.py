@@ -321,3 +321,13 @@ def read_live(environment: Environment, row: Row) -> Operation:
     """NODELIVE."""
     nodes = environment.part(Nodes)
     return lambda bus, node: int((bus, node) in nodes.named and nodes.answers(bus, node))
+
+
+OPERATIONS = {
+    "remote.bits": {"read": read_bits, "write": write_bits},
+    "remote.bit": {"read": read_bit, "write": write_bit},
+    "remote.percent": {"read": read_percent, "write": write_percent},
+    "remote.live": {"read": read_live},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"bus": Nodes}

@@ -7,8 +7,7 @@ from math import floor
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves import buffer
 from motionlang.mint.keywords.defaults import IDLE
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -329,3 +328,20 @@ def write_turns(environment: Environment, row: Row) -> Operation:
         environment.controller.define_position(axis, environment.controller.position(axis) + counts)
 
     return write
+
+
+OPERATIONS = {
+    "sensing.axis_mode": {"read": read_axis_mode},
+    "sensing.acceleration": {"read": read_acceleration},
+    "sensing.target": {"read": read_target},
+    "sensing.last_target": {"read": read_last_target},
+    "sensing.window": {"read": read_window, "write": write_window},
+    "sensing.settling_time": {"read": read_settling_time},
+    "sensing.seconds": {"read": read_seconds},
+    "sensing.encoder": {"read": read_encoder, "write": write_encoder},
+    "sensing.encoder_speed": {"read": read_encoder_speed},
+    "sensing.encoder_count": {"read": read_encoder_count},
+    "sensing.encoder_setting": {"read": read_encoder_setting, "write": write_encoder_setting},
+    "sensing.wrap": {"read": read_wrap, "write": write_wrap},
+    "sensing.turns": {"read": read_turns, "write": write_turns},
+}

@@ -92,3 +92,13 @@ def do_forget(environment: Environment, row: Row) -> Operation:
 def do_nothing(environment: Environment, row: Row) -> Operation:
     ports = environment.part(Ports)
     return lambda port: ports.waiting(port) and None
+
+
+OPERATIONS = {
+    "serial.character": {"read": read_character, "write": write_character},
+    "serial.waiting": {"read": read_waiting},
+    "serial.forget": {"do": do_forget},
+    "serial.nothing": {"do": do_nothing},
+}
+# What raises the events of a kind, made for programs that handle them.
+SOURCES = {"serialreceive": Ports}

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME
-from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.keywords.torque_operations import TorqueReferences
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -131,3 +130,11 @@ def write_torque(environment: Environment, row: Row) -> Operation:
         torque[axis] = value
 
     return write
+
+
+OPERATIONS = {
+    "servo.gain": {"read": read_gain, "write": write_gain},
+    "servo.loop_time": {"read": read_loop_time, "write": write_loop_time},
+    "servo.fatal_error": {"read": read_fatal_error, "write": write_fatal_error},
+    "servo.torque": {"read": read_torque, "write": write_torque},
+}

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.keywords.sensing_operations import Encoders
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -67,3 +67,10 @@ def write_setting(environment: Environment, row: Row) -> Operation:
         steppers.set(name, axis_of(environment, channel), value)
 
     return write
+
+
+OPERATIONS = {
+    "steppers.count": {"read": read_count, "write": write_count},
+    "steppers.speed": {"read": read_speed},
+    "steppers.setting": {"read": read_setting, "write": write_setting},
+}

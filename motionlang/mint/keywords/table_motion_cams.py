@@ -9,8 +9,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.buffer_operations import loader
 from motionlang.mint.keywords.following_masters import Masters, distance
-from motionlang.mint.keywords.limits_operations import axis_of
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.profile.total import total
 
 TYPE_CHECKING = False
@@ -231,3 +230,13 @@ def read_phase_status(environment: Environment, row: Row) -> Operation:
         return int(not phase.cycle or under_way)
 
     return read
+
+
+OPERATIONS = {
+    "table_motion.cams.table": {"do": do_table},
+    "table_motion.cams.cam": {"read": read_cam, "load": load_cam},
+    "table_motion.cams.index": {"read": read_index},
+    "table_motion.cams.segment": {"do": do_segment},
+    "table_motion.cams.phase": {"do": do_phase},
+    "table_motion.cams.phase_status": {"read": read_phase_status},
+}

@@ -13,7 +13,6 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.profile_playback import Played
 from motionlang.mint.keywords.axis_settings import writing
 from motionlang.mint.keywords.buffer_operations import loader
-from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.keywords.table_motion_cams import (
     ABSOLUTE,
     CONTINUOUS,
@@ -22,7 +21,7 @@ from motionlang.mint.keywords.table_motion_cams import (
     rewriting,
     span,
 )
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.profile.pvt.motion import plan_pvt
 from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.profile.table_motion import spline_slopes
@@ -213,3 +212,13 @@ def write_suspend_time(environment: Environment, row: Row) -> Operation:
         environment.controller.configure(axis_of(environment, axis), "suspend_time", milliseconds / 1000.0)
 
     return write
+
+
+OPERATIONS = {
+    "table_motion.splines.table": {"do": do_table},
+    "table_motion.splines.spline": {"read": read_spline, "load": load_spline},
+    "table_motion.splines.setting": {"read": read_setting, "write": write_setting},
+    "table_motion.splines.suspend_time": {"read": read_suspend_time, "write": write_suspend_time},
+    "table_motion.splines.index": {"read": read_index},
+    "table_motion.splines.segment": {"do": do_segment},
+}

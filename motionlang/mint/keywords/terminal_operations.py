@@ -168,3 +168,18 @@ def read_answer(environment: Environment, row: Row) -> Operation:
     from motionlang.mint.runtime.input_values import take
 
     return lambda as_text, number: take(environment, as_text, number)
+
+
+OPERATIONS = {
+    "terminal.terminal": {"read": read_terminal, "write": write_terminal},
+    "terminal.key": {"read": read_key},
+    "terminal.held_key": {"read": read_held_key},
+    "terminal.clear_screen": {"do": do_clear_screen},
+    "terminal.locate": {"do": do_locate},
+    "terminal.line_start": {"do": do_line_start},
+    "terminal.beep": {"do": do_beep},
+    "terminal.answer": {"read": read_answer},
+    "terminal.place": {"read": read_place},
+    "terminal.printer": {"read": read_printer},
+    "terminal.question": {"read": read_question},
+}

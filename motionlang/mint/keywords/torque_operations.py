@@ -11,7 +11,7 @@ from motionlang.mint.keywords.axis_settings import forget, reading
 from motionlang.mint.keywords.defaults import LOOP_TIME
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.keywords.limits_operations import axis_of
+from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -177,3 +177,12 @@ def read_current(environment: Environment, row: Row) -> Operation:
         return current(axis)
 
     return read
+
+
+OPERATIONS = {
+    "torque.reference": {"read": read_reference, "write": write_reference},
+    "torque.setting": {"read": read_setting, "write": write_setting},
+    "torque.demand": {"read": read_demand},
+    "torque.effort": {"read": read_effort},
+    "torque.current": {"read": read_current},
+}

@@ -59,3 +59,10 @@ def write_acceleration(environment: Environment, row: Row) -> Operation:
         scale_of(environment, axis).acceleration = value
 
     return write
+
+
+OPERATIONS = {
+    "units.position": {"read": read_position, "write": write_position},
+    "units.speed": {"read": read_speed, "write": write_speed},
+    "units.acceleration": {"read": read_acceleration, "write": write_acceleration},
+}

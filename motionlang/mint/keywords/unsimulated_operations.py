@@ -113,3 +113,12 @@ def _end(row: Row, message: str, at: object, told: bool = False) -> NoReturn:
         example = {"text": '"…"', "number": "1.5"}.get(row.unit, "1")
         hint = f"{hint}; the machine file can say it: [mint.readings] {row.name} = {example}"
     raise NotSimulated(message, hint, int(at))  # type: ignore[call-overload]
+
+
+OPERATIONS = {
+    "unsimulated.value": {"read": read_value, "write": write_value},
+    "unsimulated.motion": {"read": read_motion, "write": write_motion, "do": do_motion},
+    "unsimulated.command": {"do": do_command},
+    "unsimulated.factor": {"read": read_factor, "write": write_factor},
+    "unsimulated.jump": {"write": write_jump},
+}

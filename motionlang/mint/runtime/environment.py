@@ -138,11 +138,11 @@ class Environment:
             from motionlang.mint.runtime import printing
 
             older = details[0] == "float" and self.machine.model and self._is_older()
-            return printing.show_older if older else getattr(printing, f"show_{details[0]}")
+            return printing.show_older if older else printing.SHOWS[str(details[0])]
         if how == "using":
             from motionlang.mint.runtime import formats
 
-            return getattr(formats, f"using_{details[0]}")
+            return formats.USING[str(details[0])]
         from motionlang.mint.runtime.binding import Row, bind, held
 
         row = Row(*details)  # type: ignore[arg-type]

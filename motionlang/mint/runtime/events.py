@@ -7,7 +7,8 @@ handler; one that is already waiting is not queued twice.
 from __future__ import annotations
 
 from motionlang.mint.keywords.event_kinds import KINDS, kind_and_number
-from motionlang.mint.runtime.binding import module_of
+from motionlang.mint.keywords.operations_index import SOURCES
+from motionlang.mint.runtime.binding import operations_module
 from motionlang.mint.runtime.task import MintTask
 
 TYPE_CHECKING = False
@@ -17,19 +18,6 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event as ClockEvent
     from motionlang.lang.task import Steps, Wait
     from motionlang.mint.runtime.environment import Environment, Make
-
-# The part of the environment that raises the events of a kind, made for programs that handle them.
-SOURCES = {
-    "in": ("io.inputs", "Inputs"),
-    "bus": ("remote", "Nodes"),
-    "comms": ("comms", "HostEvents"),
-    "netdata": ("comms", "HostEvents"),
-    "latch": ("latches", "Latches"),
-    "fastin": ("latches", "FastLatches"),
-    "stop": ("limits.switches", "Switches"),
-    "terminalreceive": ("event_flags", "Keys"),
-    "serialreceive": ("serial", "Ports"),
-}
 
 
 class Events:
@@ -151,8 +139,7 @@ def listen(environment: Environment) -> None:
     kinds -= events.listening
     events.listening |= kinds
     for kind in kinds & SOURCES.keys():
-        place, name = SOURCES[kind]
-        environment.part(getattr(module_of(place), name))
+        environment.part(operations_module(SOURCES[kind]).SOURCES[kind])  # type: ignore[attr-defined]
     if "onerror" in kinds:
         _ = environment.errors  # from now on they are noted
     if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:

@@ -43,3 +43,6 @@ def _decimals(decimals: int) -> int:
     if abs(decimals) > WIDEST:
         raise Refusal("range", f"USING cannot have {decimals} decimals", f"there are at most {WIDEST}")
     return abs(decimals)
+
+
+USING = {"float": using_float, "integer": using_integer, "text": using_text}

@@ -33,3 +33,6 @@ def show_older(value: float) -> str:
 def show_integer(value: float) -> str:
     """An Integer as PRINT writes it."""
     return f"{value:d}"  # type: ignore[str-format,unused-ignore]
+
+
+SHOWS = {"float": show_float, "integer": show_integer}

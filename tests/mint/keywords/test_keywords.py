@@ -7,11 +7,14 @@ import re
 import pytest
 
 from motionlang import run
+from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.lang.keyword import Keyword
 from motionlang.mint import DIALECT
-from motionlang.mint.keywords import Vocabulary, indexing, no_effect, table, unsimulated
+from motionlang.mint.keywords import indexing, no_effect, table, unsimulated
 from motionlang.mint.keywords.type_library import words_a_i as library_a_i
 from motionlang.mint.keywords.type_library import words_j_z as library_j_z
+from motionlang.mint.keywords.vocabulary import Vocabulary
+from motionlang.mint.runtime.binding import makers
 from motionlang.source import Source
 from tests.keyword_pages import shown
 
@@ -148,6 +151,22 @@ def test_a_typing_error_is_told_with_the_word_that_was_meant(written: str, meant
 
 def test_the_index_knows_where_every_word_stands() -> None:
     assert indexing.PLACE.read_text(encoding="utf-8") == indexing.written()
+    assert indexing.OPERATIONS_PLACE.read_text(encoding="utf-8") == indexing.operations_written()
+
+
+# Written by the compiler itself: WAIT and LINE are statements, POSDEMAND = is answered as not simulated.
+COMPILED = {("wait", "W"), ("line", "C"), ("demand", "W")}
+
+
+@pytest.mark.parametrize(
+    "row", [row for row in table() if row.kind in ("setting", "reading", "move", "command")], ids=str
+)
+def test_what_a_word_does_is_named_in_a_dictionary_or_is_the_controllers(row: Keyword) -> None:
+    made = makers(row.verb)
+    for access in row.access:
+        hows = {"R": {"read"}, "W": {"write", "load", "do"}, "C": {"do", "write"}}[access]
+        own = row.verb in SETTINGS or (access == "R" and hasattr(Controller, row.verb))
+        assert made.keys() & hows or own or (row.verb, access) in COMPILED, access
 
 
 def test_a_word_is_found_whatever_was_looked_for_before() -> None:

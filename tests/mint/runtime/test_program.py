@@ -123,7 +123,8 @@ def test_a_cached_run_imports_neither_parser_nor_table_nor_compiler() -> None:
         "heavy = {'re', 'enum', 'typing', 'dataclasses', 'collections', 'argparse', 'json', 'pathlib', 'numpy',\n"
         "         'lark', 'motionlang.mint.syntax.parser', 'motionlang.mint.syntax.nodes',\n"
         "         'motionlang.mint.compile.compiler',\n"
-        "         'motionlang.mint.keywords', 'motionlang.mint.runtime.functions', 'motionlang.mint.runtime.events'}\n"
+        "         'motionlang.lang.keyword', 'motionlang.mint.keywords.index', 'motionlang.mint.keywords.motion',\n"
+        "         'motionlang.mint.runtime.functions', 'motionlang.mint.runtime.events'}\n"
         "print(sorted(heavy & set(sys.modules)))\n"
     )
     out = subprocess.run([sys.executable, "-S", "-c", "import sys; sys.path.insert(0, '.')\n" + script],

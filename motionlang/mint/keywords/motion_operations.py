@@ -1,0 +1,117 @@
+"""Loading moves, starting them, and giving them up."""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal
+from motionlang.mint.runtime.binding import scale_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
+
+    Operation = Callable[..., object]
+
+
+def load_load_by(environment: Environment, row: Row) -> Operation:
+    """Answers true while the buffer is full."""
+    room, load = environment.controller.room, environment.controller.load_by
+
+    def by(axis: int, value: float, line: int) -> bool:
+        scale = scale_of(environment, axis)
+        finite(row, value)
+        refuse_stopping(environment, axis)
+        if room(axis) <= 0:
+            return True
+        load(axis, value * scale.counts, row.name, line)
+        if environment.loaded is not None:
+            environment.loaded(axis)
+        return False
+
+    return by
+
+
+def load_load_to(environment: Environment, row: Row) -> Operation:
+    """Answers true while the buffer is full."""
+    room, load = environment.controller.room, environment.controller.load_to
+
+    def to(axis: int, value: float, line: int) -> bool:
+        scale = scale_of(environment, axis)
+        finite(row, value)
+        refuse_stopping(environment, axis)
+        if room(axis) <= 0:
+            return True
+        load(axis, scale.position_to_counts(value + environment.turn(axis)), row.name, line)
+        if environment.loaded is not None:
+            environment.loaded(axis)
+        return False
+
+    return to
+
+
+def refuse_stopping(environment: Environment, axis: int) -> None:
+    """An axis that is coming to rest takes no move: Mint's error 236."""
+    move = environment.controller.axes[axis].move
+    if move is not None and move.ended in ("stop", "fault"):
+        raise Refusal("stopping", f"axis {axis} is stopping", f"PAUSE IDLE({axis}) waits until it stands")
+
+
+def finite(row: Row, value: float) -> None:
+    """Refuse a distance without an end."""
+    if not -1e300 < value < 1e300:
+        raise Refusal("range", f"{row.name} cannot be {value:g}", "a move needs a finite distance")
+
+
+def do_go(environment: Environment, row: Row) -> Operation:
+    """GO: an axis that there is not starts none."""
+
+    def go(axes: tuple[int, ...], line: int) -> None:
+        for axis in axes:
+            scale_of(environment, axis)
+        environment.controller.go(axes)
+
+    return go
+
+
+def do_cancel(environment: Environment, row: Row) -> Operation:
+    return _each_axis(environment, _cancel(environment))
+
+
+def do_cancel_all(environment: Environment, row: Row) -> Operation:
+    """CANCELALL."""
+    cancel = _cancel(environment)
+
+    def do(line: int) -> None:
+        for axis in environment.controller.axes:
+            cancel(axis)
+
+    return do
+
+
+def _each_axis(environment: Environment, act: Callable[[int], None]) -> Operation:
+    def do(axes: tuple[int, ...], line: int) -> None:
+        for axis in axes:
+            scale_of(environment, axis)
+        for axis in axes:
+            act(axis)
+
+    return do
+
+
+def _cancel(environment: Environment) -> Callable[[int], None]:
+    def cancel(axis: int) -> None:
+        environment.controller.abort(axis)
+        environment.controller.clear_faults(axis)
+
+    return cancel
+
+
+OPERATIONS = {
+    "load_by": {"load": load_load_by},
+    "load_to": {"load": load_load_to},
+    "go": {"do": do_go},
+    "cancel": {"do": do_cancel},
+    "cancel_all": {"do": do_cancel_all},
+}
