@@ -144,9 +144,10 @@ class AxisVerbs(Core):
         buffer.put(self.movable(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Put a move by `distance` into the buffer, counted from the end of the move before it."""
+        """Put a move by `distance` into the buffer, counted from where the axis is when it starts."""
         a = self.movable(axis)
-        buffer.put(a, Move(axis, command, line, buffer.known_end(a) + distance))
+        buffer.known_end(a)
+        buffer.put(a, buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
         """Put a rest of `duration` seconds into the buffer."""
@@ -175,8 +176,11 @@ class AxisVerbs(Core):
                 a.move.action.more(self, a)
 
     def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Let the move in progress end at `position`; an axis at rest starts at once."""
-        halt.retarget(self, self.movable(axis), position, command, line)
+        """Let the move in progress end at `position`; an axis at rest starts at once. What waits keeps its end."""
+        a = self.movable(axis)
+        before = a.target
+        halt.retarget(self, a, position, command, line)
+        buffer.keep_ends(a, position - before)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Let the move in progress end `distance` further on; an axis at rest starts at once."""

@@ -189,6 +189,7 @@ class Core(Readings):
             self.take_entry(a)
             try:
                 if move.action is None:
+                    buffer.resolve(a, move)
                     self.start_move(a, move)
                 else:
                     move.action.begin(self, a, move)

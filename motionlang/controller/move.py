@@ -12,9 +12,10 @@ if TYPE_CHECKING:
 class Move:
     """One entry of the move buffer and, once started, of the controller's log.
 
-    `target` is the end point in counts, fixed when the move is loaded. `profile` and `start_time` are set when it
-    starts. `ended` is "" for a move that ran out by itself, else what cut it short: "stop", "cancel", "fault",
-    "retarget". `offset` is how far the axis's zero was moved while the move ran: the profile stays as planned.
+    `target` is the end point in counts. A relative entry has the `base` that it was counted from beside it: its
+    target goes along with where the axis is when it starts. `profile` and `start_time` are set when it starts.
+    `ended` is "" for a move that ran out by itself, else what cut it short: "stop", "cancel", "fault", "retarget".
+    `offset` is how far the axis's zero was moved while the move ran: the profile stays as planned.
     `action` makes it something else than a move to a position. `speed` is the one it was loaded with, None for that
     of the axis at the time; `rates` are an acceleration and a deceleration of its own; `overridden` says whether the
     axis's override multiplies its speed.
@@ -23,6 +24,7 @@ class Move:
     __slots__ = (
         "action",
         "axis",
+        "base",
         "command",
         "ended",
         "id",
@@ -45,6 +47,7 @@ class Move:
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
         self.axis, self.command, self.line, self.target = axis, command, line, target
         self.action: Action | None = None
+        self.base: float | None = None
         self.id = 0
         self.speed: float | None = None
         self.rates: tuple[float | None, float | None] | None = None
@@ -72,6 +75,10 @@ class Action:
 
     def purge(self, a: Axis) -> None:
         """The entry was thrown out of the buffer of `a`."""
+
+    def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
+        """The axis will be `shift` further on when it begins: whether it ends where it would have all the same."""
+        return False
 
     def ready(self, controller: Core, a: Axis, move: Move) -> bool:
         """Whether it may begin, being the first of its buffer and released."""

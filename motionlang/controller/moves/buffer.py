@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
 from motionlang.profile import rest
@@ -21,9 +22,39 @@ def put(a: Axis, move: Move) -> None:
 
 def put_action(a: Axis, action: Action, command: str, line: int) -> None:
     """Put something that is no move into the buffer: it ends where the entry before it does."""
-    move = Move(a.index, command, line, end(a))
+    move = counted(a, 0.0, command, line)
     move.action = action
     put(a, move)
+
+
+def counted(a: Axis, distance: float, command: str, line: int) -> Move:
+    """An entry that ends `distance` from where the one before it does."""
+    base = end(a)
+    move = Move(a.index, command, line, base + distance)
+    if abs(base) < INFINITY:
+        move.base = base
+    return move
+
+
+def resolve(a: Axis, move: Move) -> None:
+    """A relative entry is about to start: its end counts from where the axis is now."""
+    move.target = _end_from(move, a.target)
+
+
+def _end_from(move: Move, start: float) -> float:
+    return move.target if move.base is None or move.base == start else move.target + (start - move.base)
+
+
+def keep_ends(a: Axis, shift: float) -> None:
+    """The move in progress will end `shift` further on: the relative entries behind it end where they would have."""
+    for move in a.buffer:
+        if move.base is None:
+            return
+        if move.action is None:
+            move.base += shift
+            return
+        if move.action.keep_end(a, move, shift):
+            return
 
 
 def stamped(a: Axis, move: Move) -> Move:
@@ -41,7 +72,10 @@ def stamped(a: Axis, move: Move) -> Move:
 
 def end(a: Axis) -> float:
     """Where the axis will be when its buffer is empty: relative moves count from there."""
-    return a.buffer[-1].target if a.buffer else a.target
+    there = a.target
+    for move in a.buffer:
+        there = _end_from(move, there)
+    return there
 
 
 def known_end(a: Axis) -> float:

@@ -314,6 +314,6 @@ def load_fly(
             "set its distance first",
         )
     check_chain(a, master)
-    move = Move(a.index, command, line, buffer.end(a) + distance)
+    move = buffer.counted(a, distance, command, line)
     move.action = Fly(master, distance, over)
     buffer.put(a, move)

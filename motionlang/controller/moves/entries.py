@@ -99,6 +99,7 @@ def load_cam(
     start = _start(controller, a)
     curve = curve_of(a, table(start), start)
     move = Move(a.index, command, line, INFINITY if cyclic else curve.end)
+    move.base = None if cyclic else start
     move.action = CamEntry(master, table, cyclic, first)
     buffer.put(a, move)
 
@@ -134,7 +135,7 @@ def load_offset(
     controller: Core, a: Axis, distance: float, mode: int, over: float, command: str, line: int
 ) -> None:
     """Put an offset into the buffer, in one of the modes of OFFSETMODE."""
-    move = Move(a.index, command, line, buffer.end(a) + distance)
+    move = buffer.counted(a, distance, command, line)
     move.action = OffsetEntry(distance, mode, over)
     buffer.put(a, move)
 
@@ -167,6 +168,8 @@ class ProfileEntry(Action):
 
 def load_profile(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
     """Put a ready-made profile into the buffer; `make` is called with the position where it begins."""
-    move = Move(a.index, command, line, make(_start(controller, a)).end)
+    start = _start(controller, a)
+    move = Move(a.index, command, line, make(start).end)
+    move.base = start
     move.action = ProfileEntry(make, again)
     buffer.put(a, move)

@@ -47,6 +47,10 @@ class Line:
     def __init__(self, targets: Sequence[float]) -> None:
         self.targets = targets
 
+    def moved(self, starts: Sequence[float]) -> Line:
+        """The same with its numbers counted from `starts`."""
+        return Line([start + target for start, target in zip(starts, self.targets, strict=True)])
+
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
         """The segment from `starts`."""
         way = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
@@ -68,6 +72,12 @@ class Arc:
 
     def __init__(self, centre: tuple[float, float], angle: float, rest: Sequence[float] = ()) -> None:
         self.centre, self.angle, self.rest = centre, angle, rest
+
+    def moved(self, starts: Sequence[float]) -> Arc:
+        """The same with its numbers counted from `starts`."""
+        x, y, *others = starts
+        rest = [start + value for start, value in zip(others, self.rest, strict=True)]
+        return Arc((self.centre[0] + x, self.centre[1] + y), self.angle, rest)
 
     def ends(self, starts: Sequence[float], scales: Sequence[float]) -> list[float]:
         """Where it ends, counts."""

@@ -23,12 +23,17 @@ if TYPE_CHECKING:
 
 
 class PathMove(Action):
-    """One path: its `moves`, one an axis, and its geometry; `run` once it is under way."""
+    """One path: its `moves`, one an axis, and its geometry; `run` once it is under way.
 
-    __slots__ = ("axes", "geometry", "moves", "run")
+    The geometry of a `relative` one counts from where its axes are when it begins.
+    """
 
-    def __init__(self, axes: Sequence[Axis], moves: Sequence[Move], geometry: Line | Arc) -> None:
-        self.axes, self.moves, self.geometry = tuple(axes), tuple(moves), geometry
+    __slots__ = ("axes", "geometry", "moves", "relative", "run")
+
+    def __init__(
+        self, axes: Sequence[Axis], moves: Sequence[Move], geometry: Line | Arc, relative: bool
+    ) -> None:
+        self.axes, self.moves, self.geometry, self.relative = tuple(axes), tuple(moves), geometry, relative
         self.run: PathRun | None = None
 
     @property
@@ -42,7 +47,8 @@ class PathMove(Action):
 
     def lay(self, starts: Sequence[float]) -> Segment:
         """The path from where its axes are, or will be."""
-        return self.geometry.lay(starts, self.scales)
+        geometry = self.geometry.moved(starts) if self.relative else self.geometry
+        return geometry.lay(starts, self.scales)
 
     def pace(self, controller: Core, segment: Segment) -> Pace:
         """Speed and rates along the path in user units: the master's, as far as the limits of each axis allow."""
@@ -81,6 +87,15 @@ class PathMove(Action):
         if move is self.moves[0]:
             for each in self.moves:
                 each.released = True
+
+    def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
+        """A straight line ends where it would have; an arc stays the arc it is, further on."""
+        if not isinstance(self.geometry, Line) or move.base is None:
+            return False
+        move.base += shift
+        ways = zip(self.axes, self.geometry.targets, strict=True)
+        self.geometry = Line([way - shift if each is a else way for each, way in ways])
+        return True
 
     def purge(self, a: Axis) -> None:
         """One axis's entry has been thrown away: the others go too."""
@@ -171,7 +186,7 @@ def load_line_by(
     """Put a straight line by `distances`, counted from the ends of the moves before it."""
     members = _members(controller, axes)
     targets = [start + distance for start, distance in zip(_starts(members), distances, strict=True)]
-    _put(members, Line(targets), targets, command, line)
+    _put(members, Line(list(distances)), targets, command, line, relative=True)
 
 
 def load_arc(
@@ -189,11 +204,10 @@ def load_arc(
     starts = _starts(members)
     if not all(abs(value) < 1e300 for value in (*centre, angle, *rest)):
         raise Refusal("range", "the centre and the angle of an arc must be finite numbers")
-    zero = starts if relative else [0.0] * len(starts)
-    cx, cy = centre[0] + zero[0], centre[1] + zero[1]
-    geometry = Arc((cx, cy), angle, [z + value for z, value in zip(zero[2:], rest, strict=True)])
-    ends = geometry.ends(starts, [a.scale.counts for a in members])
-    _put(members, geometry, ends, command, line)
+    geometry = Arc((centre[0], centre[1]), angle, list(rest))
+    laid = geometry.moved(starts) if relative else geometry
+    ends = laid.ends(starts, [a.scale.counts for a in members])
+    _put(members, geometry, ends, command, line, relative)
 
 
 def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
@@ -214,17 +228,24 @@ def _starts(members: Sequence[Axis]) -> list[float]:
 
 
 def _put(
-    members: Sequence[Axis], geometry: Line | Arc, targets: Sequence[float], command: str, line: int
+    members: Sequence[Axis],
+    geometry: Line | Arc,
+    targets: Sequence[float],
+    command: str,
+    line: int,
+    relative: bool = False,
 ) -> None:
+    """Put a path into the buffers of its axes; `targets` are its ends, counted from where those before it end."""
     for a, target in zip(members, targets, strict=True):
         if len(a.buffer) >= a.buffer_size:
             raise Refusal("buffer-full", f"the move buffer of axis {a.index} is full")
         if not abs(target) < 1e300:
             raise Refusal("range", f"axis {a.index} cannot move to {target:g}")
     moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
-    action = PathMove(members, moves, geometry)
+    action = PathMove(members, moves, geometry, relative)
     for a, move in zip(members, moves, strict=True):
         move.action = action
+        move.base = buffer.end(a) if relative else None
         buffer.put(a, move)
 
 
