@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from textwrap import fill
 
+from motionlang.files import replacing
 from motionlang.lang.keyword import Table
 from motionlang.mint.keywords.all_words import groups, rows
 
@@ -41,5 +42,6 @@ def _spellings(row: object) -> list[str]:
 
 
 if __name__ == "__main__":
-    PLACE.write_text(written(), encoding="utf-8")
+    with replacing(str(PLACE)) as file:
+        file.write(written().encode())
     sys.stdout.write(f"{PLACE.name}: {len(rows())} words\n")
