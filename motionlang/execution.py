@@ -111,6 +111,8 @@ def run(
             save_kept(result)
         if compiled.size > size:
             _keep(compiled, name)
+    if result.machine.nv is not None:
+        result.machine.nv.close()
     result.machine.close_terminals()
     result.time = result.machine.clock.now
     return result

@@ -40,13 +40,18 @@ def _in_lines(lines: list[int]) -> str:
 
 
 def open_kept(result: Run, path: str) -> bool:
-    """Read the file of nv data; false where it cannot be read, and the program is not run."""
+    """Hold and read the file of nv data; false where that cannot be done, and the program is not run."""
+    from motionlang.files import InUse
     from motionlang.lang.machine.nonvolatile import NonVolatile
 
     try:
         result.machine.nv = NonVolatile(path)
+    except InUse:
+        hint = "let it end first, or give each run a file of its own"
+        _no_kept(result, f"the nv data of {path} belong to another run, which has not ended", hint)
+        return False
     except (OSError, ValueError) as problem:
-        _no_kept(result, f"the nv data of {path} cannot be read", problem)
+        _no_kept(result, f"the nv data of {path} cannot be read: {_why_not(problem)}")
         return False
     return True
 
@@ -62,14 +67,17 @@ def save_kept(result: Run) -> None:
     try:
         kept.save()
     except OSError as problem:
-        _no_kept(result, f"the nv data cannot be written to {kept.path}", problem)
+        _no_kept(result, f"the nv data cannot be written to {kept.path}: {_why_not(problem)}")
 
 
-def _no_kept(result: Run, message: str, problem: Exception) -> None:
+def _why_not(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def _no_kept(result: Run, message: str, hint: str = "") -> None:
     from motionlang.errors import Diagnostic
 
-    why = getattr(problem, "strerror", None) or str(problem)
-    result.diagnostics.append(Diagnostic("file", f"{message}: {why}"))
+    result.diagnostics.append(Diagnostic("file", message, hint=hint))
     result.status = "fault"
 
 

@@ -2,16 +2,33 @@
 
 from __future__ import annotations
 
+import ast
 import errno
 import os
 import stat
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
 import pytest
 
-from motionlang.files import replacing, unwritable
+import motionlang
+from motionlang.files import InUse, Lock, replacing, same_file, unwritable
+
+PACKAGE = Path(motionlang.__file__).parent
+# What is no file of the user's: the null device, a history that prompt_toolkit appends to, a serial device, a build.
+ELSEWHERE = {"files.py", "cli/__init__.py", "repl/history.py", "client/wire.py", "_wheel.py"}
+WRITERS = {
+    "write_text",
+    "write_bytes",
+    "replace",
+    "rename",
+    "symlink",
+    "link",
+    "mkstemp",
+    "NamedTemporaryFile",
+}
 
 
 def test_two_who_write_at_once_do_not_meet(tmp_path: Path) -> None:
@@ -80,3 +97,110 @@ def test_what_cannot_be_written_is_known_before(tmp_path: Path) -> None:
     assert unwritable(str(tmp_path / "x.csv")) is None
     assert unwritable(str(tmp_path)) == f"{tmp_path} is a folder"
     assert unwritable(str(tmp_path / "no" / "x.csv")) == f"there is no folder {tmp_path / 'no'}"
+
+
+def writes(node: ast.Call) -> bool:
+    """Whether a call opens a file for writing, or puts one somewhere."""
+    called = ast.unparse(node.func)
+    if called == "open" or called.endswith("fdopen"):
+        modes = [*node.args[1:2], *(each.value for each in node.keywords if each.arg == "mode")]
+        return not all(
+            isinstance(each, ast.Constant) and isinstance(each.value, str) and set(each.value) <= set("rbt")
+            for each in modes
+        )
+    if called == "os.open":
+        return True
+    where, _, name = called.rpartition(".")
+    if name in ("replace", "rename", "symlink", "link"):
+        return where in ("os", "path", "shutil")
+    return name in WRITERS or where in ("shutil", "tempfile")
+
+
+def test_nothing_else_opens_a_file_for_writing() -> None:
+    found = {
+        path.relative_to(PACKAGE).as_posix()
+        for path in PACKAGE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and writes(node)
+    }
+    assert found == ELSEWHERE
+
+
+@pytest.mark.parametrize(
+    ("text", "seen"),
+    [
+        ("open(a)", False),
+        ("open(a, 'rb')", False),
+        ("open(a, encoding='utf-8')", False),
+        ("open(a, 'w')", True),
+        ("open(a, mode)", True),
+        ("open(a, mode='ab')", True),
+        ("os.open(a, flags)", True),
+        ("Path(a).write_text(b)", True),
+        ("os.replace(a, b)", True),
+        ("text.replace(a, b)", False),
+        ("shutil.copy(a, b)", True),
+    ],
+)
+def test_a_call_that_writes_is_seen(text: str, seen: bool) -> None:
+    call = ast.parse(text, mode="eval").body
+    assert isinstance(call, ast.Call)
+    assert writes(call) is seen
+
+
+def test_a_link_put_in_the_way_is_not_followed(tmp_path: Path) -> None:
+    victim = tmp_path / "victim"
+    victim.write_text("dear")
+    (tmp_path / f".x.csv.{os.getpid()}.0").symlink_to(victim)
+    (tmp_path / f".x.csv.{os.getpid()}.1").symlink_to(tmp_path / "nowhere")
+    with replacing(str(tmp_path / "x.csv")) as file:
+        file.write(b"new")
+    assert (victim.read_text(), (tmp_path / "x.csv").read_text()) == ("dear", "new")
+    assert not (tmp_path / "nowhere").exists()
+
+
+def test_the_only_copy_is_on_the_disk_before_the_old_one_goes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done: list[str] = []
+    sync, replace = os.fsync, os.replace
+
+    def noted(what: str, call: Callable[..., None]) -> Callable[..., None]:
+        def do(*given: object) -> None:
+            done.append(what)
+            call(*given)
+
+        return do
+
+    monkeypatch.setattr(os, "fsync", noted("synced", sync))
+    monkeypatch.setattr(os, "replace", noted("replaced", replace))
+    for only_copy in (True, False):
+        with replacing(str(tmp_path / "x.json"), only_copy=only_copy) as file:
+            file.write(b"{}")
+    assert done == ["synced", "replaced", "replaced"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
+def test_what_is_private_is_so_from_its_first_byte(tmp_path: Path) -> None:
+    with replacing(str(tmp_path / "x"), private=True) as file:
+        assert stat.S_IMODE(os.fstat(file.fileno()).st_mode) == 0o600
+
+
+def test_a_file_is_held_once(tmp_path: Path) -> None:
+    path = str(tmp_path / "nv.json")
+    first = Lock(path)
+    with pytest.raises(InUse):
+        Lock(path)
+    first.release()
+    first.release()
+    Lock(path).release()
+    assert os.listdir(tmp_path) == []
+
+
+def test_one_file_by_two_names(tmp_path: Path) -> None:
+    one, link = str(tmp_path / "a"), str(tmp_path / "b")
+    assert same_file(one, str(tmp_path / "." / "a"))
+    assert not same_file(one, link)
+    Path(one).write_text("")
+    os.symlink(one, link)
+    assert same_file(one, link)

@@ -80,7 +80,7 @@ def _printed(result: Run) -> str:
 
 
 def _write(path: str, content: str) -> None:
-    with replacing(path) as file:
+    with replacing(path, only_copy=True) as file:
         file.write(content.encode())
 
 

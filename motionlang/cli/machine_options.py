@@ -66,7 +66,7 @@ def _setting(text: str) -> object:
 
     try:
         return tomllib.loads(f"value = {text}")["value"]
-    except (tomllib.TOMLDecodeError, RecursionError):
+    except (ValueError, RecursionError):  # no TOML, more digits than Python reads, or nested too deeply
         return text
 
 

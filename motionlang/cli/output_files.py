@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.cli.options import PLOTS, TRACES
 from motionlang.errors import Diagnostic
-from motionlang.files import unwritable
+from motionlang.execution import machine_of
+from motionlang.files import same_file, unwritable
+from motionlang.source import STDIN
 from motionlang.views.progress import Progress
 
 if TYPE_CHECKING:
@@ -52,8 +54,16 @@ def write_files(result: Run, options: Options) -> int:
     return status
 
 
-def refused(path: str) -> Diagnostic | None:
-    """The diagnostic of a file that cannot be written, as far as it can be told beforehand."""
+def refused(path: str, options: Options) -> Diagnostic | None:
+    """The diagnostic of a file that cannot be written, as far as it can be told beforehand, or would be lost by it."""
+    inputs = {
+        "the program": None if options.file == STDIN else options.file,
+        "the machine file": machine_of(options.file, options.machine),
+        "the nv data": options.nv,
+    }
+    for what, used in inputs.items():
+        if used is not None and same_file(path, used):
+            return Diagnostic("file", f"{path} is {what} of this run", hint="write to another file")
     problem = unwritable(path)
     return None if problem is None else Diagnostic("file", problem)
 

@@ -111,7 +111,7 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
             problem = wrong_target(option, path)
             if problem is not None:
                 parser.error(problem)
-            diagnostic = refused(path)
+            diagnostic = refused(path, options)
             if diagnostic is not None:
                 return refuse(options, [diagnostic], None, 1)
     return run_command(options)

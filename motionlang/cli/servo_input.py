@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from motionlang.controller.servo.settings import Key
+    from motionlang.errors import ProgramError
 
 EXAMPLE = Motor(load_inertia=4e-5, viscous=2e-5)
 """The motor of the examples, when nothing is said about one."""
@@ -110,11 +111,16 @@ def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
     try:
         settings = read_machine(Source.read(path))
     except ProgramError as error:
-        first = error.diagnostics[0]
-        raise ValueError(f"{path}:{first.line}: {first.message}; {first.hint}") from None
+        raise _first(path, error) from None
     if args.plant or args.loop or args.mint or args.mccl or args.bandwidth:
         return {key: value for key, value in settings.items() if ".plant." not in key}
     return settings
+
+
+def _first(path: str, error: ProgramError) -> ValueError:
+    """The first mistake of a machine file as one sentence."""
+    first = error.diagnostics[0]
+    return ValueError(f"{path}:{first.line}: {first.message}; {first.hint}")
 
 
 def pairs(texts: list[str], keys: Mapping[str, Key]) -> dict[str, object]:
@@ -157,14 +163,14 @@ def _section(args: argparse.Namespace, name: str) -> dict[str, object]:
     """`[axis.N.plant]` or `[axis.N.servo]` of the machine file; empty without one."""
     if not args.machine:
         return {}
-    import tomllib
+    from motionlang.errors import ProgramError
+    from motionlang.lang.machine.file import read_toml
+    from motionlang.source import Source
 
-    with open(args.machine, "rb") as file:
-        try:
-            tree = tomllib.load(file)
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
-            raise ValueError(f"{args.machine}: {problem}") from None
-    found: object = tree
+    try:
+        found: object = read_toml(Source.read(args.machine))
+    except ProgramError as error:
+        raise _first(args.machine, error) from None
     for part in ("axis", str(args.axis), name):
         found = found.get(part, {}) if isinstance(found, dict) else {}
     if not isinstance(found, dict):

@@ -106,22 +106,21 @@ def get(name: str) -> bytes | None:
 
 
 def put(name: str, payload: bytes) -> None:
-    """Keep a payload; written aside and renamed, so that no reader sees half of it."""
+    """Keep a payload; no reader sees half of it."""
     if not wanted():
         return
+    from motionlang.files import replacing
+
     place = folder()
-    aside = os.path.join(place, f".{name}.{os.getpid()}")
     try:
         os.makedirs(place, 0o700, exist_ok=True)
         if not _private(os.stat(place)):
             return
-        handle = os.open(aside, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-        with open(handle, "wb") as file:
+        with replacing(os.path.join(place, name), private=True) as file:
             file.write(sha256(name.encode() + payload).digest() + payload)
-        os.replace(aside, os.path.join(place, name))
         _prune(place)
     except OSError:
-        _remove(aside)
+        pass
 
 
 def _private(status: os.stat_result) -> bool:

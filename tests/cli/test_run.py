@@ -341,3 +341,31 @@ def test_commands_that_have_commands_of_their_own_are_listed_and_explained(cell:
     assert f"\n    {family} " in cell("--help").out
     assert cell(family, "--help").out.startswith(f"usage: motionlang {family} ")
     assert cell(family).status == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "lost", "what"),
+    [
+        (("run", "x.csv", "--dialect", "mint", "--trace", "./x.csv"), "x.csv", "the program"),
+        (("run", "a.mnt", "--machine", "m.csv", "--trace", "m.csv"), "m.csv", "the machine file"),
+        (("run", "a.mnt", "--nv", "nv.csv", "--trace", "nv.csv"), "nv.csv", "the nv data"),
+        (("run", "x.svg", "--dialect", "mint", "--plot", "link.svg"), "x.svg", "the program"),
+    ],
+)
+def test_what_a_run_reads_is_not_written_over(
+    cell: Cell, arguments: tuple[str, ...], lost: str, what: str
+) -> None:
+    cell.write("a.mnt", "PRINT 1\n")
+    kept = cell.write(lost, "PRINT 1\n" if what == "the program" else "")
+    (cell.folder / "link.svg").symlink_to("x.svg")
+    before = kept.read_text()
+    ran = cell(*arguments)
+    assert (ran.status, ran.out, kept.read_text()) == (1, "", before)
+    assert f"{arguments[-1]} is {what} of this run" in ran.err
+
+
+@pytest.mark.parametrize("value", ["9" * 5000, "[" * 3000, "0x" + "f" * 5000])
+def test_a_setting_of_any_length_is_told(cell: Cell, value: str) -> None:
+    ran = cell("run", "ballscrew.mcl", "--set", f"controller.axes={value}")
+    assert ran.status in (1, 2)
+    assert "controller.axes must be " in ran.err

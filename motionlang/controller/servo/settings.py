@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from math import inf
-from sys import float_info
 from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.loop import ARITHMETICS, INTEGRAL_MODES, LIMIT_STYLES, Loop, Override
@@ -19,6 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
 PLANT_KINDS = ("dc", "brushless", "drive")
+# In SI units or counts nothing about a motor is smaller or larger; beyond, its equations leave what a float can hold.
+SMALLEST, LARGEST = 1e-12, 1e12
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,9 +125,11 @@ def problem(key: Key, value: object) -> str | None:
     if isinstance(value, bool) or not isinstance(value, int if key.kind == "count" else (int, float)):
         return "a whole number" if key.kind == "count" else "a number"
     inside = key.low < value <= key.high if key.exclusive else key.low <= value <= key.high
-    if abs(value) > float_info.max:
-        return f"no larger than {float_info.max:.1e}"
-    return None if inside else _range_words(key)
+    if not inside:
+        return _range_words(key)
+    if abs(value) > LARGEST:
+        return f"no larger than {LARGEST:g}"
+    return f"0, or no smaller than {SMALLEST:g}" if 0.0 < abs(value) < SMALLEST else None
 
 
 def _range_words(key: Key) -> str:

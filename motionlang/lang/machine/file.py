@@ -39,14 +39,7 @@ _DEEPEST = 5
 
 def read_machine(source: Source) -> dict[str, object]:
     """The settings of a machine file by their dotted keys, tables as lists; ProgramError with every mistake."""
-    import tomllib
-
-    try:
-        tree = tomllib.loads(source.text)
-    except tomllib.TOMLDecodeError as error:
-        raise ProgramError([_toml_mistake(source, error)]) from None
-    except (ValueError, RecursionError) as error:
-        raise ProgramError([_beyond_python(source, error)]) from None
+    tree = read_toml(source)
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
     for key, value in _flatten(tree):
@@ -62,6 +55,18 @@ def read_machine(source: Source) -> dict[str, object]:
     if mistakes:
         raise ProgramError(mistakes)
     return settings
+
+
+def read_toml(source: Source) -> dict[str, object]:
+    """A machine file as TOML has it, nothing of it checked; ProgramError where it is none."""
+    import tomllib
+
+    try:
+        return tomllib.loads(source.text)
+    except tomllib.TOMLDecodeError as error:
+        raise ProgramError([_toml_mistake(source, error)]) from None
+    except (ValueError, RecursionError) as error:
+        raise ProgramError([_beyond_python(source, error)]) from None
 
 
 def check_setting(key: str, value: object) -> tuple[str, str] | None:

@@ -12,6 +12,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from motionlang.files import Lock
+
 SCHEMA = "motionlang.nv/1"
 LAST_WORD = 1023
 _LOW, _HIGH = -2147483648, 2147483647
@@ -21,16 +23,27 @@ _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infini
 class NonVolatile:
     """What was kept so far, and the places in which the program that runs holds its own."""
 
-    __slots__ = ("_live", "_values", "_words", "path")
+    __slots__ = ("_live", "_lock", "_values", "_words", "path")
 
     def __init__(self, path: str | None = None) -> None:
-        """Read the file, if there is one; OSError or ValueError where it cannot be read."""
+        """Hold the file against other runs, and read it, if there is one.
+
+        InUse where another run holds it, OSError or ValueError where it cannot be held or read.
+        """
         self.path = path
+        self._lock: Lock | None = None
         self._values: dict[str, object] = {}
         self._words: dict[int, int] = {}
         self._live: dict[str, list[object]] = {}
         if path is not None:
-            self._read(path)
+            from motionlang.files import Lock
+
+            self._lock = Lock(path)
+            try:
+                self._read(path)
+            except BaseException:
+                self.close()
+                raise
 
     def _read(self, path: str) -> None:
         from json import loads
@@ -42,15 +55,18 @@ class NonVolatile:
                 tree: Any = loads(contents(file))
         except FileNotFoundError:
             return
+        except RecursionError:
+            raise ValueError("its values are nested too deeply") from None
         if not isinstance(tree, dict) or tree.get("schema") != SCHEMA:
             raise ValueError(f"it is no file of nv data, which begins with the schema {SCHEMA}")
         values, words = tree.get("values", {}), tree.get("words", {})
         if not isinstance(values, dict) or not isinstance(words, dict):
             raise ValueError("its values and its words must be objects")
         self._values = values
+        addresses = {str(address): address for address in range(LAST_WORD + 1)}
         for address, word in words.items():
-            if isinstance(word, int) and _LOW <= word <= _HIGH and 0 <= int(address) <= LAST_WORD:
-                self._words[int(address)] = word
+            if isinstance(word, int) and _LOW <= word <= _HIGH and address in addresses:
+                self._words[addresses[address]] = word
 
     def keep(self, key: str, place: list[object]) -> None:
         """Put the value kept under a name into a variable, and take it from there when the run is over.
@@ -96,8 +112,13 @@ class NonVolatile:
         values = {**self._values, **self._live}
         words = {str(address): word for address, word in sorted(self._words.items())}
         tree = {"schema": SCHEMA, "values": dict(sorted(values.items())), "words": words}
-        with replacing(self.path) as file:
+        with replacing(self.path, only_copy=True) as file:
             file.write((dumps(tree, indent=1, ensure_ascii=False) + "\n").encode())
+
+    def close(self) -> None:
+        """Let other runs have the file."""
+        if self._lock is not None:
+            self._lock.release()
 
 
 def _fitted(stored: object, place: list[object]) -> list[object] | None:

@@ -14,6 +14,7 @@ from importlib import import_module
 
 from lark import Lark
 
+from motionlang.files import replacing
 from motionlang.lang.parsing.rules import Rules
 from motionlang.lang.parsing.states import States
 
@@ -124,8 +125,8 @@ def main() -> int:
         actions = import_module(
             f"motionlang.{package}.syntax.actions"
         ).ACTIONS  # a layer above: known by name only
-        with open(os.path.join(ROOT, package, "syntax", "tables.py"), "w", encoding="utf-8") as tables:
-            tables.write(generate(f"{package}.lark", package, actions))
+        with replacing(os.path.join(ROOT, package, "syntax", "tables.py")) as tables:
+            tables.write(generate(f"{package}.lark", package, actions).encode())
     return 0
 
 

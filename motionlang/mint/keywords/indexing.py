@@ -10,6 +10,7 @@ from importlib import import_module
 from pathlib import Path
 from textwrap import fill
 
+from motionlang.files import replacing
 from motionlang.lang.keyword import Table
 from motionlang.mint.keywords.all_words import groups, rows
 
@@ -73,6 +74,7 @@ def operations_written() -> str:
 
 
 if __name__ == "__main__":
-    PLACE.write_text(written(), encoding="utf-8")
-    OPERATIONS_PLACE.write_text(operations_written(), encoding="utf-8")
+    for place, text in ((PLACE, written()), (OPERATIONS_PLACE, operations_written())):
+        with replacing(str(place)) as file:
+            file.write(text.encode())
     sys.stdout.write(f"{PLACE.name}: {len(rows())} words\n")

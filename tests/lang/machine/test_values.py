@@ -151,7 +151,7 @@ def test_any_value_in_a_table(table: str) -> None:
             f"[axis.1.plant]\ninertia = {DIGITS}\n",
             2,
             1,
-            f"axis.1.plant.inertia must be no larger than 1.8e+308, not {DIGITS[:60]}…",
+            f"axis.1.plant.inertia must be no larger than 1e+12, not {DIGITS[:60]}…",
         ),
         (f"[controller]\naxes = {DIGITS * 11}\n", 2, 8, "a number has too many digits"),
         ("[controller]\naxes = " + "[" * 2000 + "\n", 2, 2007, "values are nested too deeply"),
@@ -164,6 +164,18 @@ def test_any_value_in_a_table(table: str) -> None:
             2,
             1,
             "a resonance needs a load inertia to swing against the motor",
+        ),
+        (
+            "[axis.0.plant]\nload_torque = -1e308\n",
+            2,
+            1,
+            "axis.0.plant.load_torque must be no larger than 1e+12, not -1e+308",
+        ),
+        (
+            "[axis.0.plant]\nresistance = 1e-300\n",
+            2,
+            1,
+            "axis.0.plant.resistance must be 0, or no smaller than 1e-12, not 1e-300",
         ),
         (
             f"[[comms]]\nelement = 0x{'f' * 5000}\nvalue = 1\n",
@@ -187,3 +199,23 @@ def test_a_reading_at_a_place_that_there_is_not(place: str) -> None:
     settings = read_machine(Source("machine.toml", f'[mint.readings]\nTEMPERATURE = {{ "{place}" = 3 }}\n'))
     ran = motionlang.run(Source("a.mnt", "PRINT TEMPERATURE(0)\n"), machine=settings, cache=False)
     assert [each.code for each in ran.diagnostics] == ["not-simulated"]
+
+
+@pytest.mark.parametrize("value", ["1e308", "1e100", "1e30", "-1e308", "1e-300", "1e12", "1e-12"])
+def test_no_figure_of_a_motor_leaves_what_its_equations_can_hold(value: str) -> None:
+    """They become text of generated code, in which neither nan nor infinity is a number."""
+    for key in SERVO_KEYS:
+        if key in ("axis.N.plant.inductance", "axis.N.plant.resistance", "axis.N.servo.bandwidth"):
+            continue  # equations that are very stiff take their time
+        text = f"{key.replace('.N', '.0')} = {value}\n"
+        if ".servo." in key:
+            text += "[axis.0.plant]\n"
+        try:
+            settings = read_machine(Source("machine.toml", text))
+        except ProgramError:
+            continue
+        assert abs(float(value)) in (1e12, 1e-12)
+        ran = motionlang.run(
+            Source("a.mnt", "MOVER(0) = 10\nGO(0)\n"), machine=settings, until=0.02, cache=False
+        )
+        assert "overflow" not in [each.code for each in ran.diagnostics]

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
+from motionlang.lang.machine.machine import Machine
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -96,7 +97,18 @@ def test_a_run_that_fails_keeps_what_it_had_done(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "[]", "{}", '{"schema": "other/1"}', "\x00", '{"schema": "motionlang.nv/1", ']
+    "text",
+    [
+        "",
+        "[]",
+        "{}",
+        '{"schema": "other/1"}',
+        "\x00",
+        '{"schema": "motionlang.nv/1", ',
+        "[" * 100_000,
+        '{"schema": "motionlang.nv/1", "words": {"1": ' + "9" * 5000 + "}}",
+    ],
+    ids=lambda text: text[:20],
 )
 def test_a_file_that_is_none_is_refused_and_left_alone(text: str, tmp_path: Path) -> None:
     file = tmp_path / "kept.json"
@@ -108,7 +120,15 @@ def test_a_file_that_is_none_is_refused_and_left_alone(text: str, tmp_path: Path
 
 
 @pytest.mark.parametrize(
-    "part", ['"values": 3', '"words": [1]', '"values": {"a": 4}', '"words": {"x": 1}', '"words": {"3": 1e9}']
+    "part",
+    [
+        '"values": 3',
+        '"words": [1]',
+        '"values": {"a": 4}',
+        '"words": {"x": 1}',
+        '"words": {"3": 1e9}',
+        f'"words": {{"{"3" * 5000}": 1}}',
+    ],
 )
 def test_nonsense_inside_is_no_traceback(part: str, tmp_path: Path) -> None:
     file = tmp_path / "kept.json"
@@ -118,25 +138,33 @@ def test_nonsense_inside_is_no_traceback(part: str, tmp_path: Path) -> None:
 
 
 def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
+    """Before anything is run: eight hours are not spent on what cannot be kept."""
     result = ran("Dim nv a As Integer\nPRINT 1", tmp_path / "none" / "kept.json", "fault")
-    assert result.output == ["1"]
-    assert "cannot be written" in result.diagnostics[0].message
+    assert result.output == []
+    assert "cannot be read" in result.diagnostics[0].message
 
 
-def test_runs_that_end_at_once_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    file = tmp_path / "kept.json"
-    replace, others = os.replace, ["Dim nv b As Integer = 2"]
+def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path) -> None:
+    """It would read what the first is about to change, and one of the two would be lost."""
+    file, link = tmp_path / "kept.json", tmp_path / "link.json"
+    link.symlink_to(file)
+    second: list[Run] = []
 
-    def replace_after_another(source: str, target: str) -> None:
-        if others:
-            ran(others.pop(), file)
-        replace(source, target)
+    def begin_another(machine: Machine) -> None:
+        second.append(ran("Dim nv b As Integer = 2", link, "fault"))
 
-    monkeypatch.setattr(os, "replace", replace_after_another)
-    ran("Dim nv a As Integer = 1", file)
-    assert others == []
+    run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=str(file), begun=begin_another, cache=False)
+    assert [each.message for each in second[0].diagnostics] == [
+        f"the nv data of {link} belong to another run, which has not ended"
+    ]
     assert loads(file.read_text())["values"] == {"a": [1]}
-    assert os.listdir(tmp_path) == ["kept.json"]
+    assert ran("Dim nv a As Integer\nPRINT a", file).output == ["1"]
+    assert sorted(os.listdir(tmp_path)) == ["kept.json", "link.json"]
+
+
+def test_what_a_killed_run_leaves_is_not_in_the_way(tmp_path: Path) -> None:
+    (tmp_path / ".kept.json.lock").write_text("")
+    assert ran("Dim nv a As Integer = 1\nPRINT a", tmp_path / "kept.json").output == ["1"]
 
 
 def test_a_handler_and_a_task_share_the_data_of_the_program(tmp_path: Path) -> None:
