@@ -84,6 +84,7 @@ def _no_kept(result: Run, message: str, hint: str = "") -> None:
 def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
     """A wait that only an event could have ended, and none did, is no figure of this run."""
     if result.machine.moving():
+        _tell_lost(result, scheduler)
         return
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == float("inf"):
@@ -96,11 +97,42 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
             result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
 
 
+def _tell_lost(result: Run, scheduler: Scheduler) -> None:
+    """A homing that meets nothing is a mistake where no task can do anything about it any more."""
+    if all(_is_hopeless(task) for task in scheduler.interrupts[-1:] or scheduler.tasks):
+        result.diagnostics += _lost(result)
+
+
+def _is_hopeless(task: Task) -> bool:
+    waits = task.wait is not None and task.wait.due() == float("inf")
+    return waits or task.done or task.in_vain is not None
+
+
+def _lost(result: Run) -> list[Diagnostic]:
+    """The homings that go on for ever, each at its line."""
+    from motionlang.errors import Diagnostic
+
+    found = []
+    for axis, homing in result.controller.homings.items():
+        if homing.in_vain:
+            text = result.source.line(homing.line)
+            column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
+            keys = f"axis.{axis}.home_switch, travel and index_every"
+            hint = f"home the other way, or let the machine file say where it is: {keys}"
+            found.append(Diagnostic("never", homing.in_vain, homing.line, column, length=length, hint=hint))
+    return found
+
+
 def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
     """A wait that nothing can end is a mistake, unless the machine file says how long its scenario goes on."""
     from motionlang.errors import Diagnostic
 
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
+    lost = _lost(result)
+    if lost:
+        result.status = "fault"
+        result.diagnostics += lost
+        return
     message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
     result.not_counted.append(f"line {line}: {message}")
     others = _others(result, stuck.task)

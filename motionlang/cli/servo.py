@@ -122,10 +122,12 @@ def compare(args: argparse.Namespace) -> int:
         for basis in bases
     }
     if args.report == "json":
-        _print_json({basis: [_plain(row, "trace") for row in rows] for basis, rows in tables.items()})
+        made = {basis: [_plain(row, "trace") for row in rows] for basis, rows in tables.items()}
+        _print_json({"plant": _plain(plant), **made})
     elif args.report == "table":
         for i, (basis, rows) in enumerate(tables.items()):
             _print([*([""] if i else []), *view.compare_lines(basis, rows, args.window)])
+        _print(["", view.plant_line(plant)])
     if args.plot:
         from motionlang.views.servo_plot import plot_comparison
 
@@ -146,9 +148,10 @@ def step(args: argparse.Namespace) -> int:
     if loop.is_linear and plant.is_linear and loop.derivative_every == 1:
         linear = loop_figures(loop, plant)
     if args.report == "json":
-        _print_json({**_plain(figures), "linear": None if linear is None else _plain(linear)})
+        found = {**_plain(figures), "linear": None if linear is None else _plain(linear)}
+        _print_json({"plant": _plain(plant), **found})
     elif args.report == "table":
-        _print(view.step_lines(figures, linear))
+        _print([*view.step_lines(figures, linear), "", view.plant_line(plant)])
     if args.plot:
         from motionlang.views.servo_plot import plot_trace
 
@@ -172,9 +175,10 @@ def tune(args: argparse.Namespace) -> int:
     mint, mccl = mint_values(made.loop), mccl_values(made.loop, args.scale)
     if args.report == "json":
         gains = {"loop": _plain(made.loop), "mint": mint, "mccl": mccl, "warnings": list(made.warnings)}
-        _print_json({**gains, "linear": _plain(made.figures), "step": _plain(figures)})
+        of = {"linear": _plain(made.figures), "step": _plain(figures)}
+        _print_json({"plant": _plain(plant), **gains, **of})
     elif args.report == "table":
-        _print(view.tune_lines(made, figures, mint, mccl))
+        _print([*view.tune_lines(made, figures, mint, mccl), "", view.plant_line(plant)])
     if args.plot:
         from motionlang.views.servo_plot import plot_trace
 
@@ -241,19 +245,21 @@ def run(args: argparse.Namespace) -> int:
     result = run_program(args.file, dialect=args.dialect, until=args.until, machine=settings)
     if any(found.severity == "error" for found in result.diagnostics):
         return _complain("run", f"{args.file} does not run: {result.diagnostics[0].message}", WRONG)
-    rows = []
+    rows, plants = [], {}  # of the axes whose motors are those of the options
     for args.axis, axis in result.controller.axes.items():
         if len(axis.starts) > 1:
             end = min(result.time + args.rest, args.until)
             trace = servo_trace(axis, end)
             if trace is None:
-                plant = plant_of(args)
+                plant = plants[args.axis] = plant_of(args)
                 trace = simulate(axis, loop_of(args, plant, axis.scale.counts), plant, until=end)
             rows.append((args.axis, trace, trace.settled_at(args.window, axis.end_of_motion())))
     if args.report == "json":
-        _print_json({"axes": [view.run_figures(*row) for row in rows], "time": result.time})
+        figures = {"axes": [view.run_figures(*row) for row in rows], "time": result.time}
+        _print_json({**figures, "plants": {str(axis): _plain(plant) for axis, plant in plants.items()}})
     elif args.report == "table":
-        _print(view.run_lines(rows, args.window) if rows else ["no axis was moved"])
+        lines = view.run_lines(rows, args.window) if rows else ["no axis was moved"]
+        _print([*lines, *view.plant_lines(plants)])
     if args.plot and rows:
         from motionlang.views.servo_plot import plot_trace
 

@@ -6,18 +6,18 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.gains import MCCL, MINT, MODELS, mccl_loop, mint_loop
 from motionlang.controller.servo.loop import Loop
-from motionlang.controller.servo.plant import Drive, Motor
 from motionlang.controller.servo.settings import PLANT, SERVO, make_loop, make_plant
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Mapping
 
+    from motionlang.controller.servo.plant import Drive, Motor
     from motionlang.controller.servo.settings import Key
     from motionlang.errors import ProgramError
 
-EXAMPLE = Motor(load_inertia=4e-5, viscous=2e-5)
-"""The motor of the examples, when nothing is said about one."""
+EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5}
+"""What the motor of the commands has otherwise than [axis.N.plant] by itself, when no machine file describes one."""
 
 
 def add_plant(parser: argparse.ArgumentParser) -> None:
@@ -64,9 +64,9 @@ def add_loop(parser: argparse.ArgumentParser) -> None:
 
 def plant_of(args: argparse.Namespace) -> Motor | Drive:
     """The motor that the options describe; ValueError names what is wrong."""
-    section = _section(args, "plant")
-    given = section | pairs(args.plant, PLANT)
-    return make_plant(given) if given else EXAMPLE
+    options = pairs(args.plant, PLANT)
+    example = {} if options.get("kind") == "drive" else EXAMPLE
+    return make_plant((_section(args, "plant") or example) | options)
 
 
 def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) -> Loop:
@@ -100,12 +100,11 @@ def machine_of(args: argparse.Namespace) -> dict[str, object] | None:
 
     None where there is no file. ValueError names what is wrong in it.
     """
-    from motionlang import execution
     from motionlang.errors import ProgramError
     from motionlang.lang.machine.file import read_machine
     from motionlang.source import Source
 
-    path = execution.machine_of(args.file, args.machine)
+    path = _machine_path(args)
     if path is None:
         return None
     try:
@@ -159,20 +158,27 @@ def _value(text: str, key: Key | None) -> object:
         return text
 
 
+def _machine_path(args: argparse.Namespace) -> str | None:
+    from motionlang.execution import machine_of
+
+    return machine_of(getattr(args, "file", None), args.machine)
+
+
 def _section(args: argparse.Namespace, name: str) -> dict[str, object]:
-    """`[axis.N.plant]` or `[axis.N.servo]` of the machine file; empty without one."""
-    if not args.machine:
+    """`[axis.N.plant]` or `[axis.N.servo]` of the machine file, also of one beside the program; empty without one."""
+    path = _machine_path(args)
+    if path is None:
         return {}
     from motionlang.errors import ProgramError
     from motionlang.lang.machine.file import read_toml
     from motionlang.source import Source
 
     try:
-        found: object = read_toml(Source.read(args.machine))
+        found: object = read_toml(Source.read(path))
     except ProgramError as error:
-        raise _first(args.machine, error) from None
+        raise _first(path, error) from None
     for part in ("axis", str(args.axis), name):
         found = found.get(part, {}) if isinstance(found, dict) else {}
     if not isinstance(found, dict):
-        raise ValueError(f"{args.machine}: axis.{args.axis}.{name} must be a table")
+        raise ValueError(f"{path}: axis.{args.axis}.{name} must be a table")
     return dict(found)

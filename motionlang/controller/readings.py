@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
     from motionlang.controller.move import Move
+    from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
 
 
@@ -38,6 +39,8 @@ class Readings:
         # Encoder channels that the world turns, such as that of a conveyor; they have tracks like axes.
         self.encoders: dict[int, Axis] = {}
         self.latches: dict[int, Latch] = {}
+        # The homings in progress by axis.
+        self.homings: dict[int, Homing] = {}
         # The inputs without which the drives of axes cannot be enabled.
         self.interlocks: dict[int, int] = {}
         # The axes whose brakes somebody has set by hand.

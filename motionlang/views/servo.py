@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
+from motionlang.controller.servo.plant import Motor
 from motionlang.views.grid import Column, grid
 
 if TYPE_CHECKING:
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.chapter12 import ListingRun, Settings
     from motionlang.controller.servo.compare import Row
     from motionlang.controller.servo.override import OverrideRun
+    from motionlang.controller.servo.plant import Drive
     from motionlang.controller.servo.response import LoopFigures, StepFigures
     from motionlang.controller.servo.slip import Slip
     from motionlang.controller.servo.trace import ServoTrace
@@ -116,6 +119,27 @@ def override_lines(runs: Sequence[OverrideRun], unit: str) -> list[str]:
         "",
         f"limit {figure(limit)} {unit}/s²; beyond it the load slips",
     ]
+
+
+def plant_line(plant: Motor | Drive) -> str:
+    """The motor that a command has taken: what it has otherwise than a plant of which nothing is said."""
+    kind = type(plant)
+    values = [
+        (field.name, getattr(plant, field.name), getattr(kind(), field.name)) for field in fields(plant)
+    ]
+    own = [f"{name} {value:g}" if isinstance(value, float) else f"{name} {value}"
+           for name, value, default in values if value != default]  # fmt: skip
+    name = "motor" if kind is Motor else "drive"
+    rest = "the rest is that of [axis.N.plant] in docs/machine-file.md"
+    return f"{name}: {', '.join([*own, rest])}"
+
+
+def plant_lines(plants: Mapping[int, Motor | Drive]) -> list[str]:
+    """The motors that a run has taken by axis, each once."""
+    lines: dict[str, list[str]] = {}
+    for axis, plant in plants.items():
+        lines.setdefault(plant_line(plant), []).append(str(axis))
+    return [f"axis {', '.join(axes)}: {line}" for line, axes in lines.items()]
 
 
 def compare_lines(basis: str, rows: Sequence[Row], window: float) -> list[str]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
+from motionlang.controller.triggers.watch import place
 from motionlang.profile import plan
 
 TYPE_CHECKING = False
@@ -28,6 +29,12 @@ HOME, LIMIT, INDEX = "home", "limit", "index"
 # In the order in which they come; "done" at the end and after whatever else ended the homing.
 STATES = ("done", "search", "on-switch", "back-off", "index", "stopping", "offset")
 
+# What an axis does for ever that has nothing ahead of it any more.
+_IN_VAIN = {
+    "search": "homes away from its {0} and never meets it",
+    "back-off": "backs off its {0} and never leaves it",
+    "index": "homes and never meets an index mark",
+}
 _SOFT = (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE)
 
 
@@ -35,8 +42,9 @@ class Homing:
     """One homing in progress on one axis; `found` turns true when the datum is known.
 
     `direction` is that of the search, speeds are counts/s, `datum` is the position that the found place gets, `offset`
-    how far from it the axis ends (None: where it stops). `landed` is where it stopped, measured from the datum.
-    `ended` is called at the end, whatever it was.
+    how far from it the axis ends (None: where it stops). `landed` is where it stopped, measured from the datum; `line`
+    is that of the program which began it, `provided` says whether the machine has what is looked for. `ended` is called
+    at the end, whatever it was.
     """
 
     __slots__ = (
@@ -47,15 +55,16 @@ class Homing:
         "_direction",
         "_ended",
         "_index",
-        "_line",
         "_move",
         "_offset",
+        "_provided",
         "_switch",
         "_watch",
         "axis",
         "back_off_speed",
         "found",
         "landed",
+        "line",
         "speed",
         "state",
     )
@@ -73,6 +82,7 @@ class Homing:
         index: bool = False,
         datum: float = 0.0,
         offset: float | None = None,
+        provided: bool = True,
         ended: Callable[[Homing], None] | None = None,
         command: str = "HOME",
         line: int = 0,
@@ -80,7 +90,8 @@ class Homing:
         self._controller, self.axis, self._direction = controller, axis, direction
         self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
         self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
-        self._ended, self._command, self._line = ended, command, line
+        self._ended, self._command, self.line = ended, command, line
+        self._provided = provided
         self._watch: Watch | None = None
         self._move: Move | None = None
         self.found = False
@@ -88,6 +99,7 @@ class Homing:
         self.state = "done"
         # Before all others, who then never see the axis at rest in between.
         controller.listeners.insert(0, self._heard)
+        controller.homings[axis] = self
         self._allow_limit(False)
         if switch == INDEX:
             self._seek_index(direction, speed)
@@ -104,10 +116,30 @@ class Homing:
         if self._heard not in self._controller.listeners:
             return
         self._controller.listeners.remove(self._heard)
+        self._controller.homings.pop(self.axis, None)
         self._allow_limit(True)
         self._unwatch()
         if self._ended is not None:
             self._ended(self)
+
+    @property
+    def in_vain(self) -> str:
+        """Why the axis runs on for ever if nobody stops it; "" while something lies ahead of it, or it will stop."""
+        a = self._axis
+        velocity = a.profiles[-1].end_velocity
+        if self.state not in _IN_VAIN or not velocity:
+            return ""
+        here = self._controller.position(self.axis)
+        deaf = {limit.watch for limit in a.limits if not limit.enabled and limit.bit in _SOFT}
+        ahead = any(
+            0.0 < (place(a, watch) - here) * velocity < math.inf for watch in a.watches if watch not in deaf
+        )
+        if ahead:
+            return ""
+        what = "limit switch" if self._switch == LIMIT else "switch"
+        if not self._provided and self.state == "search":
+            return f"axis {self.axis} homes towards a {what} that nothing provides"
+        return f"axis {self.axis} {_IN_VAIN[self.state].format(what)}"
 
     def _unwatch(self) -> None:
         if self._watch is not None:
@@ -117,7 +149,7 @@ class Homing:
     # ---------------------------------------------------------------------------------------------- moving
 
     def _jog(self, velocity: float) -> None:
-        self._controller.jog(self.axis, velocity, self._command, self._line)
+        self._controller.jog(self.axis, velocity, self._command, self.line)
         self._move = self._axis.move
 
     def _search(self) -> None:
@@ -156,7 +188,7 @@ class Homing:
         target = self._datum + offset
         here, speed = a.position(controller.clock.now), self._creep_speed
         profile = plan(a.shape, here, target, speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
-        controller.play(self.axis, profile, self._command, self._line)
+        controller.play(self.axis, profile, self._command, self.line)
         self._move = a.move
 
     # --------------------------------------------------------------------------------------------- switches

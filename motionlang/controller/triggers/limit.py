@@ -22,7 +22,7 @@ class Limit:
     only be a switch that somebody opens and closes. Listeners of the controller hear "limit" when it changes.
     """
 
-    __slots__ = ("_controller", "_switch", "_watch", "action", "axis", "bit", "enabled", "physical", "sign")
+    __slots__ = ("_controller", "_switch", "action", "axis", "bit", "enabled", "physical", "sign", "watch")
 
     def __init__(
         self, controller: Controller, axis: int, sign: int, bit: int, action: str, physical: bool = False
@@ -32,7 +32,7 @@ class Limit:
         self.action, self.physical = action, physical
         self.enabled = True
         self._switch = False
-        self._watch: Watch | None = None
+        self.watch: Watch | None = None
 
     @property
     def active(self) -> bool:
@@ -42,16 +42,16 @@ class Limit:
     @property
     def passed(self) -> bool:
         """Whether the axis is beyond the limit."""
-        return self._watch is not None and self._watch.side == self.sign
+        return self.watch is not None and self.watch.side == self.sign
 
     def place(self, position: float | None) -> None:
         """Set where the limit is; None takes it away."""
         controller = self._controller
-        if self._watch is not None:
-            controller.unwatch(self.axis, self._watch)
-            self._watch = None
+        if self.watch is not None:
+            controller.unwatch(self.axis, self.watch)
+            self.watch = None
         if position is not None:
-            self._watch = controller.watch(self.axis, position, self._pass, self.physical)
+            self.watch = controller.watch(self.axis, position, self._pass, self.physical)
 
     def set_active(self, active: bool) -> None:
         """The switch has opened or closed."""

@@ -57,7 +57,7 @@ class Homes:
             raise Refusal("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
         _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
-        self._warn(axis, switch, index, line)
+        provided = self._provided(axis, switch, index, line)
         self._borrow(axis)
         speed = self.setting("HOMESPEED", axis)
         try:
@@ -72,6 +72,7 @@ class Homes:
                 index=index,
                 datum=self.setting("HOMEREFPOS", axis),
                 offset=self.setting("HOMEOFFSET", axis),
+                provided=provided,
                 ended=self._ended,
                 line=line,
             )
@@ -99,8 +100,8 @@ class Homes:
         for name, value in self._borrowed.pop(axis, {}).items():
             setattr(self._environment.controller.axes[axis], name, value)
 
-    def _warn(self, axis: int, switch: str, index: bool, line: int) -> None:
-        """Say beforehand what the machine lacks: the search would go on for ever."""
+    def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
+        """Whether the machine has all that is looked for; says beforehand what it lacks."""
         environment = self._environment
         a = environment.controller.axes[axis]
         missing = []
@@ -118,6 +119,7 @@ class Homes:
             environment.machine.diagnostics.append(
                 Diagnostic("never", message, line, hint=hint, severity="warning")
             )
+        return not missing
 
     def _has_switch(self, axis: int) -> bool:
         machine = self._environment.machine

@@ -58,8 +58,10 @@ class MintTask(GeneratorTask):
         try:
             time, wait = super().resume(now, horizon)
             environment.ran = self
-            if environment.acts != acts:
-                self.look = self.in_vain = None  # it has done something
+            if environment.acts != acts:  # it has done something, if not since it last looked
+                if self.look is None or self.look[0] != environment.acts:
+                    self.in_vain = None
+                self.look = None
         except TaskEnd as end:
             self.done = True
             return end.time, None

@@ -1,0 +1,53 @@
+"""HOME away from its switch: an error at its line, however the program waits, and none where something lies ahead."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.source import Source
+
+AWAY = "axis 0 homes away from its switch and never meets it"
+SWITCH = {"axis.0.home_switch": [50.0, 60.0]}
+HOME = "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_SWITCH\n"
+WAITS = {
+    "a pause": "PAUSE IDLE(0)\n",
+    "a loop that polls": "WHILE NOT IDLE(0) : ENDW\n",
+    "a loop that polls and waits": "WHILE HOMEPHASE(0) <> 0\n  WAIT 10\nENDW\n",
+    "the end of the program": "",
+}
+
+
+def told(program: str, machine: dict[str, object], until: float = 100.0) -> tuple[str, list[str]]:
+    result = run(Source("home.mnt", program), machine=machine, until=until, cache=False)
+    return result.status, [f"{d.line}:{d.column} {d.severity} {d.message}" for d in result.diagnostics]
+
+
+@pytest.mark.parametrize("wait", WAITS)
+def test_away_from_the_switch_is_an_error_at_the_line_of_home(wait: str) -> None:
+    status, found = told(HOME + WAITS[wait], SWITCH)
+    assert found == [f"2:1 error {AWAY}"]
+    assert status in ("fault", "until")
+
+
+@pytest.mark.parametrize("wait", WAITS)
+def test_a_limit_in_the_way_ends_the_search_by_itself(wait: str) -> None:
+    _, found = told(HOME + WAITS[wait], {**SWITCH, "axis.0.travel": [-30.0, 100.0]})
+    assert not [line for line in found if AWAY in line]
+
+
+def test_a_program_that_ends_the_search_itself_is_right() -> None:
+    ends = "WHILE HOMEPHASE(0) <> 0\n  IF TIME > 5000 THEN CANCEL(0)\n  WAIT 10\nENDW\n"
+    assert told("TIME = 0\n" + HOME + ends, SWITCH)[1] == []
+    assert told("TIME = 0\n" + HOME + ends, SWITCH, until=2.0) == ("until", [])
+
+
+def test_a_switch_ahead_is_met_also_where_time_is_up_before() -> None:
+    home = "HOMESPEED(0) = 20\nHOME(0) = _hmPOSITIVE_SWITCH\nPAUSE IDLE(0)\n"
+    assert told(home, SWITCH, until=1.0) == ("until", [])
+    assert told(home, SWITCH) == ("ended", [])
+
+
+def test_an_index_mark_that_does_not_exist_is_never_met() -> None:
+    _, found = told("HOME(0) = _hmPOSITIVE_INDEX\nPAUSE IDLE(0)\n", {})
+    assert found[-1] == "1:1 error axis 0 homes and never meets an index mark"
