@@ -14,6 +14,7 @@ from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
 from motionlang.controller.triggers.watch import arm
 from motionlang.profile import hold, plan
+from motionlang.profile.relief import onset
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -98,19 +99,9 @@ class Core(Readings):
             if last.shape == "hold" and shape == "trapezoid":  # nearly every move there is
                 return plan(shape, last.end, move.target, speed, accel, decel)
             jerks = (a.accel_jerk, a.decel_jerk) if shape == "scurve" else (INFINITY, INFINITY)
-            s = last.at(self.clock.now - a.starts[-1])
-            return plan(
-                shape,
-                s.position,
-                move.target,
-                speed,
-                accel,
-                decel,
-                s.velocity,
-                a.ramp,
-                *jerks,
-                s.acceleration,
-            )
+            eased, start, velocity, bent = onset(last, self.clock.now - a.starts[-1], shape, jerks[0])
+            made = plan(shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, bent)
+            return made if eased is None else eased.then(made)
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot move: {problem}") from None
 

@@ -17,6 +17,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.profile.fade import Bounds
     from motionlang.profile.ramps import Recipe
 
     Ramp = Callable[[float, float], tuple[float, float]]
@@ -24,15 +25,29 @@ if TYPE_CHECKING:
 
 
 class Ramps:
-    """One shape with its limits: `up` and `down` from speed to speed, `peak` from (speed, distance)."""
+    """One shape with its limits: `up` and `down` from speed to speed, `peak` from (speed, distance).
 
-    __slots__ = ("down", "peak", "shape", "up")
+    `squares` belongs to shapes whose ramps cover k/2 times the difference of the squares of both speeds: the k of
+    speeding up and of slowing down. `bounds` belongs to ramps whose acceleration is bounded in its slope as well.
+    """
 
-    def __init__(self, shape: str, up: Ramp, down: Ramp, peak: Peak) -> None:
+    __slots__ = ("bounds", "down", "peak", "shape", "squares", "up")
+
+    def __init__(
+        self,
+        shape: str,
+        up: Ramp,
+        down: Ramp,
+        peak: Peak,
+        squares: tuple[float, float] | None = None,
+        bounds: Bounds | None = None,
+    ) -> None:
         self.shape = shape
         self.up = up
         self.down = down
         self.peak = peak
+        self.squares = squares
+        self.bounds = bounds
 
 
 def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float) -> Profile:
@@ -54,12 +69,17 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float)
         rest = _travel(ramps, size + stopping, speed, 0.0, sign)
         return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *rest))
     beyond = stopping - size
-    if abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)) < inf:
+    if is_rounding(beyond, stopping, start, target):
         return finish(ramps.shape, start, target, (v0, time, kind, 0.0))
     if beyond > 0.0:
         back = _travel(ramps, beyond, speed, 0.0, -sign)
         return finish(ramps.shape, start, target, (v0, time, kind, 0.0, *back))
     return finish(ramps.shape, start, target, (v0, *_travel(ramps, size, speed, u, sign)))
+
+
+def is_rounding(beyond: float, stopping: float, start: float, target: float) -> bool:
+    """Whether a stop of length `stopping` misses its target by no more than its figures are rounded."""
+    return abs(beyond) <= 1e-12 * stopping + 2.3e-16 * (abs(start) + abs(target)) < inf
 
 
 def from_rest(

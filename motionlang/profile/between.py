@@ -1,108 +1,124 @@
-"""A stretch of a path from one speed to another, for paths that are run through without coming to rest."""
+"""A stretch of given length from one speed to another, as fast as its ramps and its highest speed allow."""
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import sqrt
 
-from motionlang.profile.curve import Profile
+from motionlang.profile.fade import eased_speed, fade, fade_distance
 from motionlang.profile.ramps import ramp_distance
-from motionlang.profile.shapes import plan
-from motionlang.profile.stop import ramps_of
-from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.profile.approach import Ramps
-    from motionlang.profile.ramps import Recipe
+    from motionlang.profile.fade import Steps
+
+    # The speed it begins with, its time, its kind, the speed it ends with.
+    Ramp = tuple[float, float, float, float]
 
 
-class Pace:
-    """How fast a path may be run: `shape`, speed, rates, and what the S-curves need beside."""
-
-    __slots__ = ("accel", "accel_jerk", "decel", "decel_jerk", "ramp", "shape", "speed")
-
-    def __init__(
-        self,
-        shape: str,
-        speed: float,
-        accel: float,
-        decel: float,
-        ramp: float = 0.1,
-        accel_jerk: float = inf,
-        decel_jerk: float = inf,
-    ) -> None:
-        self.shape, self.speed, self.accel, self.decel = shape, speed, accel, decel
-        self.ramp, self.accel_jerk, self.decel_jerk = ramp, accel_jerk, decel_jerk
-
-    def key(self) -> tuple[object, ...]:
-        """What two stretches must share to be run through as one."""
-        return (
-            self.shape,
-            self.speed,
-            self.accel,
-            self.decel,
-            self.ramp,
-            self.accel_jerk,
-            self.decel_jerk,
-        )
-
-    def ramps(self) -> Ramps:
-        """The ramps of its shape."""
-        return ramps_of(self.shape, self.accel, self.decel, self.ramp, self.accel_jerk, self.decel_jerk)
+# What a ramp may be longer than the way it has, as a part of it, and still be said to fit: rounding.
+_SLACK = 1e-12
 
 
-def plan_between(pace: Pace, start: float, end: float, v0: float, v1: float, a0: float = 0.0) -> Profile:
-    """From `start` at speed v0 >= 0 to `end` at speed v1 >= 0; ValueError for numbers no machine can follow.
+def entry_speed(ramps: Ramps, length: float, v1: float, most: float) -> float:
+    """The highest speed, up to `most`, from which speed v1 can be reached within `length`."""
+    if ramps.squares is not None:
+        return min(most, sqrt(v1 * v1 + 2.0 * length / ramps.squares[1]))
+    return _farthest(v1, most, lambda u: _ramp_length(ramps, u, v1) <= length) if v1 < most else most
 
-    A v1 that cannot be reached on the way by the rates of `pace` (which `entry_speed` rules out, but for rounding) is
-    reached by one ramp that just fits.
+
+def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -> float | None:
+    """The highest speed, up to `most`, that can be reached within `length`; None if even the acceleration stays."""
+    if ramps.squares is not None:
+        return min(most, sqrt(v0 * v0 + 2.0 * length / ramps.squares[0]))
+    low = _eased(ramps, v0, a0)
+    if low < 0.0 or _lead_length(ramps, v0, a0, low) > length * (1.0 + _SLACK):
+        return None
+    return _farthest(low, most, lambda v: _lead_length(ramps, v0, a0, v) <= length) if low < most else most
+
+
+def reaches(ramps: Ramps, length: float, v0: float, a0: float, v1: float) -> bool:
+    """Whether speed v1 can be reached within `length` by one ramp."""
+    return _eased(ramps, v0, a0) >= min(0.0, v1) and (
+        _lead_length(ramps, v0, a0, v1) <= length * (1.0 + _SLACK)
+    )
+
+
+def between(
+    ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float
+) -> tuple[Steps, list[Ramp]]:
+    """From speed v0 and acceleration a0 to v1 <= `speed` in exactly `length`, as fast as `speed` allows in between.
+
+    One ramp must lead from one to the other within `length`: see `reaches`; what it lacks by rounding is made to fit.
     """
-    if v1 <= 0.0:
-        rates = pace.speed, pace.accel, pace.decel
-        return plan(pace.shape, start, end, *rates, v0, pace.ramp, pace.accel_jerk, pace.decel_jerk, a0)
-    ramps, length = pace.ramps(), end - start
-    top = _top_speed(ramps, length, pace.speed, v0, v1)
-    if top is None:
-        recipe: Recipe = (v0, 2.0 * length / (v0 + v1), 0.0, v1)
-    else:
-        first, kind = (ramps.up if top >= v0 else ramps.down)(v0, top)
-        last, last_kind = (ramps.down if top >= v1 else ramps.up)(top, v1)
-        left = length - ramp_distance(v0, first, kind, top) - ramp_distance(top, last, last_kind, v1)
-        slew = max(left, 0.0) / top
-        recipe = (v0, first, kind, top, slew, 0.0, top, last, last_kind, v1)
-    return Profile(pace.shape, start, end, total(recipe[1::3]), recipe)
+    top = _top(ramps, length, speed, v0, a0, v1)
+    steps, v, used = _lead(ramps, v0, a0, top)
+    first = _ramp(ramps, v, top)
+    last = _ramp(ramps, top, v1)
+    left = length - used - ramp_distance(*last)
+    if left < 0.0 and not steps and top in (v, v1):
+        return (), [_fitting(last if top == v else first, length)]
+    slew = left / top if left > _SLACK * length and top else 0.0
+    return steps, [first, (top, slew, 0.0, top), last]
 
 
-def entry_speed(pace: Pace, length: float, v1: float) -> float:
-    """The highest speed, up to that of `pace`, from which speed v1 can be reached within `length`."""
-    if pace.shape == "trapezoid":
-        return min(pace.speed, sqrt(v1 * v1 + 2.0 * pace.decel * length))
-    ramps = pace.ramps()
-    return _largest(v1, pace.speed, lambda u: _distance(ramps, u, v1) <= length)
-
-
-def _top_speed(ramps: Ramps, length: float, speed: float, v0: float, v1: float) -> float | None:
-    """The speed between the two ramps: `speed` where there is room for it, None where there is room for none."""
+def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float) -> float:
+    """The speed between the two ramps: `speed` where there is room for it."""
+    if ramps.squares is not None:
+        up, down = ramps.squares
+        if v0 > speed:
+            return speed if 0.5 * down * (v0 * v0 - v1 * v1) <= length else v1
+        best = sqrt((2.0 * length + up * v0 * v0 + down * v1 * v1) / (up + down))
+        return max(min(best, speed), v1)
 
     def fits(v: float) -> bool:
-        return _distance(ramps, v0, v) + _distance(ramps, v, v1) <= length
+        return _lead_length(ramps, v0, a0, v) + _ramp_length(ramps, v, v1) <= length
 
-    low = max(v0, v1)
-    if low > speed:
-        return speed if fits(speed) else None
     if fits(speed):
         return speed
-    return _largest(low, speed, fits) if fits(low) else None
+    eased = _eased(ramps, v0, a0)
+    crest = max(eased, v1)
+    if fits(crest):
+        return _farthest(crest, speed, fits)
+    # Braking goes on into the last ramp: a speed that is held for a moment on the way down takes the room up.
+    return _farthest(v1, min(eased, speed), fits) if fits(v1) else v1
 
 
-def _distance(ramps: Ramps, u: float, v: float) -> float:
-    time, kind = (ramps.up if v >= u else ramps.down)(u, v)
-    return ramp_distance(u, time, kind, v)
+def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, float]:
+    """The way from v0 and a0 to speed v: the part with a bent beginning, the speed after it, and the whole distance."""
+    if not a0 or ramps.bounds is None:
+        return (), v0, _ramp_length(ramps, v0, v)
+    steps, after = fade(ramps.bounds, v0, a0, v)
+    rest = _ramp_length(ramps, after, v) if after != v else 0.0
+    return steps, after, fade_distance(v0, a0, steps) + rest
 
 
-def _largest(low: float, high: float, fits: object) -> float:
-    """The largest number from `low`, which fits, to `high`, that fits, by bisection to the last bit."""
-    assert callable(fits)
+def _lead_length(ramps: Ramps, v0: float, a0: float, v: float) -> float:
+    return _lead(ramps, v0, a0, v)[2]
+
+
+def _eased(ramps: Ramps, v0: float, a0: float) -> float:
+    return eased_speed(ramps.bounds, v0, a0) if a0 and ramps.bounds is not None else v0
+
+
+def _ramp(ramps: Ramps, u: float, v: float) -> Ramp:
+    return (u, *(ramps.up if v >= u else ramps.down)(u, v), v)
+
+
+def _ramp_length(ramps: Ramps, u: float, v: float) -> float:
+    return ramp_distance(*_ramp(ramps, u, v))
+
+
+def _fitting(ramp: Ramp, length: float) -> Ramp:
+    """The same ramp, as fast as makes it exactly `length` long."""
+    long = ramp_distance(*ramp)
+    return (ramp[0], ramp[1] * (length / long), *ramp[2:]) if long else ramp
+
+
+def _farthest(low: float, high: float, fits: Callable[[float], bool]) -> float:
+    """The number farthest from `low`, which fits, on the way to `high`, that fits, by bisection to the last bit."""
     if fits(high):
         return high
     while True:

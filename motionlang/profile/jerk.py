@@ -5,7 +5,9 @@ from __future__ import annotations
 from math import cbrt, inf, sqrt
 
 from motionlang.profile.approach import Ramps, approach
+from motionlang.profile.bent import bent_approach
 from motionlang.profile.curve import Profile
+from motionlang.profile.fade import Bounds
 from motionlang.profile.limits import check_finite, check_positive, too_large
 from motionlang.profile.ramps import FALLING, ramp_distance
 from motionlang.profile.root import bracketed_root
@@ -26,7 +28,8 @@ def plan_jerk(
 
     Ramp to V: V/A + A/J if V >= A^2/J, else 2 sqrt(V/J); distance V T/2 (own arithmetic, as AN00118
     defines the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An initial
-    acceleration `a0` is first brought to zero at the jerk limit. Raises ValueError as `plan_trapezoid`.
+    acceleration `a0` goes on where it serves the move, and is taken back where it does not (`fade`). Raises ValueError
+    as `plan_trapezoid`.
     """
     smooth = accel_jerk > 0.0 and decel_jerk > 0.0 and accel_jerk + decel_jerk < inf
     if not (smooth and speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
@@ -63,8 +66,7 @@ def plan_jerk(
     if a0 == 0.0:
         # also where a move from rest with figures too large ends: `approach` says so
         return approach(ramps, start, target, speed, v0)
-    eased = ease(start, v0, a0, accel_jerk if a0 * v0 >= 0.0 else decel_jerk)
-    return eased.then(approach(ramps, eased.end, target, speed, eased.end_velocity))
+    return bent_approach(ramps, start, target, speed, v0, a0)
 
 
 def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
@@ -89,7 +91,7 @@ def jerk_ramps(accel: float, decel: float, accel_jerk: float, decel_jerk: float)
             return peak_from_rest(size, accel, decel, accel_jerk, decel_jerk)
         return peak_speed(u, size, (accel, accel_jerk), (decel, decel_jerk))
 
-    return Ramps("scurve", up, down, peak)
+    return Ramps("scurve", up, down, peak, bounds=Bounds(accel, decel, accel_jerk, decel_jerk))
 
 
 def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:

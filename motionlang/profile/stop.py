@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import inf, isfinite, pi
+from math import copysign, inf, isfinite, pi
 
 from motionlang.profile.approach import Ramps
 from motionlang.profile.curve import Profile, far_end, relabelled
-from motionlang.profile.jerk import ease, jerk_ramps
+from motionlang.profile.fade import fade, faded
+from motionlang.profile.jerk import jerk_ramps
 from motionlang.profile.limits import STILL, check_finite, check_positive, check_ramp, too_large
 from motionlang.profile.parabolic import parabolic_ramps
 from motionlang.profile.ramps import SINE, ramp_distance
@@ -26,13 +27,16 @@ def plan_stop(
     ramp: float = 0.0,
     decel_jerk: float = inf,
     a0: float = 0.0,
+    accel_jerk: float = inf,
 ) -> Profile:
     """Come to rest from `v0` at `decel` in the ramps of `shape`; its phases are called stop.
 
-    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`. Raises ValueError for
-    numbers no machine can follow.
+    `ramp` > 0 and a finite `decel_jerk` choose between the two S-curves, as in `plan_velocity`; an acceleration `a0`
+    that speeds up is taken back at `accel_jerk` (not given: at the other). Raises ValueError for numbers no machine
+    can follow.
     """
-    made = plan_velocity(shape, start, v0, 0.0, decel, decel, ramp=ramp, accel_jerk=decel_jerk, a0=a0)
+    taken_back = decel_jerk if accel_jerk == inf else accel_jerk
+    made = plan_velocity(shape, start, v0, 0.0, decel, decel, ramp, taken_back, decel_jerk, a0)
     return relabelled(made.cut(made.knots[-2]), shape, "stop")
 
 
@@ -51,17 +55,19 @@ def plan_velocity(
     """Go from velocity `v0` to `v1` and run on for ever; with opposite signs brake to zero first.
 
     The shape of the result is "jog", its duration infinite, its `end` infinite too (or where it rests).
-    For "scurve" a finite `accel_jerk` means Mint's S-ramp, otherwise `ramp` is PMC's ramp ratio. Raises ValueError
-    for numbers no machine can follow.
+    For "scurve" a finite `accel_jerk` means Mint's S-ramp, which goes on from the acceleration `a0`; otherwise `ramp`
+    is PMC's ramp ratio. Raises ValueError for numbers no machine can follow.
     """
     check_positive(acceleration=accel, deceleration=decel)
     check_finite(position=start, start_velocity=v0, velocity=v1, start_acceleration=a0)
     if decel_jerk == inf:
         decel_jerk = accel_jerk
     ramps = ramps_of(shape, accel, decel, ramp, accel_jerk, decel_jerk)
-    if a0 and isfinite(accel_jerk):
-        eased = ease(start, v0, a0, accel_jerk if a0 * v0 >= 0.0 else decel_jerk)
-        return relabelled(eased.then(_run(eased.end, ramps, eased.end_velocity, v1)), "jog")
+    if a0 and ramps.bounds is not None:
+        sign = copysign(1.0, v0 or a0)
+        steps, after = fade(ramps.bounds, sign * v0, sign * a0, max(0.0, sign * v1))
+        bent = faded(start, sign * v0, sign * a0, steps, after, sign)
+        return relabelled(bent.then(_run(bent.end, ramps, sign * after, v1)), "jog")
     return _run(start, ramps, v0, v1)
 
 

@@ -51,4 +51,6 @@ def stretched(shape: str, accel: float, decel: float, kind: float, stretch: floa
     def peak(u: float, size: float) -> float:
         return sqrt((2.0 * size + u * u * up) / (up + down))
 
-    return Ramps(shape, lambda a, b: ((b - a) * up, kind), lambda a, b: ((a - b) * down, kind), peak)
+    return Ramps(
+        shape, lambda a, b: ((b - a) * up, kind), lambda a, b: ((a - b) * down, kind), peak, (up, down)
+    )

@@ -12,8 +12,9 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
 
 # Settings that may act on a move in progress.
-LIVE = frozenset({"speed", "accel", "decel", "accel_time", "decel_time", "override", "feedrate_mode"})
-_SPEEDS = frozenset({"speed", "override", "feedrate_mode"})
+_LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
+LIVE = _LIMITS | {"speed", "accel", "decel", "accel_time", "decel_time", "override", "feedrate_mode"}
+_SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
 
 
 def changed(controller: Core, a: Axis, name: str) -> None:
@@ -26,7 +27,7 @@ def changed(controller: Core, a: Axis, name: str) -> None:
         return
     if name in _SPEEDS:
         controller.replan_move(a)
-    elif move.speed is None:
+    elif move.speed is None or name in _LIMITS:
         _new_rates(controller, a)
 
 

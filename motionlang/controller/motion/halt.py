@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action
-from motionlang.profile import halted, plan_stop
+from motionlang.profile import halted
+from motionlang.profile.relief import stop_under_way
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -43,10 +44,11 @@ def stop(controller: Core, a: Axis, ended: str) -> None:
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """From the state of the axis to rest."""
-    state = a.at(controller.clock.now)
+    now = controller.clock.now
     try:
-        bent = state.acceleration if a.shape == "scurve" else 0.0
-        return plan_stop(a.shape, state.position, state.velocity, decel, a.ramp, a.decel_jerk, bent)
+        return stop_under_way(
+            a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, a.accel_jerk, a.decel_jerk
+        )
     except ValueError as problem:
         raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
 

@@ -7,6 +7,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
 from motionlang.profile import plan_velocity
 from motionlang.profile.curve import relabelled
+from motionlang.profile.relief import onset
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,20 +45,24 @@ class Jog(Action):
         """From the state of the axis to the velocity."""
         self._way = way = _way(controller, a, own)
         accel, decel = way[0], way[1]
-        s = a.at(controller.clock.now)
+        eased, position, velocity, bent = onset(
+            a.profiles[-1], controller.clock.now - a.starts[-1], a.shape, a.accel_jerk
+        )
         try:
             made = plan_velocity(
                 a.shape,
-                s.position,
-                s.velocity,
+                position,
+                velocity,
                 _wanted(a, self.velocity),
                 accel,
                 decel,
                 a.ramp,
                 a.accel_jerk,
                 a.decel_jerk,
-                s.acceleration if a.shape == "scurve" else 0.0,
+                bent,
             )
+            if eased is not None:
+                made = relabelled(eased.then(made), made.shape)
         except ValueError as problem:
             raise Refusal("range", f"axis {a.index} cannot jog: {problem}") from None
         if self.ends and not self.velocity and not a.suspended:

@@ -9,7 +9,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.geometry import Arc, Line, limits
-from motionlang.profile.between import Pace
+from motionlang.profile.lookahead import Pace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ class PathMove(Action):
     # -- under way
 
     def replan(self, controller: Core, a: Axis) -> None:
-        if self.run is not None and a is self.axes[0]:
+        if self.run is not None and (a is self.axes[0] or a.limited):
             self.run.replan()
 
     def more(self, controller: Core, a: Axis) -> None:

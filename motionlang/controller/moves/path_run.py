@@ -10,11 +10,11 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.geometry import corner
-from motionlang.profile import halted, hold, plan_stop
-from motionlang.profile.between import entry_speed, plan_between
+from motionlang.profile import halted, hold
 from motionlang.profile.composed import travelled
+from motionlang.profile.lookahead import plan_course
+from motionlang.profile.relief import onset, stop_under_way
 from motionlang.profile.summed import added
-from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.geometry import Segment
     from motionlang.controller.moves.path import PathMove
     from motionlang.profile import Profile
-    from motionlang.profile.between import Pace
+    from motionlang.profile.lookahead import Pace
 
 # What a path may overshoot its end by, as a part of its length, before it counts as overshooting.
 _SLACK = 1e-9
@@ -78,7 +78,7 @@ class PathRun:
         """Make ready to begin, at rest on the path."""
         try:
             self._look_ahead()
-            self.profile, self.goal = self._planned(0.0, 0.0, 0.0)
+            self._adopt(0.0)
         except Refusal as refusal:
             refusal.line = self.here.moves[0].line
             raise
@@ -91,10 +91,9 @@ class PathRun:
         """Go on with the settings as they are now; a change that would overshoot comes too late."""
         if self._over or self.ended:
             return
-        state = self._state()
-        profile, goal = self._planned(*state)
-        if profile.extrema()[1] <= self._reach() * (1.0 + _SLACK) or self.profile.shape == "suspend":
-            self._change(profile, goal)
+        planned = self._planned(self._elapsed())
+        if planned is not None:
+            self._change(*planned)
 
     def more(self) -> None:
         """Something further was released: it may prolong the run, or be blended into."""
@@ -114,15 +113,14 @@ class PathRun:
         controller.empty(a)
         if self.ended and ended != "fault":
             return
-        pace = self.here.pace(controller, self.segment)
-        decel = pace.decel
+        decel = None
         if ended == "fault":
             decel = self.axes[0].error_decel / abs(self.axes[0].scale.counts)
         self.ended = ended
         self._cancel_blend()
-        profile = self._braking(pace, decel)
+        profile = self._braking(self._elapsed(), decel)
         if profile is None:
-            self._change(self.profile.after(controller.clock.now - self.began), self.goal)
+            self._change(self.profile.after(self._elapsed()), self.goal)
         else:
             self._change(profile, None)
 
@@ -133,8 +131,7 @@ class PathRun:
         if self.ended:
             return
         self._cancel_blend()
-        pace = self.here.pace(self._controller, self.segment)
-        profile = self._braking(pace, pace.decel)
+        profile = self._braking(self._elapsed())
         if profile is not None:
             self._change(halted(profile, "suspend"), None)
 
@@ -176,19 +173,18 @@ class PathRun:
     @property
     def speed(self) -> float:
         """The speed along the path now, user units/s."""
-        return self.profile.velocity(self._controller.clock.now - self.began)
+        return self.profile.velocity(self._elapsed())
 
     @property
     def remaining(self) -> float:
         """The distance along the present path still to go, user units."""
-        return max(0.0, self.segment.length - self.profile.position(self._controller.clock.now - self.began))
+        return max(0.0, self.segment.length - self.profile.position(self._elapsed()))
 
     # ------------------------------------------------------------------------------------------------ planning
 
-    def _state(self) -> tuple[float, float, float]:
-        """Distance, speed and acceleration along the path now."""
-        state = self.profile.at(self._controller.clock.now - self.began)
-        return state.position, max(state.velocity, 0.0), state.acceleration
+    def _elapsed(self) -> float:
+        """The time since the present profile began."""
+        return self._controller.clock.now - self.began
 
     def _suspended(self) -> bool:
         return any(a.suspended for a in self.axes)
@@ -210,56 +206,69 @@ class PathRun:
             before = (action, segment)  # type: ignore[assignment]
             self.ahead.append(before)
 
-    def _planned(self, place: float, speed: float, accel: float) -> tuple[Profile, PathMove | None]:
-        """To the end of the stretch that has one pace, and as fast there as what follows allows; and the goal."""
-        if self._suspended() or not self.here.pace(self._controller, self.segment).speed:
-            return self._held(place, speed), None
+    def _adopt(self, time: float) -> None:
+        """Plan afresh from what the present profile does at `time`; without room for that it goes on as it is."""
+        rest = self.profile.after(time)
+        self.profile = rest.shifted(-rest.start)
+        planned = self._planned(0.0)
+        if planned is not None:
+            self.profile, self.goal = planned
+
+    def _planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
+        """From what the present profile does at `time` to rest at the end of the paths, and the last of them.
+
+        None where there is no room left to come to rest there.
+        """
+        pace = self.here.pace(self._controller, self.segment)
+        if self._suspended() or not pace.speed:
+            stop = self._braking(time)
+            return None if stop is None else (halted(stop, "suspend"), None)
         if not self.segment.length:
-            return hold(place).cut(0.0), self.here
-        groups = self._groups()
-        leaving = 0.0
-        for length, pace, _ in reversed(groups[1:]):
-            leaving = entry_speed(pace, length, leaving)
-        end, pace, goal = groups[0]
-        if len(groups) > 1:
-            leaving = min(leaving, pace.speed)
+            return hold(0.0).cut(0.0), self.here
+        stretches, goal = self._stretches(pace)
+        eased, place, speed, bent = onset(self.profile, time, pace.shape, pace.accel_jerk)
         try:
-            return plan_between(pace, place, end, speed, leaving, accel), goal
+            profile = plan_course(stretches, place, max(speed, 0.0), bent)
         except ValueError as problem:
             raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
+        if profile is None:
+            return None
+        return profile if eased is None else eased.then(profile), goal
 
-    def _held(self, place: float, speed: float) -> Profile:
-        if speed == 0.0:
-            return halted(hold(place).cut(0.0), "suspend")
-        pace = self.here.pace(self._controller, self.segment)
-        stop = plan_stop(pace.shape, place, speed, pace.decel, pace.ramp, pace.decel_jerk)
-        return halted(stop, "suspend")
+    def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
+        """Length and pace of what is run as one, up to a path that may not move now; and the last path of it."""
+        stretches, goal = [(self.segment.length, pace)], self.here
+        for action, segment in self.ahead:
+            following = action.pace(self._controller, segment)
+            if not following.speed:
+                break
+            length, before = stretches[-1]
+            if before.key() == following.key():
+                stretches[-1] = (length + segment.length, before)
+            else:
+                stretches.append((segment.length, following))
+            goal = action
+        return stretches, goal
 
-    def _groups(self) -> list[tuple[float, Pace, PathMove]]:
-        """Stretches of one pace: the length of each, and the path that it ends with."""
-        groups: list[tuple[float, Pace, PathMove]] = []
+    def _braking(self, time: float, decel: float | None = None) -> Profile | None:
+        """To rest from what the present profile does at `time`, at `decel` or as hard as the paths it takes allow.
+
+        None where the paths end before, which the run brakes for by itself.
+        """
+        if self.profile.velocity(time) <= 0.0:
+            return hold(self.profile.position(time)).cut(0.0)
+        room, most = 0.0, INFINITY
         for action, segment in [(self.here, self.segment), *self.ahead]:
             pace = action.pace(self._controller, segment)
-            if groups and groups[-1][1].key() == pace.key():
-                groups[-1] = (groups[-1][0] + segment.length, pace, action)
-            else:
-                groups.append((segment.length, pace, action))
-        return groups
-
-    def _reach(self) -> float:
-        """How far a profile may go along this path and those ahead."""
-        return self.segment.length + total(segment.length for _, segment in self.ahead)
-
-    def _braking(self, pace: Pace, decel: float) -> Profile | None:
-        """To rest at `decel`; None where the paths end before, which the run brakes for by itself."""
-        place, speed, _ = self._state()
-        if speed <= 0.0:
-            return hold(place).cut(0.0)
-        try:
-            profile = plan_stop(pace.shape, place, speed, decel, pace.ramp, pace.decel_jerk)
-        except ValueError as problem:
-            raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
-        return profile if profile.end <= self._reach() else None
+            room, most = room + segment.length, min(most, pace.decel)
+            rates = decel or most, pace.ramp, pace.accel_jerk, pace.decel_jerk
+            try:
+                stop = stop_under_way(self.profile, time, pace.shape, *rates)
+            except ValueError as problem:
+                raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
+            if stop.extrema()[1] <= room:
+                return stop
+        return None
 
     # ----------------------------------------------------------------------------------------------- following
 
@@ -335,14 +344,12 @@ class PathRun:
         """The end of this path, or of the run."""
         self._event = None
         if self._leads_on():
-            self._go_on(self.profile.after(self._controller.clock.now - self.began))
-        elif self.ahead and self.profile.end_velocity:
-            self._go_on(None)
+            self._go_on(self.profile.after(self._elapsed()))
         else:
             self._finish()
 
-    def _go_on(self, rest: Profile | None) -> None:
-        """Enter the next path without coming to rest, on the rest of the profile where there is one."""
+    def _go_on(self, rest: Profile) -> None:
+        """Enter the next path without coming to rest, on the rest of the profile."""
         controller = self._controller
         for a in self.axes:
             a.move = None
@@ -353,13 +360,9 @@ class PathRun:
                 reach(controller, a, move)
         known = len(self.ahead)
         self._look_ahead()
-        if rest is None:
-            self.profile, self.goal = self._planned(0.0, self.profile.end_velocity, 0.0)
-        elif len(self.ahead) > known:
-            state = rest.at(0.0)
-            self.profile, self.goal = self._planned(0.0, state.velocity, state.acceleration)
-        else:
-            self.profile = rest.shifted(-rest.start)
+        self.profile = rest.shifted(-rest.start)
+        if len(self.ahead) > known:
+            self._adopt(0.0)
         self._enter()
 
     def _finish(self) -> None:

@@ -6,11 +6,14 @@ direction changes the axes come to rest in the corner.
 
 from __future__ import annotations
 
+from motionlang.controller.clock import INFINITY
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.motion.axis_profiles import Course
+from motionlang.mccl.motion.course import Course
 from motionlang.mccl.motion.segment import Segment, join_smoothly
-from motionlang.profile import plan, plan_stop
+from motionlang.profile import hold
+from motionlang.profile.lookahead import Pace, plan_course
+from motionlang.profile.relief import onset, stop_under_way
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -82,14 +85,13 @@ class Contour:
         self._queue.clear()
         if self._course is None or self._path is None:
             return
-        motion, now = self._course.segments[0].motion, self._board.controller.clock.now
-        state = self._path.at(now - self._start)
-        if state.velocity == 0.0:
+        motion, time = self._course.segments[0].motion, self._board.controller.clock.now - self._start
+        if self._path.velocity(time) == 0.0:
             self.abort()
             return
-        path = plan_stop(motion.shape, state.position, state.velocity, motion.decel, ramp=motion.ramp)
+        path = stop_under_way(self._path, time, motion.shape, motion.decel, motion.ramp)
         if path.end >= self._course.length * (1.0 - _SLACK):
-            path = self._path.after(now - self._start)
+            path = self._path.after(time)
         self._stopping = True
         self._redirect(path, "stop")
 
@@ -136,7 +138,8 @@ class Contour:
             self.go()
             return
         controller = self._board.controller
-        path = self._plan(0.0, course.length, 0.0, course)
+        path = self._plan(course, hold(0.0), 0.0)
+        assert path is not None
         self._course, self._path, self._start = course, path, controller.clock.now
         self._stopping = False
         for number, profile in [(each, self._of(each)) for each in self.members]:
@@ -157,28 +160,32 @@ class Contour:
         return True
 
     def _planned_from_here(self) -> Profile:
+        """To the end of the course, or on as it is where there is no room to stop there."""
         assert self._course is not None
         assert self._path is not None
-        state = self._path.at(self._board.controller.clock.now - self._start)
-        return self._plan(state.position, self._course.length, state.velocity, self._course)
+        time = self._board.controller.clock.now - self._start
+        return self._plan(self._course, self._path, time) or self._path.after(time)
 
-    def _plan(self, start: float, end: float, velocity: float, course: Course) -> Profile:
+    def _plan(self, course: Course, path: Profile, time: float) -> Profile | None:
+        """To the end of the course from what `path` does at `time`; None where there is no room to stop there."""
         motion = course.segments[0].motion
         speed = motion.speed * self._axis.vector.override
-        return plan(motion.shape, start, end, speed, motion.accel, motion.decel, velocity, motion.ramp)
+        pace = Pace(motion.shape, speed, motion.accel, motion.decel, motion.ramp)
+        eased, place, velocity, _ = onset(path, time, motion.shape, INFINITY)
+        made = plan_course([(course.length, pace)], place, velocity)
+        return made if eased is None or made is None else eased.then(made)
 
     def _redirect(self, path: Profile, ended: str) -> None:
         controller = self._board.controller
         self._path, self._start = path, controller.clock.now
         for number in self.members:
-            here = controller.demand(number), controller.demand_velocity(number)
-            controller.redirect(number, self._of(number, here), ended)
+            controller.redirect(number, self._of(number), ended)
         self._announce()
 
-    def _of(self, number: int, here: tuple[float, float] | None = None) -> Profile:
+    def _of(self, number: int) -> Profile:
         assert self._course is not None
         assert self._path is not None
-        return self._course.profile(self._path, number, here)
+        return self._course.profile(self._path, number)
 
     def _announce(self) -> None:
         """Count every path at the moment it has been carried out."""

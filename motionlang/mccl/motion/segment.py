@@ -5,10 +5,13 @@ from __future__ import annotations
 from math import atan2, cos, degrees, hypot, pi, radians, sin, sqrt
 
 from motionlang.controller.scale import Scale
+from motionlang.profile.arc import arc_over, line_over
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from motionlang.profile import Profile
 
     Point = Mapping[int, float]
 
@@ -46,6 +49,10 @@ class Segment:
         """The path is described in these units."""
         self.frame = {axis: Scale(scales[axis].counts, zero=scales[axis].zero) for axis in self.end}
 
+    def start_counts(self, axis: int) -> float:
+        """Where the axis is at the start, counts."""
+        return self.frame[axis].position_to_counts(self.start[axis])
+
     def end_counts(self, axis: int) -> float:
         """Where the axis is at the end, counts."""
         return self.frame[axis].position_to_counts(self.end[axis])
@@ -65,6 +72,10 @@ class Segment:
     def turns(self, axis: int) -> bool:
         """Whether the axis is one of the two that go round."""
         return False
+
+    def curve(self, axis: int) -> Profile:
+        """The axis over the length of the path, counts."""
+        return line_over(self.length, self.start_counts(axis), self.end_counts(axis))
 
     def at(self, axis: int, s: float) -> tuple[float, float]:
         """Position of an axis at length s, and its change per length."""
@@ -100,6 +111,15 @@ class Arc(Segment):
 
     def turns(self, axis: int) -> bool:
         return axis in (self.x, self.y)
+
+    def curve(self, axis: int) -> Profile:
+        """The same; of an axis that goes round, exactly."""
+        if not self.turns(axis):
+            return super().curve(axis)
+        scale, along_x = self.frame[axis], axis == self.x
+        centre = scale.position_to_counts(self.center[0 if along_x else 1])
+        radius, end = self.radius * scale.counts, self.end_counts(axis)
+        return arc_over(self.length, centre, radius, self.angle, self.sweep, end, along_x)
 
     def at(self, axis: int, s: float) -> tuple[float, float]:
         """Position and direction of an axis after a length `s`, counts, of the arc."""

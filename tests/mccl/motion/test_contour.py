@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import hypot, pi
 
 import pytest
@@ -165,3 +166,25 @@ def test_units_that_change_in_a_running_path_leave_it_where_it_is(mccl: Runner) 
 def test_paths_that_wait_are_forgotten_when_an_axis_leaves(leave: str, mccl: Runner) -> None:
     result = mccl(f"{HEAD}1SN,1CP1,1MA20000,2MA0\n{leave},1TP,1GO,1WS,1TP")
     assert result.output[0] == result.output[1]
+
+
+@pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
+def test_an_arc_is_exact(shape: str, mccl: Runner) -> None:
+    result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\nWA1,1ST,1WS")
+    for k in range(401):
+        x, y, vx, vy = state(result, result.time * k / 400)
+        assert hypot(x - 10000, y) == pytest.approx(10000, abs=1e-7)
+        assert (x - 10000) * vx + y * vy == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("path", [True, False], ids=["contour", "move"])
+@pytest.mark.parametrize("shape", ["1PS", "1PS0.2"])
+@pytest.mark.parametrize("wait", [0.03, 0.08, 0.12, 0.5])
+def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, wait: float, path: bool, mccl: Runner) -> None:
+    """The acceleration of 200000 counts/s² takes 0.002 s at least to build up or fall."""
+    move = "1CP1,1MR100000,2MR0" if path else "1PM,1SV20000,1SA200000,1SD200000,1MR100000"
+    result = mccl(f"1MN,2MN\n{HEAD if path else ''}{shape}\n{move}\nWA{wait},1ST,1WS")
+    axis = result.controller.axes[1]
+    bends = [axis.at(result.time * k / 4000).acceleration for k in range(4000)]
+    assert max(abs(b - a) for a, b in pairwise(bends)) <= 200_000.0 * (result.time / 4000) / 0.002
+    assert axis.at(result.time).velocity == 0.0
