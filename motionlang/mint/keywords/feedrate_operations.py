@@ -7,6 +7,7 @@ from math import inf
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ def read_override(environment: Environment, row: Row) -> Operation:
     return lambda axis: 100.0 * float(setting(axis_of(environment, axis), "override"))  # type: ignore[arg-type]
 
 
+@repeatable
 def write_override(environment: Environment, row: Row) -> Operation:
     def write(axis: int, value: float) -> None:
         row.check(value)
@@ -110,6 +112,7 @@ def read_time_to_most(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_time_to_most(environment: Environment, row: Row) -> Operation:
     """ACCELTIMEMAX and DECELTIMEMAX, ms from rest to MAXSPEED."""
     times, name = environment.part(TimesToMost), row.name
@@ -133,6 +136,7 @@ def read_jerk_time(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_jerk_time(environment: Environment, row: Row) -> Operation:
     """ACCELJERKTIME and DECELJERKTIME, ms in which a rate builds up."""
     configure = environment.controller.configure
@@ -156,6 +160,7 @@ def read_s_ramp(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_s_ramp(environment: Environment, row: Row) -> Operation:
     """SRAMP: the percentage of a ramp that is rounded; it replaces jerk times, and 0 makes trapezoids."""
     configure = environment.controller.configure
@@ -184,6 +189,7 @@ def read_limit(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_limit(environment: Environment, row: Row) -> Operation:
     """MAXSPEED, MAXACCEL and MAXDECEL, user units; rates that were times to MAXSPEED follow it."""
     configure, times = environment.controller.configure, environment.part(TimesToMost)

@@ -6,6 +6,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.limits_operations import axis_of
 from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -80,13 +81,9 @@ class Jogs:
             move is not None and move.command == COMMAND and not move.ended and bool(self.commands.get(axis))
         )
 
-    def elapsed(self, axis: int) -> int:
+    def elapsed(self, axis: int, level: float | None = None) -> int:
         """Milliseconds since the jog of a command began, 0 while there is none."""
-        return self._environment.elapsed(self._began[axis]) if self.commanded(axis) else 0
-
-    def began(self, axis: int) -> float:
-        """The moment from which that counts, infinite while there is no such jog."""
-        return self._began[axis] if self.commanded(axis) else INFINITY
+        return self._environment.elapsed(self._began[axis], level) if self.commanded(axis) else 0
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
@@ -117,6 +114,7 @@ class Jogs:
 # ----------------------------------------------------------------------------------------------- operations
 
 
+@repeatable
 def write_velocity(environment: Environment, row: Row) -> Operation:
     """JOG: user units a second, the sign the direction, kept until something else is said."""
     jogs = environment.part(Jogs)
@@ -144,6 +142,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_setting(environment: Environment, row: Row) -> Operation:
     """JOGSPEED in user units a second, JOGMODE, and times in ms."""
     jogs, name, unit = environment.part(Jogs), row.name, row.unit
@@ -171,12 +170,6 @@ def write_command(environment: Environment, row: Row) -> Operation:
     return write
 
 
-def read_began(environment: Environment, row: Row) -> Operation:
-    """The moment from which JOGTIME counts."""
-    jogs = environment.part(Jogs)
-    return lambda axis: jogs.began(axis_of(environment, axis))
-
-
 def read_time(environment: Environment, row: Row) -> Operation:
     jogs = environment.part(Jogs)
-    return lambda axis: jogs.elapsed(axis_of(environment, axis))
+    return lambda axis, level=None: jogs.elapsed(axis_of(environment, axis), level)

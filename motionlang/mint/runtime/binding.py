@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Refusal
+from motionlang.mint.runtime.changes import Changes, comparable, note, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -98,6 +99,7 @@ def no_axis(environment: Environment, axis: int) -> Refusal:
 # ------------------------------------------------------------------------------------------------- settings
 
 
+@repeatable
 def _write_setting(environment: Environment, row: Row) -> Operation:
     configure, name, unit = environment.controller.configure, row.verb, row.unit
 
@@ -193,6 +195,7 @@ def _read_scale(environment: Environment, row: Row) -> Operation:
     return lambda axis: float(scale_of(environment, axis).counts)
 
 
+@repeatable
 def _write_profile_mode(environment: Environment, row: Row) -> Operation:
     configure = environment.controller.configure
 
@@ -212,6 +215,7 @@ def _read_profile_mode(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def _write_enabled(environment: Environment, row: Row) -> Operation:
     controller = environment.controller
 
@@ -236,14 +240,31 @@ def _read_enabled(environment: Environment, row: Row) -> Operation:
 def _reading(environment: Environment, row: Row) -> Operation:
     """A verb of the controller that takes an axis and answers in counts."""
     verb, unit = getattr(environment.controller, row.verb), row.unit
-    whole = unit in ("integer", "bool", "bits")
+    if unit in ("integer", "bool", "bits"):
+
+        def whole(axis: int) -> int:
+            scale_of(environment, axis)
+            return int(verb(axis))
+
+        return whole
+    attention, moving = environment.attention, environment.part(Changes).moving
 
     def read(axis: int) -> float:
+        if attention.notes is not None:
+            attention.note(moving)
         scale = scale_of(environment, axis)
-        value = verb(axis)
-        return int(value) if whole else scale.to_user(float(value), unit)
+        return scale.to_user(float(verb(axis)), unit)
 
     return read
+
+
+def _read_remaining(environment: Environment, row: Row) -> Operation:
+    remaining = environment.controller.remaining
+
+    def read(axis: int) -> float:
+        return scale_of(environment, axis).to_user(float(remaining(axis)), row.unit)
+
+    return comparable(environment, read, environment.part(Changes).remaining)
 
 
 def _read_is_idle(environment: Environment, row: Row) -> Operation:
@@ -257,18 +278,22 @@ def _read_is_idle(environment: Environment, row: Row) -> Operation:
 
 
 def _read_position(environment: Environment, row: Row) -> Operation:
-    return _wrapped(environment, environment.controller.position)
+    return _wrapped(environment, environment.controller.position, environment.part(Changes).position)
 
 
 def _read_demand(environment: Environment, row: Row) -> Operation:
-    return _wrapped(environment, environment.controller.demand)
+    return _wrapped(environment, environment.controller.demand, environment.part(Changes).demand)
 
 
-def _wrapped(environment: Environment, position: Callable[[int], float]) -> Operation:
-    """Reads a position in user units, within the turn where the axis has one."""
-    wraps = environment.wraps
+def _wrapped(
+    environment: Environment, position: Callable[[int], float], until: Callable[[int, float], float]
+) -> Operation:
+    """Reads a position in user units, within the turn where the axis has one; may be told what it is compared with."""
+    wraps, attention, moving = environment.wraps, environment.attention, environment.part(Changes).moving
 
-    def read(axis: int) -> float:
+    def read(axis: int, level: float | None = None) -> float:
+        if attention.notes is not None:
+            note(attention, moving, until, axis, level)
         found = scale_of(environment, axis).position_to_user(position(axis))
         wrap = wraps.get(axis)
         return found % wrap if wrap else found
@@ -383,7 +408,7 @@ def _do_cancel_all(environment: Environment, row: Row) -> Operation:
 
 
 def _read_time(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.elapsed(environment.task.timer[0])
+    return lambda level=None: environment.elapsed(environment.task.timer[0], level)
 
 
 def _write_time(environment: Environment, row: Row) -> Operation:
