@@ -23,6 +23,7 @@ class Keyword:
     `unit`     "uu", "uu/s", "uu/s2", "uu/s3", "s", "ms", "counts", "%", "bool", "bits", "number", "text", ""
     `verb`     the controller verb or field that the word stands for; "" where it is not simulated
     `low`…`high`  the accepted range, inclusive; None where open
+    `solved`   its reading takes the level that it is compared with, and so can tell when it passes that
     `simulated`   False: recognised, documented, answered as "not simulated"
     """
 
@@ -39,6 +40,7 @@ class Keyword:
         "name",
         "short",
         "simulated",
+        "solved",
         "source",
         "trust",
         "unit",
@@ -64,12 +66,14 @@ class Keyword:
         trust: str = "memory",
         group: str = "",
         simulated: bool = True,
+        solved: bool = False,
     ) -> None:
         assert trust in TRUST, trust
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
         self.unit, self.verb, self.help, self.example = unit, verb, help, example
         self.default, self.low, self.high = default, low, high
         self.source, self.trust, self.group, self.simulated = source, trust, group, simulated
+        self.solved = solved
 
     def __repr__(self) -> str:
         return f"Keyword({self.name!r})"

@@ -29,12 +29,14 @@ Line = tuple[str, int]
 class Value:
     """An expression in Python: its text, its Mint type, what is known of it, its value where that is known."""
 
-    __slots__ = ("const", "range", "text", "type")
+    __slots__ = ("const", "range", "solved", "text", "type")
 
     def __init__(
         self, text: str, type: str, range: intervals.Range = intervals.FLOAT, const: float | str | None = None
     ) -> None:
         self.text, self.type, self.range, self.const = text, type, range, const
+        # Of a reading that takes the level it is compared with: its operation and its arguments.
+        self.solved: tuple[str, list[str]] | None = None
 
     @property
     def truth(self) -> str:
@@ -76,16 +78,15 @@ class Whole:
         "line",
         "names",
         "parts",
+        "polls",
         "problems",
         "rewritten",
-        "samples",
         "spec_names",
         "specs",
         "suffix",
         "table",
         "told",
         "typed",
-        "written",
     )
 
     def __init__(
@@ -107,11 +108,7 @@ class Whole:
         self.costs: set[int] = set()
         # What loops that poll may write over and over.
         self.rewritten: set[Keyword] = set()
-        # What stands before a statement with a reading that changes by itself, by the identity of its node.
-        self.samples: dict[int, str] = {}
-        # The functions whose text has been begun.
-        self.written: set[Function] = set()
-        self.parts = 0  # how many parts there are
+        self.parts = self.polls = 0  # how many parts there are, and watches on loops
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.
         self.guarded = handles(names, "onerror")

@@ -92,7 +92,6 @@ def _number_of_axes(settings: dict[str, object] | None) -> int:
 def _function(whole: Whole, function: Function) -> Body:
     """The body of one function, indented for where it will stand."""
     b = Body(whole, function, 1 if whole.typed else 2)
-    whole.written.add(function)
     if not (whole.typed and function is whole.names.main):
         b.analysed = analysed(function)
         if b.analysed:

@@ -216,7 +216,10 @@ def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
 def _loaded(b: Body, text: str, type: Type, known: intervals.Range | None) -> Value:
     if type.name == TIME:
         b.observes = True
-        return Value(f"{b.whole.use('env', 'elapsed')}({text})", INTEGER, intervals.INTEGER)
+        operation = b.whole.use("env", "elapsed")
+        found = Value(f"{operation}({text})", INTEGER, intervals.INTEGER)
+        found.solved = operation, [text]
+        return found
     if type.name == SEMAPHORE:
         return Answer(f"{text}[0] is not None")
     if known is None:
@@ -295,7 +298,9 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
     if op == "And" or op == "Or":  # noqa: PLR1714 - quicker
         return Answer(condition(b, node))
     left_node, right_node = node.left, node.right
+    called, b.calls = b.calls, False
     left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)
+    calls, b.calls = b.calls, b.calls or called
     if left.type not in NUMERIC or right.type not in NUMERIC:
         return _other_than_numbers(b, node, left, right)
     if left.const is not None and right.const is not None:
@@ -307,7 +312,27 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
                 "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
             )
             return NOTHING
+    if (
+        op in operators.COMPARISONS and not calls
+    ):  # what calls a sub keeps its place before or behind the reading
+        if left.solved is not None and right.solved is None:
+            left, right = _compared(b, left, right)
+        elif right.solved is not None and left.solved is None:
+            right, left = _compared(b, right, left, level_first=True)
     return operators.operate(b, op, left, right)
+
+
+def _compared(b: Body, reading: Value, level: Value, level_first: bool = False) -> tuple[Value, Value]:
+    """A reading that is told which level it is compared with, and that level, worked out once."""
+    assert reading.solved is not None
+    given = text = level.text
+    if level.const is None and not text.isidentifier():
+        name = b.temp()
+        worked_out = f"({name} := {text})"
+        given, text = (name, worked_out) if level_first else (worked_out, name)
+    operation, arguments = reading.solved
+    told = Value(f"{operation}({', '.join([*arguments, given])})", reading.type, reading.range)
+    return told, Value(text, level.type, level.range, level.const)
 
 
 def _other_than_numbers(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:

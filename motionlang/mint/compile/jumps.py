@@ -65,7 +65,7 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     b.indent -= 2
     b.emit(f" except {b.whole.use('env', 'Jump')} as jump: pc = jump.args[0]")
     head = " " * b.indent
-    b.lines[first:first] = [(head + poll.first("t"), b.function.at) for poll in b.polls]
+    b.lines[first:first] = [(head + poll.first, b.function.at) for poll in b.polls]
 
 
 def _end(b: Body) -> None:
@@ -140,7 +140,7 @@ def _watched(b: Body, target: int) -> Poll | None:
     look = b.turns.looks.get(turn)
     if look is None:
         body = [node for number in sorted(turn) for node in stretches[number][1]]
-        look = b.turns.looks[turn] = polling.look_at_jump(b, body)
+        look = b.turns.looks[turn] = polling.look_at(b, body)
     return polling.watched_jump(b, look)
 
 

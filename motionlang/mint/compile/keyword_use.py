@@ -40,8 +40,6 @@ def type_of(unit: str) -> str:
 
 def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """The value of a keyword, a function or a constant."""
-    if b.whole.samples and id(node) in b.whole.samples:
-        b.emit(b.whole.samples[id(node)])
     if row.kind == "constant":
         if node.args is not None:
             b.problem("values", f"{row.name} is a constant and takes nothing in brackets", node)
@@ -73,7 +71,10 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     range_ = (
         intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
     )
-    return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
+    found = Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
+    if row.solved:
+        found.solved = b.whole.operation("read", row), arguments
+    return found
 
 
 def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:

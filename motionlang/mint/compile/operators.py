@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.syntax import nodes
 
-_COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
+COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 _ARITHMETIC = frozenset("+-*")
 _BITS = {"&": "&", "|": "|", "Xor": "^"}
 
@@ -21,8 +21,8 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
     """`left op right` for two numbers."""
     if op in _ARITHMETIC:
         return arithmetic(b, op, left, right)
-    if op in _COMPARISONS:
-        return Answer(f"{left.text} {_COMPARISONS[op]} {right.text}")
+    if op in COMPARISONS:
+        return Answer(f"{left.text} {COMPARISONS[op]} {right.text}")
     if op == "/":
         return Value(f"({left.text} / {right.text})", FLOAT, intervals.FLOAT)
     if op == "^":
@@ -93,7 +93,7 @@ def text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
         if isinstance(left.const, str) and isinstance(right.const, str):
             return literal(left.const + right.const)
         return Value(f"({left.text} + {right.text})", STRING, intervals.ANY)
-    if node.op in _COMPARISONS:
-        return Answer(f"{left.text} {_COMPARISONS[node.op]} {right.text}")
+    if node.op in COMPARISONS:
+        return Answer(f"{left.text} {COMPARISONS[node.op]} {right.text}")
     b.problem("type", f"{node.op} needs numbers, not texts", node)
     return NOTHING

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -99,6 +100,7 @@ def read_scale(environment: Environment, row: Row) -> Operation:
     return lambda axis: float(scale_of(environment, axis).counts)
 
 
+@repeatable
 def write_profile_mode(environment: Environment, row: Row) -> Operation:
     """PROFILEMODE."""
     configure = environment.controller.configure
@@ -119,6 +121,7 @@ def read_profile_mode(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_enabled(environment: Environment, row: Row) -> Operation:
     """DRIVEENABLE."""
     controller = environment.controller

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.io.host_memory import AREAS, product
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -43,6 +44,7 @@ def read_real(environment: Environment, row: Row) -> Operation:
     return lambda element: memory.real(area, element)
 
 
+@repeatable
 def write_real(environment: Environment, row: Row) -> Operation:
     area, memory = _area(row), environment.machine.host
     return lambda element, value: memory.set_real(area, element, value)
@@ -53,6 +55,7 @@ def read_whole(environment: Environment, row: Row) -> Operation:
     return lambda element: memory.integer(area, element)
 
 
+@repeatable
 def write_whole(environment: Environment, row: Row) -> Operation:
     area, memory = _area(row), environment.machine.host
     return lambda element, value: memory.set_integer(area, element, value)

@@ -13,6 +13,7 @@ from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import moving, repeatable
 from motionlang.profile.reference import Slope
 
 TYPE_CHECKING = False
@@ -123,6 +124,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_setting(environment: Environment, row: Row) -> Operation:
     """DRIVESPEEDMAX, times in ms and the other settings of speed references."""
     drives, name, unit = environment.part(Drives), row.name, row.unit
@@ -136,6 +138,7 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     return write
 
 
+@repeatable
 def write_speed(environment: Environment, row: Row) -> Operation:
     """SPEEDREF and SPEEDTESTREF, user units a second."""
     drives, name, unit = environment.part(Drives), row.name, row.unit
@@ -157,6 +160,7 @@ def read_speed(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_velocity(environment: Environment, row: Row) -> Operation:
     """VELREF: within a period of the profiler the axis has the velocity."""
     controller, drives = environment.controller, environment.part(Drives)
@@ -205,6 +209,7 @@ def read_position(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@moving
 def read_error(environment: Environment, row: Row) -> Operation:
     """Demanded minus measured velocity."""
     controller = environment.controller

@@ -6,6 +6,7 @@ from math import floor
 
 from motionlang.controller.moves import buffer
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import moving
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -34,15 +35,18 @@ def _turns(environment: Environment, counts: Callable[[int], float]) -> Operatio
     return read
 
 
+@moving
 def read_demand(environment: Environment, row: Row) -> Operation:
     controller = environment.controller
     return _turns(environment, controller.demand)
 
 
+@moving
 def read_target(environment: Environment, row: Row) -> Operation:
     return _turns(environment, environment.controller.target)
 
 
+@moving
 def read_last_target(environment: Environment, row: Row) -> Operation:
     axes = environment.controller.axes
     return _turns(environment, lambda axis: buffer.end(axes[axis]))
@@ -72,6 +76,7 @@ def write_frequency(environment: Environment, row: Row) -> Operation:
     return write
 
 
+@moving
 def read_frequency(environment: Environment, row: Row) -> Operation:
     """Pulses a second as they are demanded now."""
     axes, clock = environment.controller.axes, environment.clock

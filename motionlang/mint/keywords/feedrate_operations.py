@@ -6,6 +6,7 @@ from math import inf
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ def read_override(environment: Environment, row: Row) -> Operation:
     return lambda axis: 100.0 * float(setting(axis_of(environment, axis), "override"))  # type: ignore[arg-type]
 
 
+@repeatable
 def write_override(environment: Environment, row: Row) -> Operation:
     def write(axis: int, value: float) -> None:
         row.check(value)
@@ -109,6 +111,7 @@ def read_time_to_most(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_time_to_most(environment: Environment, row: Row) -> Operation:
     """ACCELTIMEMAX and DECELTIMEMAX, ms from rest to MAXSPEED."""
     times, name = environment.part(TimesToMost), row.name
@@ -132,6 +135,7 @@ def read_jerk_time(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_jerk_time(environment: Environment, row: Row) -> Operation:
     """ACCELJERKTIME and DECELJERKTIME, ms in which a rate builds up."""
     configure = environment.controller.configure
@@ -155,6 +159,7 @@ def read_s_ramp(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_s_ramp(environment: Environment, row: Row) -> Operation:
     """SRAMP: the percentage of a ramp that is rounded; it replaces jerk times, and 0 makes trapezoids."""
     configure = environment.controller.configure
@@ -183,6 +188,7 @@ def read_limit(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_limit(environment: Environment, row: Row) -> Operation:
     """MAXSPEED, MAXACCEL and MAXDECEL, user units; rates that were times to MAXSPEED follow it."""
     configure, times = environment.controller.configure, environment.part(TimesToMost)

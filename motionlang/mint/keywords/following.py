@@ -89,7 +89,7 @@ ROWS = (
     Keyword("OFFSET", "", "move", "RW", "axis", "uu", "following.offset",
             "Load a distance on top of following; an axis that follows nobody moves by it. Reading it gives the "
             "distance still to go, of a move too.",
-            _OFFSET.format(""), source=_MN1270, trust="manual", group="motion"),
+            _OFFSET.format(""), source=_MN1270, trust="manual", group="motion", solved=True),
     Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", "following.masters.setting",
             "How OFFSET is done: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
             _OFFSET.format("OFFSETMODE(1) = _ofSPEED_MOD : OFFSETDISTANCE(1) = 50\n"),

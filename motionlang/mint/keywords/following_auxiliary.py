@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.sensing_operations import Encoders
+from motionlang.mint.runtime.changes import moving
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ def _channel(channel: int) -> int:
 # ----------------------------------------------------------------------------------------------- operations
 
 
+@moving
 def read_position(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(AuxEncoders)
     return lambda channel: encoders.read(_channel(channel))
@@ -49,6 +51,7 @@ def write_position(environment: Environment, row: Row) -> Operation:
     return lambda channel, value: encoders.write(_channel(channel), value)
 
 
+@moving
 def read_velocity(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(AuxEncoders)
     return lambda channel: encoders.speed(_channel(channel))

@@ -7,6 +7,7 @@ from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.axis_settings import reading
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -114,6 +115,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
     return reading(environment, row, environment.part(Masters).setting)
 
 
+@repeatable
 def write_setting(environment: Environment, row: Row) -> Operation:
     """Whom an axis follows, and how; a GEARINGMODE is noted, for it corrects nothing."""
     masters, name = environment.part(Masters), row.name

@@ -6,6 +6,7 @@ from motionlang.mint.keywords.buffer_operations import loader
 from motionlang.mint.keywords.following_masters import Masters, distance
 from motionlang.mint.keywords.motion_operations import finite
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import Changes, comparable, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -69,6 +70,7 @@ def read_part(environment: Environment, row: Row) -> Operation:
     return lambda axis: masters.setting(name, axis_of(environment, axis))
 
 
+@repeatable
 def write_part(environment: Environment, row: Row) -> Operation:
     """An axis that follows already takes the new ratio."""
     masters, controller, name = environment.part(Masters), environment.controller, row.name
@@ -124,7 +126,7 @@ def read_offset(environment: Environment, row: Row) -> Operation:
         slave = controller.master_of(axis) is not None
         return scale.to_user(controller.offset_remaining(axis) if slave else controller.remaining(axis))
 
-    return read
+    return comparable(environment, read, environment.part(Changes).offset)
 
 
 OPERATIONS = {

@@ -7,6 +7,7 @@ from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -173,6 +174,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
     return lambda axis: scale_of(environment, axis).to_user(homes.setting(name, axis), unit)
 
 
+@repeatable
 def write_setting(environment: Environment, row: Row) -> Operation:
     """HOMESPEED, HOMEOFFSET and the like, user units of the axis."""
     homes, name, unit = environment.part(Homes), row.name, row.unit

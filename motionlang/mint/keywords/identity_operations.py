@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mint.keywords.identity import AXES
 from motionlang.mint.keywords.no_effect_operations import Kept
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import always
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -130,6 +131,7 @@ class Calendar:
             return self.date.strftime(_DATE)
 
 
+@always
 def read_date(environment: Environment, row: Row) -> Operation:
     return environment.part(Calendar).text
 

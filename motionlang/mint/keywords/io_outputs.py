@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.defaults import ANALOGUE
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ def read_bank(environment: Environment, row: Row) -> Operation:
     return lambda bank: bits_of(bank, outputs.__getitem__)
 
 
+@repeatable
 def write_bank(environment: Environment, row: Row) -> Operation:
     outputs = environment.controller.outputs
     return lambda bank, bits: outputs.set_bank(checked(bank, LAST_BANK, "bank") * BANK, BANK, bits)
@@ -32,6 +34,7 @@ def read_bit(environment: Environment, row: Row) -> Operation:
     return lambda channel: int(output(checked(channel, LAST_CHANNEL, "output")) != 0)
 
 
+@repeatable
 def write_bit(environment: Environment, row: Row) -> Operation:
     set_output = environment.controller.set_output
     return lambda channel, value: set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
@@ -112,6 +115,7 @@ def read_dac(environment: Environment, row: Row) -> Operation:
     return lambda channel: float(outputs[checked(channel, LAST_ANALOGUE, "analogue output")])
 
 
+@repeatable
 def write_dac(environment: Environment, row: Row) -> Operation:
     """DAC, percent."""
     set_output = environment.controller.set_analogue_output

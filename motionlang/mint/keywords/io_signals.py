@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -59,6 +60,7 @@ def read_enable_output(environment: Environment, row: Row) -> Operation:
     return lambda axis: enabled.get(axis_of(environment, axis), NONE)
 
 
+@repeatable
 def write_enable_output(environment: Environment, row: Row) -> Operation:
     """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
     signals = environment.part(Signals)
@@ -75,6 +77,7 @@ def read_error_output(environment: Environment, row: Row) -> Operation:
     return lambda: signals.errors
 
 
+@repeatable
 def write_error_output(environment: Environment, row: Row) -> Operation:
     """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
     signals = environment.part(Signals)

@@ -33,7 +33,8 @@ ROWS = (
              "JOGDURATION(0) = 500\nPRINT JOGDURATION(0)", _LONGEST),
     Keyword("JOGTIME", "", "reading", "R", "axis", "integer", "jogging.time",
             "How many milliseconds JOGCOMMAND has been jogging; 0 while it does not.",
-            _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, source=_LIBRARY, trust="memory", group="state"),
+            _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, source=_LIBRARY, trust="memory", group="state",
+            solved=True),
     _setting("JOGACCELTIMEMAX", "", "ms",
              "Acceleration of jogs, given as the time from rest to DRIVESPEEDMAX or, where that is not set, MAXSPEED "
              "or SPEED; 0 for ACCEL.",

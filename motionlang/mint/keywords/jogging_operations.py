@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -79,13 +80,9 @@ class Jogs:
             move is not None and move.command == COMMAND and not move.ended and bool(self.commands.get(axis))
         )
 
-    def elapsed(self, axis: int) -> int:
+    def elapsed(self, axis: int, level: float | None = None) -> int:
         """Milliseconds since the jog of a command began, 0 while there is none."""
-        return self._environment.elapsed(self._began[axis]) if self.commanded(axis) else 0
-
-    def began(self, axis: int) -> float:
-        """The moment from which that counts, infinite while there is no such jog."""
-        return self._began[axis] if self.commanded(axis) else INFINITY
+        return self._environment.elapsed(self._began[axis], level) if self.commanded(axis) else 0
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
@@ -116,6 +113,7 @@ class Jogs:
 # ----------------------------------------------------------------------------------------------- operations
 
 
+@repeatable
 def write_velocity(environment: Environment, row: Row) -> Operation:
     """JOG: user units a second, the sign the direction, kept until something else is said."""
     jogs = environment.part(Jogs)
@@ -143,6 +141,7 @@ def read_setting(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_setting(environment: Environment, row: Row) -> Operation:
     """JOGSPEED in user units a second, JOGMODE, and times in ms."""
     jogs, name, unit = environment.part(Jogs), row.name, row.unit
@@ -170,15 +169,9 @@ def write_command(environment: Environment, row: Row) -> Operation:
     return write
 
 
-def read_began(environment: Environment, row: Row) -> Operation:
-    """The moment from which JOGTIME counts."""
-    jogs = environment.part(Jogs)
-    return lambda axis: jogs.began(axis_of(environment, axis))
-
-
 def read_time(environment: Environment, row: Row) -> Operation:
     jogs = environment.part(Jogs)
-    return lambda axis: jogs.elapsed(axis_of(environment, axis))
+    return lambda axis, level=None: jogs.elapsed(axis_of(environment, axis), level)
 
 
 OPERATIONS = {
@@ -186,5 +179,4 @@ OPERATIONS = {
     "jogging.command": {"read": read_command, "write": write_command},
     "jogging.time": {"read": read_time},
     "jogging.velocity": {"read": read_velocity, "write": write_velocity},
-    "jogging.began": {"read": read_began},
 }

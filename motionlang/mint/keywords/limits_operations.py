@@ -20,6 +20,7 @@ from motionlang.controller.faults import (
 from motionlang.controller.triggers.limit import Limit
 from motionlang.mint.keywords.defaults import MODES
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -146,6 +147,7 @@ def read_mode(environment: Environment, row: Row) -> Operation:
     return lambda axis: errors.mode(name, axis_of(environment, axis))
 
 
+@repeatable
 def write_mode(environment: Environment, row: Row) -> Operation:
     """What an axis does about one kind of error."""
     errors, name = environment.part(AxisErrors), row.name
@@ -166,6 +168,7 @@ def read_soft(environment: Environment, row: Row) -> Operation:
     return lambda axis: scale_of(environment, axis).to_user(errors.soft_limit(axis, bit))
 
 
+@repeatable
 def write_soft(environment: Environment, row: Row) -> Operation:
     """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
     errors, bit = environment.part(AxisErrors), _soft_bit(row)

@@ -12,6 +12,7 @@ from struct import pack, unpack
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.io.inputs import Channels
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -153,6 +154,7 @@ def read_word(environment: Environment, row: Row) -> Operation:
     return lambda server, register: read(server, register, 1)[0]
 
 
+@repeatable
 def write_word(environment: Environment, row: Row) -> Operation:
     """MODBUSTCP16: one register of a server."""
     servers = environment.part(Servers)
@@ -169,6 +171,7 @@ def read_whole(environment: Environment, row: Row) -> Operation:
     return lambda server, register: unpack("<i", pack("<HH", *read(server, register, 2)))[0]
 
 
+@repeatable
 def write_whole(environment: Environment, row: Row) -> Operation:
     write = environment.part(Servers).write
     return lambda server, register, value: write(server, register, words_of(value, "integer"))
@@ -179,6 +182,7 @@ def read_real(environment: Environment, row: Row) -> Operation:
     return lambda server, register: unpack("<f", pack("<HH", *read(server, register, 2)))[0]
 
 
+@repeatable
 def write_real(environment: Environment, row: Row) -> Operation:
     write = environment.part(Servers).write
     return lambda server, register, value: write(server, register, words_of(value, "float"))
@@ -205,6 +209,7 @@ def read_own_register(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_own_register(environment: Environment, row: Row) -> Operation:
     """The program writes: no event comes of it."""
     host = environment.machine.host
@@ -244,6 +249,7 @@ def read_coil(environment: Environment, row: Row) -> Operation:
     return lambda coil: int(coils.values[coils.checked(coil)])
 
 
+@repeatable
 def write_coil(environment: Environment, row: Row) -> Operation:
     """COIL."""
     coils = environment.part(Coils)

@@ -8,6 +8,7 @@ from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.keywords.limits_operations import AxisErrors
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS
 
 TYPE_CHECKING = False
@@ -82,6 +83,7 @@ def read_limit(environment: Environment, row: Row) -> Operation:
     return lambda channel: monitors.limit(name, checked(channel, LAST_ANALOGUE, "analogue input"))
 
 
+@repeatable
 def write_limit(environment: Environment, row: Row) -> Operation:
     """ADCMAX and ADCMIN, percent."""
     monitors, name = environment.part(Monitors), row.name

@@ -8,6 +8,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.remote_operations import LAST_CHANNEL, Nodes
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -93,6 +94,7 @@ def read_comms_real(environment: Environment, row: Row) -> Operation:
     return comms_element(environment)[0]
 
 
+@repeatable
 def write_comms_real(environment: Environment, row: Row) -> Operation:
     return comms_element(environment)[1]
 
@@ -103,6 +105,7 @@ def read_first_bus_comms(environment: Environment, row: Row) -> Operation:
     return lambda node, element: read(1, node, element)
 
 
+@repeatable
 def write_first_bus_comms(environment: Environment, row: Row) -> Operation:
     write = comms_element(environment)[1]
     return lambda node, element, value: write(1, node, element, value)
@@ -113,6 +116,7 @@ def read_comms_whole(environment: Environment, row: Row) -> Operation:
     return lambda bus, node, element: nodes.node(bus, node).memory.integer("comms", element)
 
 
+@repeatable
 def write_comms_whole(environment: Environment, row: Row) -> Operation:
     """REMOTECOMMSINTEGER: an element of a node's memory."""
     nodes = environment.part(Nodes)

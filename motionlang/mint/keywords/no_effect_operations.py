@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.machine_readings import Told
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ def held_value(environment: Environment, row: Row) -> Operation:
     return lambda *given: find(row, given[:-2])
 
 
+@repeatable
 def write_value(environment: Environment, row: Row) -> Operation:
     """A setting that is kept and changes nothing here; the report tells that it was written."""
     values, name, without_effect = environment.part(Kept).values, row.name, environment.machine.without_effect

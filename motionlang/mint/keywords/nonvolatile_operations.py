@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.lang.machine.nonvolatile import LAST_WORD
 from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ def read_word(environment: Environment, row: Row) -> Operation:
     return lambda address: kept.word(_address(address))
 
 
+@repeatable
 def write_word(environment: Environment, row: Row) -> Operation:
     kept = environment.machine.kept
     return lambda address, value: kept.set_word(_address(address), value)
@@ -34,6 +36,7 @@ def read_real(environment: Environment, row: Row) -> Operation:
     return lambda address: kept.real(_address(address))
 
 
+@repeatable
 def write_real(environment: Environment, row: Row) -> Operation:
     kept = environment.machine.kept
     return lambda address, value: kept.set_real(_address(address), value)

@@ -76,7 +76,7 @@ io.outputs.bank io.outputs.bit io.outputs.active_level io.outputs.adc io.outputs
 io.signals.enable_output io.signals.error_output
 """,
     "jogging_operations": """
-jogging.setting jogging.command jogging.time jogging.velocity jogging.began
+jogging.setting jogging.command jogging.time jogging.velocity
 """,
     "latches_operations": """
 latches.setting latches.enable latches.caught latches.value latches.encoder
@@ -155,7 +155,7 @@ serial.character serial.waiting serial.forget serial.nothing
 servo.gain servo.loop_time servo.fatal_error servo.torque
 """,
     "state_operations": """
-is_idle position demand
+is_idle position demand remaining
 """,
     "steppers_operations": """
 steppers.count steppers.speed steppers.setting

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.motion_operations import refuse_stopping
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import moving, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -86,6 +87,7 @@ def read_mode(environment: Environment, row: Row) -> Operation:
     return lambda axis: int(bool(setting(axis_of(environment, axis), name)))
 
 
+@repeatable
 def write_mode(environment: Environment, row: Row) -> Operation:
     """A path is either run through or blended: Mint's error 158."""
     controller, name = environment.controller, _MODES[row.name]
@@ -110,6 +112,7 @@ def do_blend(environment: Environment, row: Row) -> Operation:
     return do
 
 
+@moving
 def read_angle(environment: Environment, row: Row) -> Operation:
     def read(x: int, y: int) -> float:
         return environment.controller.vector_angle(axis_of(environment, x), axis_of(environment, y))

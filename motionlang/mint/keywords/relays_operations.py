@@ -8,6 +8,7 @@ from __future__ import annotations
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,6 +53,7 @@ def read_bank(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_bank(environment: Environment, row: Row) -> Operation:
     """RELAYOUT: a bank of relays, a bit each."""
     outputs = environment.controller.outputs
@@ -75,6 +77,7 @@ def read_relay(environment: Environment, row: Row) -> Operation:
     return lambda number: int(output(_relay(row, number)) != 0)
 
 
+@repeatable
 def write_relay(environment: Environment, row: Row) -> Operation:
     """RELAY and RELAYOUTX."""
     set_output = environment.controller.set_output
@@ -95,6 +98,7 @@ def read_auxiliary(environment: Environment, row: Row) -> Operation:
     return lambda channel: float(outputs[FIRST + checked(channel, LAST_ANALOGUE, "spare analogue output")])
 
 
+@repeatable
 def write_auxiliary(environment: Environment, row: Row) -> Operation:
     """AUXDAC, percent."""
     set_output = environment.controller.set_analogue_output

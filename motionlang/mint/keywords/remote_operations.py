@@ -8,6 +8,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.io.host_memory import HostMemory
 from motionlang.controller.io.inputs import Channels
 from motionlang.mint.keywords.io_inputs import BANK, bits_of, checked
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -262,6 +263,7 @@ def read_bits(environment: Environment, row: Row) -> Operation:
     return lambda bus, node, bank=0: bits_of(bank, nodes.channels(bus, node, kind).__getitem__)
 
 
+@repeatable
 def write_bits(environment: Environment, row: Row) -> Operation:
     """REMOTEOUT and, with the number of a bank, REMOTEOUTBANK."""
     nodes, kind = environment.part(Nodes), _kind(row)
@@ -286,6 +288,7 @@ def read_bit(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_bit(environment: Environment, row: Row) -> Operation:
     """REMOTEOUTX."""
     nodes, kind = environment.part(Nodes), _kind(row)
@@ -306,6 +309,7 @@ def read_percent(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_percent(environment: Environment, row: Row) -> Operation:
     """REMOTEDAC, percent."""
     nodes, kind = environment.part(Nodes), _kind(row)

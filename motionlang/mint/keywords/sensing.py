@@ -33,7 +33,7 @@ ROWS = (
     Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu", "demand",
             "The position that the profiler demands: POS, where no motor is simulated. Writing it, which makes the "
             "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), source=_LIBRARY, trust="memory",
-            group="state"),
+            group="state", solved=True),
     _reading("VELDEMAND", "", "uu/s", "demand_velocity", "The velocity that the profiler demands."),
     _reading("ACCELDEMAND", "", "uu/s2", "sensing.acceleration", "The acceleration that the profiler demands."),
     _reading("POSTARGET", "", "uu", "sensing.target", "Where the move that is executing ends."),

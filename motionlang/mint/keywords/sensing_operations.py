@@ -8,6 +8,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.moves import buffer
 from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import always, moving, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ def read_axis_mode(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@moving
 def read_acceleration(environment: Environment, row: Row) -> Operation:
     """ACCELDEMAND, user units a second squared."""
     axes, clock = environment.controller.axes, environment.clock
@@ -58,12 +60,14 @@ def read_acceleration(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@moving
 def read_target(environment: Environment, row: Row) -> Operation:
     """POSTARGET; of motion without an end, where the axis is."""
     target = environment.controller.target
     return lambda axis: _shown(environment, axis, target(axis_of(environment, axis)))
 
 
+@moving
 def read_last_target(environment: Environment, row: Row) -> Operation:
     """POSTARGETLAST: where the axis will be when its buffer is empty."""
     axes = environment.controller.axes
@@ -78,6 +82,7 @@ def _shown(environment: Environment, axis: int, target: float) -> float:
     return shown % wrap if wrap else shown
 
 
+@always
 def read_seconds(environment: Environment, row: Row) -> Operation:
     clock = environment.clock
     return lambda: float(clock.now)
@@ -166,6 +171,7 @@ def read_window(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_window(environment: Environment, row: Row) -> Operation:
     """IDLEPOS and IDLEVEL in user units, IDLETIME in ms, IDLEMODE."""
     windows, name, unit = environment.part(IdleWindows), row.name, row.unit
@@ -249,6 +255,7 @@ def channel_of(environment: Environment, channel: int) -> int:
     return channel
 
 
+@moving
 def read_encoder(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(Encoders)
     return lambda channel: encoders.read(channel_of(environment, channel))
@@ -259,11 +266,13 @@ def write_encoder(environment: Environment, row: Row) -> Operation:
     return lambda channel, value: encoders.write(channel_of(environment, channel), value)
 
 
+@moving
 def read_encoder_speed(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(Encoders)
     return lambda channel: encoders.speed(channel_of(environment, channel))
 
 
+@moving
 def read_encoder_count(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(Encoders)
     return lambda channel: floor(encoders.counts(channel_of(environment, channel)) + 0.5)
@@ -306,6 +315,7 @@ def write_wrap(environment: Environment, row: Row) -> Operation:
     return write
 
 
+@moving
 def read_turns(environment: Environment, row: Row) -> Operation:
     """POSROLLOVER: how many times POS has wrapped."""
     controller = environment.controller

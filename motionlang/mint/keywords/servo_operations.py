@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME
 from motionlang.mint.keywords.torque_operations import TorqueReferences
 from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,6 +53,7 @@ def read_gain(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_gain(environment: Environment, row: Row) -> Operation:
     """A gain of the axis's servo loop; without a motor it has no effect, which the report tells."""
     environment.part(Loops)
@@ -94,6 +96,7 @@ def read_fatal_error(environment: Environment, row: Row) -> Operation:
     return read
 
 
+@repeatable
 def write_fatal_error(environment: Environment, row: Row) -> Operation:
     """FOLERRORFATAL, user units; without a motor it has no effect, which the report tells."""
     fatal = environment.part(Loops).fatal

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.changes import Changes, comparable, note
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,18 +28,32 @@ def read_is_idle(environment: Environment, row: Row) -> Operation:
 
 
 def read_position(environment: Environment, row: Row) -> Operation:
-    return _wrapped(environment, environment.controller.position)
+    return _wrapped(environment, environment.controller.position, environment.part(Changes).position)
 
 
 def read_demand(environment: Environment, row: Row) -> Operation:
-    return _wrapped(environment, environment.controller.demand)
+    return _wrapped(environment, environment.controller.demand, environment.part(Changes).demand)
 
 
-def _wrapped(environment: Environment, position: Callable[[int], float]) -> Operation:
-    """Reads a position in user units, within the turn where the axis has one."""
-    wraps = environment.wraps
+def read_remaining(environment: Environment, row: Row) -> Operation:
+    """POSREMAINING: what is left of the way to the target."""
+    remaining = environment.controller.remaining
 
     def read(axis: int) -> float:
+        return scale_of(environment, axis).to_user(float(remaining(axis)), row.unit)
+
+    return comparable(environment, read, environment.part(Changes).remaining)
+
+
+def _wrapped(
+    environment: Environment, position: Callable[[int], float], until: Callable[[int, float], float]
+) -> Operation:
+    """Reads a position in user units, within the turn where the axis has one; may be told what it is compared with."""
+    wraps, attention, moving = environment.wraps, environment.attention, environment.part(Changes).moving
+
+    def read(axis: int, level: float | None = None) -> float:
+        if attention.notes is not None:
+            note(attention, moving, until, axis, level)
         found = scale_of(environment, axis).position_to_user(position(axis))
         wrap = wraps.get(axis)
         return found % wrap if wrap else found
@@ -62,4 +77,5 @@ OPERATIONS = {
     "is_idle": {"read": read_is_idle},
     "position": {"read": read_position, "write": write_position},
     "demand": {"read": read_demand},
+    "remaining": {"read": read_remaining},
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.sensing_operations import Encoders
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import moving
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ class Steppers(Encoders):
 # ----------------------------------------------------------------------------------------------- operations
 
 
+@moving
 def read_count(environment: Environment, row: Row) -> Operation:
     steppers = environment.part(Steppers)
     return lambda channel: steppers.read(axis_of(environment, channel))
@@ -44,6 +46,7 @@ def write_count(environment: Environment, row: Row) -> Operation:
     return write
 
 
+@moving
 def read_speed(environment: Environment, row: Row) -> Operation:
     steppers = environment.part(Steppers)
     return lambda channel: steppers.speed(axis_of(environment, channel))

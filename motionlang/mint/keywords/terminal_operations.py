@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.machine.machine import CONSOLE
+from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -87,6 +88,7 @@ def read_terminal(environment: Environment, row: Row) -> Operation:
     return lambda: terminals.current
 
 
+@repeatable
 def write_terminal(environment: Environment, row: Row) -> Operation:
     """TERMINAL: the terminals that PRINT speaks to, a bit each."""
     terminals = environment.part(Terminals)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def read_time(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.elapsed(environment.task.timer[0])
+    return lambda level=None: environment.elapsed(environment.task.timer[0], level)
 
 
 def write_time(environment: Environment, row: Row) -> Operation:

@@ -12,6 +12,7 @@ from motionlang.mint.keywords.defaults import LOOP_TIME
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import moving
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -153,18 +154,21 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     return write
 
 
+@moving
 def read_demand(environment: Environment, row: Row) -> Operation:
     """TORQUEDEMAND: the output to the motor, percent."""
     output = environment.controller.servo_output
     return lambda axis: 100.0 * output(axis_of(environment, axis)) / FULL
 
 
+@moving
 def read_effort(environment: Environment, row: Row) -> Operation:
     """EFFORT: how much of what it can do the motor is asked for."""
     demand = read_demand(environment, row)
     return lambda axis: abs(demand(axis))  # type: ignore[arg-type]
 
 
+@moving
 def read_current(environment: Environment, row: Row) -> Operation:
     """CURRENTMEAS and CURRENTDEMAND: of a simulated motor, whose amplifier does what is asked of it."""
     current = environment.controller.motor_current

@@ -13,6 +13,7 @@ from __future__ import annotations
 from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.operations_index import VERBS
+from motionlang.mint.runtime.changes import Changes, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -103,6 +104,7 @@ def no_axis(environment: Environment, axis: int) -> Refusal:
     return Refusal("axis", f"there is no axis {axis}", f"this controller has axes {axes[0]} to {axes[-1]}")
 
 
+@repeatable
 def _write_setting(environment: Environment, row: Row) -> Operation:
     configure, name, unit = environment.controller.configure, row.verb, row.unit
 
@@ -130,11 +132,19 @@ def _read_setting(environment: Environment, row: Row) -> Operation:
 def _reading(environment: Environment, row: Row) -> Operation:
     """A verb of the controller that takes an axis and answers in counts."""
     verb, unit = getattr(environment.controller, row.verb), row.unit
-    whole = unit in ("integer", "bool", "bits")
+    if unit in ("integer", "bool", "bits"):
+
+        def whole(axis: int) -> int:
+            scale_of(environment, axis)
+            return int(verb(axis))
+
+        return whole
+    attention, moving = environment.attention, environment.part(Changes).moving
 
     def read(axis: int) -> float:
+        if attention.notes is not None:
+            attention.note(moving)
         scale = scale_of(environment, axis)
-        value = verb(axis)
-        return int(value) if whole else scale.to_user(float(value), unit)
+        return scale.to_user(float(verb(axis)), unit)
 
     return read

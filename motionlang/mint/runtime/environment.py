@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.lang.attention import TICK, Attention, Condition
 from motionlang.lang.task import Wait, wait_until
 from motionlang.mint.runtime.task import MintTask, TaskEnd
 
@@ -16,14 +17,11 @@ if TYPE_CHECKING:
     from motionlang.lang.task import Steps
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
-    from motionlang.mint.runtime.loop_skipping import Skipper
 
     Make = Callable[[float, float], Steps]
     Part = TypeVar("Part")
 
 INFINITY = float("inf")
-# The profiler's period: how often a condition is tested that can neither be solved nor told by an event.
-TICK = 1e-3
 # Rounding of a time in seconds must not cost a millisecond.
 _MILLISECOND = 1e-6
 
@@ -66,6 +64,8 @@ class Environment:
         # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
         self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
+        # What the running task notes of its readings.
+        self.attention = Attention(machine.clock)
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
         # How often the program has done something; a loop that polls does nothing. And how long it has waited, in ms.
@@ -128,6 +128,10 @@ class Environment:
         return tuple(self._operation(str(spec[0]), *spec[1:]) for spec in specs)
 
     def _operation(self, how: str, *details: object) -> object:
+        if how == "loop":
+            from motionlang.mint.runtime.loop_skipping import Site
+
+            return Site(self, bool(details[0]))
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "fn":
@@ -149,9 +153,9 @@ class Environment:
         operation = bind(self, "write" if how == "rewrite" else how, row)
         if how == "load":
             return self._loading(operation)
-        if how == "rewrite":
+        if how == "rewrite" and hasattr(operation, "repeatable"):
             return self._rewritten(operation, held(self, row))
-        return self._timed(operation) if how in ("write", "do") else operation
+        return operation if how == "read" else self._timed(operation)
 
     def _is_older(self) -> bool:
         from motionlang.mint.models import V4, age
@@ -174,10 +178,14 @@ class Environment:
         self, operation: Callable[..., object], held: Callable[..., object]
     ) -> Callable[..., float]:
         """The same for what a loop that polls may write: the value that is there already does nothing."""
-        clock = self.clock
+        clock, attention = self.clock, self.attention
 
         def at(time: float, horizon: float, *arguments: object) -> float:
             clock.now = time
+            if attention.notes is None:  # nobody looks at this turn
+                self.acts += 1
+                operation(*arguments)
+                return clock.horizon if clock.horizon < horizon else horizon
             before, made = held(*arguments), clock.made
             operation(*arguments)
             if clock.made != made or held(*arguments) != before:
@@ -213,9 +221,23 @@ class Environment:
 
     # ---------------------------------------------------------------------------------------------- time
 
-    def elapsed(self, base: float) -> int:
-        """Whole milliseconds since a moment."""
+    def elapsed(self, base: float, level: float | None = None) -> int:
+        """Whole milliseconds since a moment; `level` is what they are compared with, where that is known."""
+        attention = self.attention
+        if attention.notes is not None:
+            if level is None:
+                attention.note(attention.at_once)
+            else:
+                attention.note(self._counted, base, level)
         return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
+
+    def _counted(self, base: float, level: float) -> float:
+        """When the milliseconds since a moment next pass `level`: they reach it, and one later are beyond it."""
+        for milliseconds in (level, level + 1.0):
+            moment = base + milliseconds / 1000.0
+            if moment > self.clock.now:
+                return moment
+        return INFINITY
 
     def since(self, milliseconds: float) -> float:
         """The moment from which so many milliseconds have passed."""
@@ -278,29 +300,16 @@ class Environment:
             f"for room in the {buffers}",
         )
 
-    def pause(
-        self, t: float, ready: Callable[[], object], watches: tuple[tuple[object, ...], ...], why: str
-    ) -> Wait:
+    def pause(self, t: float, ready: Callable[[], object], why: str) -> Wait:
         """`PAUSE`."""
         self.acts += 1
-        from motionlang.mint.runtime.waits import watch
+        task = self.task
 
-        return watch(self, t, ready, watches, why)
+        def test() -> object:
+            self.task = task  # whose TIME the condition may read
+            return ready()
 
-    @property
-    def skip(self) -> Callable[..., float]:
-        """What loops that poll call at the end of a turn."""
-        return self._skipping().skip
-
-    @property
-    def rest(self) -> Callable[..., float]:
-        """What empty loops call at the end of a turn."""
-        return self._skipping().rest
-
-    def _skipping(self) -> Skipper:
-        from motionlang.mint.runtime.loop_skipping import Skipper
-
-        return self.part(Skipper)
+        return Condition(self.attention, test).wait(t, why)
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""

@@ -1,23 +1,84 @@
 """Loops that only poll, as the program runs: many turns at once where all are the same.
 
 A turn that did nothing and left every variable as it was will be repeated until something happens: the next event, or
-the moment at which a compared reading (POS, TIME …) passes its level. So many whole turns as fit before it are paid
-for at once. While other tasks can run that ends with the task's time slice. Where none can, and none could for as
-long as the task has polled, it goes on to the moment at which the first of them may go on.
+the moment at which something that it read changes by itself. So many whole turns as fit before it are paid for at
+once. While other tasks can run that ends with the task's time slice. Where none can, and none could for as long as the
+task has polled, it goes on to the moment at which the first of them may go on.
+
+A loop whose turns are looked at in vain is left alone for one turn, for two, for four and so on; its readings take no
+notes meanwhile.
 """
 
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.lang.task import INFINITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.lang.attention import Note
     from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.runtime.task import MintTask
 
-INFINITY = float("inf")
+    State = tuple[object, ...]
+
 # How far from a whole number of statements a turn may seem to have been, by rounding.
 _ROUNDING = 1e-3
+# So many turns at most pass unlooked at.
+MOST_ALONE = 256
+
+
+class Look:
+    """What a turn began with: how the turn before it left things, when, and which notes there were."""
+
+    __slots__ = ("before", "first", "notes", "others", "since", "waited")
+
+    before: State | None
+    since: float
+    others: int
+    waited: float
+    notes: list[Note]
+    first: int
+
+
+class Site:
+    """A loop of the text; `left` is for how many turns it is left alone, `asks` whether it looks at anything."""
+
+    __slots__ = ("_asks", "_environment", "_skipper", "left")
+
+    def __init__(self, environment: Environment, asks: bool) -> None:
+        self._environment, self._asks = environment, asks
+        self._skipper = environment.part(Skipper)
+        self.left = 0
+
+    def turn(self, t: float, horizon: float, look: Look | None, state: State) -> tuple[float, Look, int]:
+        """The end of a turn: the end of the last one that can be no different, and how many pass unlooked at.
+
+        `state` is what every turn leaves behind, after the count of what the program did.
+        """
+        if look is None or look.before is None:
+            return t, self.begin(t, look, state), 0
+        if look.before == state:
+            found = self._skipper.skip(t, horizon, look, state, self._asks)
+            if found is not None:
+                self.left = 0
+                return found, self.begin(found, look, state), 0
+        self._environment.task.look = None
+        left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE)
+        if not left:
+            return t, self.begin(t, look, state), 0
+        look.before = None
+        self._environment.attention.notes = None
+        return t, look, left
+
+    def begin(self, t: float, look: Look | None, state: State) -> Look:
+        """A turn begins that will be looked at."""
+        environment = self._environment
+        look = look or Look()
+        look.before, look.since = state, t
+        look.others, look.waited = environment.resumed, environment.waited
+        look.notes, look.first = environment.attention.begin()
+        return look
 
 
 class Skipper:
@@ -30,28 +91,23 @@ class Skipper:
         self._task: MintTask | None = None
         self._first, self._last = 0.0, -1.0
 
-    def skip(
-        self,
-        t: float,
-        since: float,
-        horizon: float,
-        watches: tuple[tuple[object, ...], ...],
-        state: tuple[object, ...],
-        others: int,
-        waited: float = 0.0,
-        asks: bool = True,
-    ) -> float:
-        """A loop polls, its last turn from `since` to `t`: the end of the last turn that can be no different.
+    def skip(self, t: float, horizon: float, look: Look, state: State, asks: bool) -> float | None:
+        """A turn that ends at `t` was as the one before: the end of the last one that can be no different.
 
-        `state` is what every turn leaves behind, after the count of what the program did; `others`: how often other
-        tasks ran within the turn, which then is no more than remembered; `waited` are the milliseconds that the turn
-        waited; `asks`: whether the loop looks at anything.
+        None where it was not in everything that it read. A turn in which other tasks ran is no more than remembered.
         """
-        environment, task = self._environment, self._environment.task
-        level = self._level(t, since, watches) if watches or task.sampled else INFINITY
+        environment, task, attention = self._environment, self._environment.task, self._environment.attention
+        level = INFINITY
+        if attention.notes is not look.notes:
+            return None
+        if len(look.notes) > look.first:
+            level = attention.until(look.since, look.notes[look.first :])
+            if level <= t:
+                return None
         task.look, task.looked, task.level = (environment.acts, state[1:], asks), t, level
-        if others:
+        if environment.resumed != look.others:
             return t
+        since = look.since
         if since != self._last or task is not self._task:
             self._task, self._first = task, since
         horizon = min(self._horizon(t, horizon), level)
@@ -59,24 +115,9 @@ class Skipper:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
         if asks:
             self._note_vain(horizon, level)
-        environment.task = task  # what others wait for may have been looked at with their eyes
-        cost = self._cost(t - since, waited / 1000.0)
+        cost = self._cost(t - since, (environment.waited - look.waited) / 1000.0)
         self._last = task.looked = t + max(0, int((horizon - t) / cost)) * cost if cost else t
         return self._last
-
-    def _level(self, t: float, since: float, watches: tuple[tuple[object, ...], ...]) -> float:
-        """When what was looked at since a moment changes by itself."""
-        from motionlang.mint.runtime.waits import next_change
-
-        if self._environment.task.sampled:
-            self._environment.task.sampled = False
-            watches = (*watches, ("moving",))
-        level = next_change(self._environment, since, watches)
-        if level <= t:
-            self._environment.acts += (
-                1  # the turn was not in everything that it looked at like the one before
-            )
-        return level
 
     def _horizon(self, t: float, horizon: float) -> float:
         """The end of the time slice, or what lies beyond it where nobody else can run."""
@@ -95,18 +136,6 @@ class Skipper:
             task = self._task
             assert task is not None
             task.in_vain = self._first if task.in_vain is None else task.in_vain
-
-    def rest(
-        self,
-        t: float,
-        since: float,
-        horizon: float,
-        watches: tuple[()],
-        state: tuple[object, ...],
-        others: int,
-    ) -> float:
-        """The same for a loop that looks at nothing."""
-        return self.skip(t, since, horizon, watches, state, others, asks=False)
 
     def _cost(self, seconds: float, waited: float) -> float:
         """What a turn takes, in whole statements and milliseconds, so that no rounding adds up over millions of turns.

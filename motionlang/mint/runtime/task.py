@@ -7,6 +7,7 @@ from motionlang.lang.task import INFINITY, GeneratorTask, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.lang.attention import Note
     from motionlang.mint.runtime.environment import Environment, Make
 
 
@@ -25,7 +26,7 @@ PARENT = "ParentTask"
 class MintTask(GeneratorTask):
     """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
-    __slots__ = ("axes", "environment", "held", "sampled", "suspended", "timer")
+    __slots__ = ("axes", "environment", "held", "notes", "suspended", "timer")
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
         file = make.__code__.co_filename
@@ -33,8 +34,8 @@ class MintTask(GeneratorTask):
         self.environment = environment
         self.timer = [environment.clock.now]
         self.axes: tuple[int, ...] = (0,)
-        # Whether it has read, of late, what changes while an axis moves.
-        self.sampled = False
+        # What it has read of late that changes by itself, while somebody asks.
+        self.notes: list[Note] | None = None
         self.suspended = False
         self.held: Wait | None = None
 
@@ -55,8 +56,11 @@ class MintTask(GeneratorTask):
         if quantum is not None:
             # Half a statement less, so that it is never rounding that decides whether the last one still fits.
             horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
+        attention = environment.attention
+        attention.notes = self.notes
         try:
             time, wait = super().resume(now, horizon)
+            self.notes = attention.notes
             environment.ran = self
             if environment.acts != acts:  # it has done something, if not since it last looked
                 if self.look is None or self.look[0] != environment.acts:

@@ -7,9 +7,7 @@ import pytest
 from motionlang import run
 from motionlang.lang.task import GeneratorTask
 from motionlang.mint.compile import polling
-from motionlang.mint.compile.pause import TAKING
-from motionlang.mint.keywords import table
-from motionlang.mint.runtime.loop_skipping import Skipper
+from motionlang.mint.runtime.loop_skipping import Site, Skipper
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.mint.polling_programs import COST, program
@@ -196,15 +194,6 @@ def test_eight_hours_of_nothing_are_over_at_once(text: str, monkeypatch: pytest.
     assert count < 5000
 
 
-def test_what_may_be_written_over_and_over_can_be_read() -> None:
-    readable = {row.verb for row in table() if row.access == "RW"}
-    assert readable >= polling.REPEATABLE
-
-
-def test_what_takes_away_by_being_read_is_in_the_table() -> None:
-    assert {row.verb for row in table()} >= TAKING
-
-
 def test_a_loop_that_looks_for_what_cannot_happen_is_told() -> None:
     result = run(
         Source("a.mnt", "Loop\n  If POS > 5 Then Exit Loop\nEnd Loop"), cache=False, until=float("inf")
@@ -228,3 +217,69 @@ def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> No
 def test_a_parent_that_leaves_the_work_to_its_tasks_looks_for_nothing() -> None:
     text = "Run Work\nLoop\nEnd Loop\nTask Work\n  Loop\n    WAIT = 5000\n  End Loop\nEnd Task"
     assert run(Source("a.mnt", text), cache=False).not_counted == []
+
+
+LOOKS_AT_WHAT_MOVES = {
+    "a display": "x = POS(0)\n  COMMS(1) = x",
+    "a peak": "v = VEL(0)\n  If v > peak Then peak = v",
+    "a cam switch": "x = POS(0)\n  If x > 5 And x < 10 Then OUTX(1) = 1 Else OUTX(1) = 0",
+    "a clock": "r = TIME Mod 100\n  If r > 50 Then k = 1 Else k = 0",
+}
+
+
+@pytest.mark.parametrize("body", LOOKS_AT_WHAT_MOVES.values(), ids=LOOKS_AT_WHAT_MOVES.keys())
+def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
+    body: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = "Dim x As Float, v As Float, peak As Float, r As Integer, k As Integer\n"
+    text += "SPEED(0) = 10 : MOVER(0) = 30 : GO(0)\n"
+    text += f"While Not IDLE(0)\n  {body}\nEnd While"
+    looks, turn = 0, Site.turn
+
+    def counted(*arguments: object) -> object:
+        nonlocal looks
+        looks += 1
+        return turn(*arguments)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(Site, "turn", counted)
+    result = run(Source("a.mnt", text), cache=False)
+    turns = result.time / 50e-6
+    assert turns > 50_000
+    assert looks < turns / 50
+
+
+def test_a_loop_within_one_that_is_left_alone_is_not_skipped_too_far() -> None:
+    """The inner loop takes no notes any more; what it read while they were off bars the outer one from skipping."""
+    text = """\
+Dim k As Integer, n As Integer
+SPEED(0) = 10 : MOVER(0) = 30 : GO(0)
+Repeat
+  For k = 1 To 3
+    If POS(0) * 1 > 20 Then n = 1
+  Next
+  k = 0
+  Repeat
+    k = k + 1
+    If POS(0) * 1 > 20 Then n = 1
+  Until k = 5
+Until n
+PRINT POS(0)
+"""
+    result = run(Source("a.mnt", text), cache=False)
+    assert float(result.output[0]) == pytest.approx(20.0, abs=0.01)
+
+
+def test_a_level_is_worked_out_once_before_or_behind_the_reading() -> None:
+    text = """\
+Dim calls As Integer
+SPEED(0) = 10 : MOVER(0) = 5 : GO(0)
+Repeat
+Until Level(2) < POS(0)
+PRINT POS(0) > 1.5 + 0.4, " ", 1.5 + 0.4 > POS(0)
+Function Level(ByVal x As Float) As Float
+  calls = calls + 1
+  Level = x
+End Function
+"""
+    result = run(Source("a.mnt", text), cache=False)
+    assert result.output == ["1 0"]

@@ -66,11 +66,6 @@ def test_a_word_that_is_set_in_every_turn(program: str, monkeypatch: pytest.Monk
     assert len(ran) > 0.9 * len(WORDS)
 
 
-def test_every_word_that_a_watched_loop_may_set_is_among_them() -> None:
-    verbs = {row.verb for row in WORDS}
-    assert verbs >= polling.REPEATABLE
-
-
 def test_looking_at_a_word_before_it_is_set_is_no_reading() -> None:
     result = run(Source("a.mnt", STEADY.format(word="BACKLASH(0)", first=1)), cache=False, until=1.0)
     assert result.not_counted == ["words that have no effect here: BACKLASH (line 2)"]

@@ -1,0 +1,123 @@
+"""Until when what a task has read stays as it is: the one answer for loops, waits for conditions, and polls.
+
+A reading that changes with no event to tell makes a note as it is read: `(until, about)`, where `until(*about)` is the
+first moment, from the clock's on, at which it may answer differently. Most such readings change whenever something
+moves; one that is compared with a level says when it passes it. Whoever looks at the same things again and again asks
+for the first of these moments, and has no need to look before it.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.task import INFINITY, Wait
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from typing import Any
+
+    from motionlang.controller.clock import Clock
+
+    Note = tuple[Callable[..., float], tuple[Any, ...]]
+
+# A turn that reads more than this is not worth remembering.
+MOST = 500
+# The profiler's period: how often a condition is looked at while what it reads cannot be solved.
+TICK = 1e-3
+# How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
+_AFTER = (0.0, 1e-12, 1e-10, 1e-8)
+
+
+class Attention:
+    """The notes of the task that is running; `notes` is None while nobody asks for them."""
+
+    __slots__ = ("clock", "notes")
+
+    def __init__(self, clock: Clock) -> None:
+        self.clock = clock
+        self.notes: list[Note] | None = None
+
+    def note(self, until: Callable[..., float], *about: object) -> None:
+        """Something has been read that may change at `until(*about)`, no event telling."""
+        notes = self.notes
+        if notes is not None:
+            notes.append((until, about))
+            if len(notes) > MOST:
+                self.notes = None  # whoever asks finds other notes than those he began with
+
+    def begin(self) -> tuple[list[Note], int]:
+        """From now on notes are taken: where they go, and how many are there already."""
+        if self.notes is None:
+            self.notes = []
+        return self.notes, len(self.notes)
+
+    def until(self, since: float, notes: Iterable[Note]) -> float:
+        """The first moment from `since` on at which something of `notes` changes, nothing else happening."""
+        clock = self.clock
+        now, clock.now = clock.now, since
+        try:
+            return min((until(*about) for until, about in set(notes)), default=INFINITY)
+        finally:
+            clock.now = now
+
+    def at_once(self) -> float:
+        """What may change at any moment."""
+        return self.clock.now
+
+
+class Condition:
+    """A wait for a condition: at the solved moment, at events, or at every tick of what cannot be solved."""
+
+    __slots__ = ("_attention", "_looked", "_notes", "_solved", "_test")
+
+    def __init__(self, attention: Attention, test: Callable[[], object]) -> None:
+        self._attention, self._test = attention, test
+        self._notes: list[Note] = []
+        # When the notes were made, after how many events, and the moment for which they were last solved.
+        self._looked, self._solved = (-1.0, -1), -1.0
+
+    def wait(self, since: float, why: str) -> Wait:
+        """The wait as the scheduler takes it."""
+        return Wait(since, self._ready, self._due, why)
+
+    def _look(self) -> bool:
+        """Ask the condition, and keep what it read."""
+        attention = self._attention
+        before, attention.notes = attention.notes, []
+        notes = attention.notes
+        try:
+            return bool(self._test())
+        finally:
+            self._notes, attention.notes = notes, before
+            if len(notes) > MOST:
+                self._notes = [(attention.at_once, ())]
+
+    def _ready(self) -> bool:
+        """Whether the condition is true now, or from this very moment on."""
+        clock = self._attention.clock
+        now = clock.now
+        self._looked = now, clock.fired
+        try:
+            for after in _AFTER if now == self._solved else (0.0,):
+                clock.now = now + after * max(1.0, now)
+                if self._look():
+                    return True
+        finally:
+            clock.now = now
+        return False
+
+    def _due(self) -> float:
+        """The next moment at which the condition may change by itself."""
+        clock = self._attention.clock
+        now = clock.now
+        if self._looked != (now, clock.fired):
+            self._ready()  # others have run since
+        # Past what was just looked at.
+        begin = now + 1e-7 * max(1.0, now) if now == self._solved else now
+        moments = [self._attention.until(begin, [each]) for each in set(self._notes)]
+        moment = min((each if each > begin else _next_tick(now) for each in moments), default=INFINITY)
+        self._solved = moment if moment > now else now + TICK
+        return self._solved
+
+
+def _next_tick(now: float) -> float:
+    return (int(now / TICK + 1e-6) + 1) * TICK
