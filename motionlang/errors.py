@@ -55,7 +55,8 @@ CODES: dict[str, str] = {
     "event": "The event has no handler, or does not exist, and cannot be raised.",
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
-    "interrupted": "The run was ended from the keyboard.",
+    "interrupted": "The run was ended from the keyboard, or by a signal.",
+    "crash": "motionlang itself has a mistake, which is no mistake of the program.",
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",
@@ -135,6 +136,14 @@ class ProgramError(Exception):
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
         super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
+class Terminated(SystemExit):
+    """A signal such as SIGTERM asks for the end; `code` is the exit status that shells give it."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        super().__init__(128 + number)
 
 
 def shown(value: object) -> str:
