@@ -91,10 +91,11 @@ CODES: dict[str, str] = {
 class Diagnostic:
     """One mistake: `line` and `column` count from 1, `length` is the width of the caret line.
 
-    `column` 0 means that only the line is known, `line` 0 that the whole file is meant.
+    `column` 0 means that only the line is known, `line` 0 that the whole file is meant. `count` is how often a run
+    has met it, from the machine time `first` to `last`.
     """
 
-    __slots__ = ("code", "column", "hint", "length", "line", "message", "severity")
+    __slots__ = ("code", "column", "count", "first", "hint", "last", "length", "line", "message", "severity")
 
     def __init__(
         self,
@@ -110,12 +111,26 @@ class Diagnostic:
         assert code in CODES, code
         self.code, self.message, self.line, self.column = code, message, line, column
         self.length, self.hint, self.severity = length, hint, severity
+        self.count, self.first, self.last = 1, 0.0, 0.0
 
     def __repr__(self) -> str:
         return f"Diagnostic({self.code!r}, {self.message!r}, {self.line}, {self.column})"
 
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What equal diagnostics have in common."""
+        return self.code, self.message, self.line, self.column, self.severity
+
+    def again(self, time: float) -> None:
+        """The same was met once more."""
+        self.count += 1
+        self.last = time
+
     def as_dict(self) -> dict[str, object]:
-        """The diagnostic as the JSON report shows it."""
+        """The diagnostic as the JSON report shows it; how often and when, where that was more than once."""
+        times: dict[str, object] = {}
+        if self.count > 1:
+            times = {"count": self.count, "first_time": self.first, "last_time": self.last}
         return {
             "severity": self.severity,
             "code": self.code,
@@ -123,6 +138,7 @@ class Diagnostic:
             "line": self.line,
             "column": self.column,
             "hint": self.hint,
+            **times,
         }
 
 
