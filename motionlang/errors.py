@@ -55,7 +55,8 @@ CODES: dict[str, str] = {
     "event": "The event has no handler, or does not exist, and cannot be raised.",
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
-    "interrupted": "The run was ended from the keyboard.",
+    "interrupted": "The run was ended from the keyboard, or by a signal.",
+    "crash": "motionlang itself has a mistake, which is no mistake of the program.",
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",
@@ -90,10 +91,11 @@ CODES: dict[str, str] = {
 class Diagnostic:
     """One mistake: `line` and `column` count from 1, `length` is the width of the caret line.
 
-    `column` 0 means that only the line is known, `line` 0 that the whole file is meant.
+    `column` 0 means that only the line is known, `line` 0 that the whole file is meant. `count` is how often a run
+    has met it, from the machine time `first` to `last`.
     """
 
-    __slots__ = ("code", "column", "hint", "length", "line", "message", "severity")
+    __slots__ = ("code", "column", "count", "first", "hint", "last", "length", "line", "message", "severity")
 
     def __init__(
         self,
@@ -109,12 +111,26 @@ class Diagnostic:
         assert code in CODES, code
         self.code, self.message, self.line, self.column = code, message, line, column
         self.length, self.hint, self.severity = length, hint, severity
+        self.count, self.first, self.last = 1, 0.0, 0.0
 
     def __repr__(self) -> str:
         return f"Diagnostic({self.code!r}, {self.message!r}, {self.line}, {self.column})"
 
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What equal diagnostics have in common."""
+        return self.code, self.message, self.line, self.column, self.severity
+
+    def again(self, time: float) -> None:
+        """The same was met once more."""
+        self.count += 1
+        self.last = time
+
     def as_dict(self) -> dict[str, object]:
-        """The diagnostic as the JSON report shows it."""
+        """The diagnostic as the JSON report shows it; how often and when, where that was more than once."""
+        times: dict[str, object] = {}
+        if self.count > 1:
+            times = {"count": self.count, "first_time": self.first, "last_time": self.last}
         return {
             "severity": self.severity,
             "code": self.code,
@@ -122,6 +138,7 @@ class Diagnostic:
             "line": self.line,
             "column": self.column,
             "hint": self.hint,
+            **times,
         }
 
 
@@ -135,6 +152,14 @@ class ProgramError(Exception):
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = sorted(diagnostics, key=lambda d: (d.line, d.column))
         super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
+class Terminated(SystemExit):
+    """A signal such as SIGTERM asks for the end; `code` is the exit status that shells give it."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        super().__init__(128 + number)
 
 
 def shown(value: object) -> str:

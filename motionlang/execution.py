@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 
+from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler, Stuck
@@ -61,6 +62,7 @@ def run(
     begun: Callable[[Machine], None] | None = None,
     nv: str | None = None,
     cache: bool = True,
+    keep_crash: bool = False,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
@@ -70,7 +72,8 @@ def run(
     names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
     `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
     with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
-    data outlives the run.
+    data outlives the run. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all
+    that was computed before it.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
@@ -84,7 +87,7 @@ def run(
     )
     name = _cache_name(source, language, settings) if cache else ""
     compiled = _compile(source, language, settings, result, name)
-    if nv is not None:
+    if nv is not None and compiled is not None:
         from motionlang.remarks import open_kept
 
         if not open_kept(result, nv):
@@ -94,7 +97,12 @@ def run(
             begun(result.machine)
         size = compiled.size
         result.diagnostics += compiled.warnings
-        _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
+        try:
+            _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
+        except Exception as error:
+            if not keep_crash:
+                raise
+            result.crash, result.status = error, "fault"
         result.diagnostics[:0] = result.machine.diagnostics
         if result.machine.has_motors:
             from motionlang.controller.record.history import notes
@@ -180,10 +188,14 @@ def _compile(
         payload = cache.get(name)
         if payload is not None:
             return language.load(payload)
-    from motionlang.errors import ProgramError
-
     try:
         compiled = language.compile(source, settings)
+    except (KeyboardInterrupt, Terminated) as error:
+        from motionlang.remarks import interrupted
+
+        result.diagnostics.append(interrupted(result, None, error))
+        result.status = "interrupted"
+        return None
     except ProgramError as error:
         result.diagnostics = error.diagnostics
         result.status = "fault"
@@ -228,7 +240,7 @@ def _execute(
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
             result.not_counted.append(f"axis {names} was still jogging when the program had ended")
-    except KeyboardInterrupt as error:
+    except (KeyboardInterrupt, Terminated) as error:
         result.status = "interrupted"
         from motionlang.remarks import interrupted
 

@@ -161,11 +161,22 @@ def _why(task: Task) -> str:
     return "" if task.wait is None else task.wait.why
 
 
+def who_ended(error: BaseException) -> str:
+    """What ended a run from outside, in words."""
+    from motionlang.errors import Terminated
+
+    if isinstance(error, Terminated):
+        import signal
+
+        return f"by {signal.Signals(error.number).name}"
+    return "from the keyboard"
+
+
 def interrupted(result: Run, scheduler: Scheduler | None, error: BaseException) -> Diagnostic:
-    """Ctrl-C as a diagnostic, at the place that the current task had come to."""
+    """Ctrl-C, or another signal, as a diagnostic, at the place that the current task had come to."""
     from motionlang.errors import Diagnostic
 
-    message = "the run was ended from the keyboard"
+    message = f"the run was ended {who_ended(error)}"
     if scheduler is None:
         return Diagnostic("interrupted", message)
     # Until the next event a program runs ahead of the clock, which nothing but an end like this one can show.

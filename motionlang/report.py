@@ -38,9 +38,9 @@ def text(run: Run) -> str:
     return _document(_head(run), moves(run), _tail(run))
 
 
-def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic]) -> str:
-    """The JSON document of a run that never began, because a file or a setting was wrong."""
-    head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": "fault"}
+def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:
+    """The JSON document of a run that never began, because a file or a setting was wrong or somebody ended it."""
+    head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": status}
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "not_counted": []}
     return _document(head, iter(()), tail)

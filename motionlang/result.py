@@ -19,10 +19,10 @@ class Run:
     """What a run left behind.
 
     `status` is "ended", "until" (virtual time was up), "fault" (the program is wrong or went wrong) or
-    "interrupted"; `time` is the machine time at its end, in seconds.
+    "interrupted" (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
     """
 
-    __slots__ = ("diagnostics", "dialect", "machine", "not_counted", "source", "status", "time")
+    __slots__ = ("crash", "diagnostics", "dialect", "machine", "not_counted", "source", "status", "time")
 
     def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
         self.source, self.dialect, self.machine = source, dialect, machine
@@ -30,6 +30,8 @@ class Run:
         self.time = 0.0
         self.diagnostics: list[Diagnostic] = []
         self.not_counted: list[str] = []
+        # An error of motionlang's own, which ended the run.
+        self.crash: Exception | None = None
 
     @property
     def controller(self) -> Controller:

@@ -46,12 +46,13 @@ def _utf16(data: bytes) -> str:
 class Source:
     """`name` for messages and `text` with `\\n` line ends; nothing else of the file is kept."""
 
-    __slots__ = ("_lines", "name", "text")
+    __slots__ = ("_ends", "_lines", "name", "text")
 
     def __init__(self, name: str, text: str) -> None:
         self.name = name
         self.text = text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
         self._lines: list[str] | None = None
+        self._ends: list[int] | None = None
 
     @classmethod
     def from_bytes(cls, name: str, data: bytes) -> Source:
@@ -77,5 +78,13 @@ class Source:
 
     def place(self, offset: int) -> tuple[int, int]:
         """Line and column, both from 1, of a character offset."""
-        before = self.text.count("\n", 0, offset)
-        return before + 1, offset - self.text.rfind("\n", 0, offset)
+        from bisect import bisect_left
+
+        if self._ends is None:
+            # Found once: a file may have a mistake on each of its lines.
+            self._ends, end = [-1], self.text.find("\n")
+            while end >= 0:
+                self._ends.append(end)
+                end = self.text.find("\n", end + 1)
+        before = bisect_left(self._ends, offset)
+        return before, offset - self._ends[before - 1]

@@ -9,19 +9,33 @@ from __future__ import annotations
 import gc
 import sys
 
+from motionlang.cli.signals import SIGNALS, status_of
+from motionlang.errors import Terminated
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.cli.options import Options
 
-# The exit status of a program that a signal ended is 128 and the signal's number, as shells have it.
-INTERRUPTED, PIPE_CLOSED = 130, 141
+# The exit status where whoever read standard output went away: 128 and SIGPIPE's number, as shells have it.
+PIPE_CLOSED = 141
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command; the exit status is 0, 1 (the program is wrong or faulted) or 2 (the command line is wrong)."""
+    """Run one command; the exit status is 0, 1 (the program is wrong or faulted) or 2 (the command line is wrong).
+
+    See docs/cli.md for the others. Whatever ends it, nobody is shown a traceback.
+    """
     given = sys.argv[1:] if arguments is None else list(arguments)
+    try:
+        with SIGNALS:
+            return _guarded(given)
+    except (KeyboardInterrupt, Terminated) as error:
+        return status_of(error)
+
+
+def _guarded(given: list[str]) -> int:
     _open_closed()
     try:
         _forgive_letters()
@@ -37,8 +51,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
         _silence()
         return 1
-    except KeyboardInterrupt:
-        return INTERRUPTED
+    except Exception as error:
+        from motionlang.cli.complaints import complain
+        from motionlang.cli.crash import crash
+        from motionlang.cli.run import CRASHED
+
+        complain([crash(error, given)], None, "")
+        return CRASHED
     return status
 
 
@@ -73,8 +92,10 @@ def _command(given: Sequence[str]) -> int:
     try:
         options = quick_options(given)
         if options is not None:
+            SIGNALS.hold()  # until the run can report how it ended
             from motionlang.cli.run import run_command
 
+            options.given = list(given)
             return run_command(options)
     finally:
         gc.enable()

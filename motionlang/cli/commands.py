@@ -48,6 +48,7 @@ def parse(given: Sequence[str]) -> int:
         parser.print_help(sys.stderr)
         return 2
     arguments, unknown = parser.parse_known_args(_with_factor(given))
+    arguments.given = list(given)
     if unknown:
         whose = getattr(arguments, "parser", parser)
         whose.error(f"unrecognized arguments: {' '.join(unknown)}")

@@ -59,11 +59,17 @@ def complain(diagnostics: Sequence[Diagnostic], source: Source | None, file: str
     sys.stderr.flush()
 
 
-def refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source | None, status: int) -> int:
+def refuse(
+    options: Options,
+    diagnostics: Sequence[Diagnostic],
+    source: Source | None,
+    status: int,
+    outcome: str = "fault",
+) -> int:
     """Say why nothing was run, in JSON too where that was asked for."""
     if options.report == "json":
         from motionlang.report import failure
 
-        sys.stdout.write(failure(name_of(options.file), options.dialect or "", diagnostics))
+        sys.stdout.write(failure(name_of(options.file), options.dialect or "", diagnostics, outcome))
     complain(diagnostics, source, source.name if source is not None else options.file)
     return status

@@ -17,6 +17,7 @@ class Options:
         "cache",
         "dialect",
         "file",
+        "given",
         "machine",
         "nv",
         "overrides",
@@ -47,10 +48,12 @@ class Options:
         self.overrides: dict[str, float | str] = {}
         self.nv: str | None = None
         self.cache = True
+        # The command line itself, to be told where it brought motionlang down.
+        self.given: list[str] = []
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Options) and all(
-            getattr(self, name) == getattr(other, name) for name in Options.__slots__
+            getattr(self, name) == getattr(other, name) for name in Options.__slots__ if name != "given"
         )
 
     __hash__ = None  # type: ignore[assignment]

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.cli.options import PLOTS, TRACES
-from motionlang.errors import Diagnostic
+from motionlang.errors import Diagnostic, Terminated
 from motionlang.execution import machine_of
 from motionlang.files import same_file, unwritable
+from motionlang.remarks import who_ended
 from motionlang.source import STDIN
 from motionlang.views.progress import Progress
 
@@ -72,6 +73,13 @@ def _write(path: str, write: Callable[[], None]) -> int:
     try:
         write()
     except BrokenPipeError:
+        raise
+    except (KeyboardInterrupt, Terminated) as error:
+        complain(
+            [Diagnostic("interrupted", f"{path} was not written: the command was ended {who_ended(error)}")],
+            None,
+            path,
+        )
         raise
     except OSError as error:
         complain([unwritten(path, error)], None, path)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 
 from motionlang.cli.input_files import read_machine_file, read_source
+from motionlang.cli.signals import SIGNALS, status_of
+from motionlang.errors import Diagnostic, ProgramError, Terminated
 from motionlang.execution import dialect, dialect_of, machine_of, run
 from motionlang.source import STDIN, Source
 
@@ -13,17 +15,55 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.cli.options import Options
-    from motionlang.errors import Diagnostic
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
 
+# The exit status where motionlang itself has made a mistake, as sysexits has it.
+CRASHED = 70
 # The width of a table that goes into a file or a pipe: wide enough for every column.
 PIPED_WIDTH = 160
 
 
 def run_command(options: Options) -> int:
-    """Run a program and show what it did; answers with the exit status."""
+    """Run a program and show what it did; answers with the exit status.
+
+    However it ends, there is one whole report: a signal that comes while it is written waits until it stands there.
+    """
+    told = False
+    try:
+        SIGNALS.let_go()
+        result = _result(options)
+        if isinstance(result, int):
+            return result
+        with SIGNALS.held:
+            status = _tell(result, options)
+            told = True
+        return _write_files(result, options) or status
+    except (KeyboardInterrupt, Terminated) as error:
+        if told:
+            raise
+        from motionlang.remarks import who_ended
+
+        SIGNALS.hold()
+        ended = [Diagnostic("interrupted", f"the run was ended {who_ended(error)}")]
+        return _refuse(options, ended, None, status_of(error), "interrupted")
+    except (OSError, ProgramError):
+        raise
+    except Exception as error:
+        if told:
+            raise
+        return _refuse(options, [_crash(error, options)], None, CRASHED)
+
+
+def _crash(error: Exception, options: Options, source: Source | None = None) -> Diagnostic:
+    from motionlang.cli.crash import crash
+
+    return crash(error, options.given, source)
+
+
+def _result(options: Options) -> Run | int:
+    """The run; the exit status where there is none, which has been told."""
     try:
         source = read_source(options.file)
     except OSError as error:
@@ -46,25 +86,40 @@ def run_command(options: Options) -> int:
     if options.realtime is not None and options.file != STDIN and sys.stdin.isatty():
         from motionlang.cli.keyboard import run_live
 
-        result = run_live(lambda keyboard: _run(options, source, settings, keyboard), options.realtime)
-    else:
-        result = _run(options, source, settings)
+        return run_live(lambda keyboard: _run(options, source, settings, keyboard), options.realtime)
+    return _run(options, source, settings)
+
+
+def _tell(result: Run, options: Options) -> int:
+    """The report and what there is to complain of; answers with the exit status."""
+    if result.crash is not None:
+        result.diagnostics.append(
+            _crash(result.crash, options, result.source if options.file == STDIN else None)
+        )
     _report(result, options)
-    status = _write_files(result, options)
     if result.diagnostics:
         from motionlang.cli.complaints import complain
 
         complain(result.diagnostics, result.source, options.file)
+    sys.stdout.flush()
+    if result.crash is not None:
+        return CRASHED
     if result.status == "interrupted":
-        return 130
+        return SIGNALS.status
     wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
-    return 1 if wrong else status
+    return 1 if wrong else 0
 
 
-def _refuse(options: Options, diagnostics: Sequence[Diagnostic], source: Source | None, status: int) -> int:
+def _refuse(
+    options: Options,
+    diagnostics: Sequence[Diagnostic],
+    source: Source | None,
+    status: int,
+    outcome: str = "fault",
+) -> int:
     from motionlang.cli.complaints import refuse
 
-    return refuse(options, diagnostics, source, status)
+    return refuse(options, diagnostics, source, status, outcome)
 
 
 def _missing_axes(options: Options, settings: dict[str, object]) -> list[Diagnostic]:
@@ -106,6 +161,7 @@ def _run_unwatched(
         outside=outside,
         begun=begun,
         nv=options.nv,
+        keep_crash=True,
         cache=options.cache,
     )
 

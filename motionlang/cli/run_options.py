@@ -114,6 +114,7 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
             diagnostic = refused(path, options)
             if diagnostic is not None:
                 return refuse(options, [diagnostic], None, 1)
+    options.given = arguments.given
     return run_command(options)
 
 

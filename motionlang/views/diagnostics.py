@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 TAB = 4
 # A message quotes the user's text, which may be a megabyte without a space.
 LONGEST_MESSAGE = 500
+# Diagnostics of one file that somebody is shown.
+MOST = 100
 
 
 def render(
@@ -50,6 +52,10 @@ def render(
             lines += _excerpt(diagnostic, source.line(diagnostic.line), gutter, colour, width)
     if diagnostic.hint:
         lines.append(f"{' ' * (gutter + 1)}{styled('hint:', 'note', colour)} {_short(diagnostic.hint)}")
+    if diagnostic.count > 1:
+        count = f"{diagnostic.count:,}".replace(",", " ")
+        times = f"{count} times, from {diagnostic.first:.6g} s to {diagnostic.last:.6g} s"
+        lines.append(f"{' ' * (gutter + 1)}{styled('note:', 'note', colour)} {times}")
     return "\n".join(lines) + "\n"
 
 
@@ -61,8 +67,12 @@ def render_all(
     colour: bool = False,
     width: int = WIDTH,
 ) -> str:
-    """All of them, an empty line between two."""
-    return "\n".join(render(each, source, name=name, colour=colour, width=width) for each in diagnostics)
+    """An empty line between two; of very many the first, and how many more there are."""
+    found = list(diagnostics)
+    texts = [render(each, source, name=name, colour=colour, width=width) for each in found[:MOST]]
+    if len(found) > MOST:
+        texts.append(f"and {tally(found[MOST:])} more, which the JSON report has\n")
+    return "\n".join(texts)
 
 
 def tally(diagnostics: Iterable[Diagnostic]) -> str:

@@ -21,6 +21,8 @@ DEFAULT_AXES = 8
 # The number of the terminal that is the console.
 CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
+# Different complaints of a run that are told; of the rest there is nothing new to learn.
+MOST_DIAGNOSTICS = 200
 
 
 class Machine:
@@ -36,6 +38,7 @@ class Machine:
         "_host",
         "_operators",
         "_power_up",
+        "_told",
         "_world",
         "ask",
         "assumed",
@@ -92,6 +95,7 @@ class Machine:
         self.nv: NonVolatile | None = None
         # What the program did wrong without ending: MCCL answers with a code and goes on.
         self.diagnostics: list[Diagnostic] = []
+        self._told: dict[tuple[object, ...], Diagnostic] = {}
         # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
         self.scheduler: Scheduler | None = None
         if not _is_plain(self.settings):
@@ -136,6 +140,19 @@ class Machine:
             self._power_up.append(call)
         else:
             call(self._controller)
+
+    def complain(self, diagnostic: Diagnostic) -> None:
+        """Tell of what the program does wrong without ending; equal ones are one, with a count."""
+        if not self.diagnostics:
+            self._told.clear()  # whoever took them has told them
+        before = self._told.setdefault(diagnostic.key, diagnostic)
+        if before is not diagnostic:
+            before.again(self.clock.now)
+        elif len(self._told) <= MOST_DIAGNOSTICS:
+            diagnostic.first = diagnostic.last = self.clock.now
+            self.diagnostics.append(diagnostic)
+        else:
+            del self._told[diagnostic.key]
 
     def moving(self) -> list[int]:
         """The axes that are not idle."""

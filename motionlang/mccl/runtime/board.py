@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import MOST_DIAGNOSTICS
 from motionlang.mccl import codes
 from motionlang.mccl.axis import motor
 from motionlang.mccl.axis.axis import AxisState
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
-MAX_DIAGNOSTICS = 200
 
 
 class Board:
@@ -46,7 +46,7 @@ class Board:
         self.model = _model(machine.model)
         self.write: Callable[[str], None] = machine.terminal.write
         self.complain = complain
-        self._seen: set[tuple[int, str]] = set()
+        self._seen: dict[tuple[int, str], Diagnostic] = {}
         self.numbers = tuple(sorted(self.controller.axes))
         self.axes = {number: AxisState(number, self.model) for number in self.numbers}
         self.all_axes = tuple(self.axes.values())
@@ -301,12 +301,16 @@ class Board:
     def warn(
         self, task: CommandTask, code: str, message: str, hint: str = "", severity: str = "warning"
     ) -> None:
-        """A diagnostic at the command that the task is at; each place speaks once."""
-        key = (task.at, message)
-        if self.complain is None or key in self._seen or len(self._seen) >= MAX_DIAGNOSTICS:
+        """A diagnostic at the command that the task is at; each place speaks once, and counts how often it would."""
+        if self.complain is None:
             return
-        self._seen.add(key)
-        self.complain(Diagnostic(code, message, hint=hint, severity=severity), task)
+        key = (task.at, message)
+        before = self._seen.get(key)
+        if before is not None:
+            before.again(self.controller.clock.now)
+        elif len(self._seen) < MOST_DIAGNOSTICS:
+            self._seen[key] = Diagnostic(code, message, hint=hint, severity=severity)
+            self.complain(self._seen[key], task)
 
 
 # What the controller's axes start with on this board; the rest is as the controller has it.

@@ -35,7 +35,7 @@ class MacroFile(Program):
         def complain(diagnostic: Diagnostic, task: CommandTask) -> None:
             place = locate(self.source, task.at)
             diagnostic.line, diagnostic.column, diagnostic.length = place
-            machine.diagnostics.append(diagnostic)
+            machine.complain(diagnostic)
 
         machine.model = machine.model or written_for(self.source.name)
         board = Board(machine, complain)

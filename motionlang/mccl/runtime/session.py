@@ -44,7 +44,7 @@ class Session(Interactive):
             diagnostic.line = line.number
         elif isinstance(task, LineTask):
             diagnostic.line, diagnostic.column, diagnostic.length = locate(task.source, task.at)
-        self._machine.diagnostics.append(diagnostic)
+        self._machine.complain(diagnostic)
 
 
 class LineTask(CommandTask):

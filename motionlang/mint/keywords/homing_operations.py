@@ -117,9 +117,7 @@ class Homes:
 
             hint = f"the machine file sets them: axis.{axis}.home_switch, travel and index_every"
             message = f"HOME looks for {' and '.join(missing)}, which nothing provides"
-            environment.machine.diagnostics.append(
-                Diagnostic("never", message, line, hint=hint, severity="warning")
-            )
+            environment.machine.complain(Diagnostic("never", message, line, hint=hint, severity="warning"))
         return not missing
 
     def _has_switch(self, axis: int) -> bool:

@@ -1,0 +1,91 @@
+"""A mistake of motionlang's own: what is needed to find it, in a folder, and where that lies.
+
+The last guard of the command line: nobody is shown a traceback, and nothing that was computed is lost by one.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+import traceback
+from platform import platform
+from typing import TYPE_CHECKING
+
+from motionlang import __version__
+from motionlang.errors import Diagnostic
+from motionlang.execution import dialect_of, machine_of
+from motionlang.files import replacing
+from motionlang.source import LARGEST, STDIN
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from motionlang.source import Source
+
+MACHINE = ".toml"
+REPORT = "crash.txt"
+# Folders of crashes before this one that may lie beside it.
+MOST = 1000
+
+
+def crash(error: BaseException, arguments: Sequence[str], source: Source | None = None) -> Diagnostic:
+    """Put together what led to an error, and tell of it; `source` is a program that lies in no file."""
+    what = "".join(traceback.format_exception_only(error)).strip().split("\n", 1)[0]
+    try:
+        folder = _bundle(error, arguments, source)
+    except OSError as problem:
+        hint = f"what led to it could not be kept: {problem.strerror or problem}"
+    else:
+        hint = f"the program, the machine file, the options and where it happened lie in {folder}"
+    return Diagnostic("crash", f"motionlang has made a mistake: {what}", hint=hint)
+
+
+def _bundle(error: BaseException, arguments: Sequence[str], source: Source | None) -> str:
+    folder = _folder()
+    lines = [
+        f"motionlang {__version__}, Python {sys.version.split()[0]}, {platform()}",
+        f"options: {' '.join(arguments)}",
+        "",
+        *traceback.format_exception(error),
+    ]
+    _write(folder, REPORT, "\n".join(lines).encode("utf-8", "backslashreplace"))
+    if source is not None:
+        _write(folder, os.path.basename(source.name).strip("<>") or "program", source.text.encode())
+    for path in _inputs(arguments):
+        if os.path.isfile(path) and os.path.getsize(path) <= LARGEST:
+            with open(path, "rb") as file:
+                _write(folder, os.path.basename(path), file.read())
+    return folder
+
+
+def _folder() -> str:
+    """A new folder that nobody else may look into."""
+    for number in range(MOST):
+        path = os.path.join(tempfile.gettempdir(), f"motionlang-crash-{os.getpid()}-{number}")
+        try:
+            os.mkdir(path, 0o700)
+        except FileExistsError:
+            continue
+        return path
+    raise FileExistsError(17, "there are too many folders of crashes")
+
+
+def _inputs(arguments: Sequence[str]) -> Iterable[str]:
+    """The programs and machine files that a command line names, and the machine files beside the programs."""
+    for word in arguments:
+        path = word.partition("=")[2] if word.startswith("--") else word
+        if path == STDIN:
+            continue
+        if dialect_of(path) is not None:
+            yield path
+            machine = machine_of(path)
+            if machine is not None:
+                yield machine
+        elif path.endswith(MACHINE):
+            yield path
+
+
+def _write(folder: str, name: str, data: bytes) -> None:
+    with replacing(os.path.join(folder, name), private=True) as file:
+        file.write(data)

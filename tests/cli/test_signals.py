@@ -1,0 +1,228 @@
+"""Signals at every stage of a run, and crashes: a whole report, whole files, and no traceback."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from motionlang.cli import signals
+from motionlang.errors import Terminated
+from motionlang.execution import dialect
+from motionlang.lang.scheduler import Scheduler
+from motionlang.views import export
+from tests.cli.programs import Cell
+
+COMMAND = [sys.executable, "-m", "motionlang"]
+MOVE = "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
+ENDLESS = "Dim i As Integer\nPRINT 1\nWhile 1\n i = i + 1\nWend\n"
+SIGNALS = [
+    pytest.param(signal.SIGINT, "from the keyboard", 130, id="SIGINT"),
+    pytest.param(signal.SIGTERM, "by SIGTERM", 143, id="SIGTERM"),
+    pytest.param(signal.SIGHUP, "by SIGHUP", 129, id="SIGHUP"),
+]
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+
+
+@pytest.fixture(autouse=True)
+def no_signal_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """SIGHUP may be off where the tests run; each test's time stands still unless it says so."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    monkeypatch.setattr(signals, "monotonic", lambda: 0.0)
+    yield
+    signal.signal(signal.SIGHUP, before)
+
+
+def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
+    """The same call, and the signal comes, twice, when it begins."""
+
+    def do(*given: object, **named: object) -> object:
+        signal.raise_signal(number)
+        signal.raise_signal(number)
+        return call(*given, **named)
+
+    return do
+
+
+STAGES = {
+    "compiling": (type(dialect("mint")), "compile", "interrupted"),
+    "running": (Scheduler, "run", "interrupted"),
+    "reporting": ("motionlang.report", "text", "ended"),
+}
+
+
+@pytest.mark.parametrize("stage", STAGES)
+@pytest.mark.parametrize(("number", "who", "status"), SIGNALS)
+def test_a_signal_at_any_stage(
+    stage: str, number: int, who: str, status: int, cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place, name, outcome = STAGES[stage]
+    if isinstance(place, str):
+        place = sys.modules[place]
+    monkeypatch.setattr(place, name, sending(number, getattr(place, name)))
+    cell.write("a.mnt", MOVE)
+    ran = cell("run", "a.mnt", "--report", "json", "--no-cache")
+    report = json.loads(ran.out)
+    assert (ran.status, report["status"]) == (status, outcome)
+    told = [each["message"] for each in report["diagnostics"]]
+    assert told == ([f"the run was ended {who}"] if outcome == "interrupted" else [])
+
+
+def test_a_signal_while_the_file_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    from motionlang.cli import input_files, run
+
+    cell.write("a.mnt", MOVE)
+    monkeypatch.setattr(run, "read_source", sending(signal.SIGTERM, input_files.read_source))
+    ran = cell("run", "a.mnt", "--report", "json")
+    assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
+
+
+def test_a_signal_during_a_trace_leaves_the_report_and_no_half_of_a_file(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cell.write("a.mnt", MOVE)
+    before = cell.write("a.csv", "old")
+    monkeypatch.setitem(export._WRITERS, ".csv", sending(signal.SIGTERM, export._write_csv))
+    ran = cell("run", "a.mnt", "--report", "json", "--trace", "a.csv")
+    assert (ran.status, json.loads(ran.out)["status"], before.read_text()) == (143, "ended", "old")
+    assert "a.csv was not written: the command was ended by SIGTERM" in ran.err
+    assert not [each for each in os.listdir() if each.startswith(".a.csv")]
+
+
+def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    times = iter([10.0, 10.5, 12.0])
+    monkeypatch.setattr(signals, "monotonic", lambda: next(times))
+
+    def write(result: object) -> str:
+        for _ in range(3):
+            signal.raise_signal(signal.SIGINT)
+        return "never"
+
+    cell.write("a.mnt", MOVE)
+    monkeypatch.setattr("motionlang.report.text", write)
+    ran = cell("run", "a.mnt", "--report", "json")
+    assert (ran.status, "never" in ran.out) == (130, False)
+
+
+def test_what_is_switched_off_stays_off(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As nohup has it."""
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    cell.write("a.mnt", MOVE)
+    monkeypatch.setattr(Scheduler, "run", sending(signal.SIGHUP, Scheduler.run))
+    assert cell("run", "a.mnt", "--report", "none").status == 0
+
+
+def test_handlers_are_put_back(cell: Cell) -> None:
+    before = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)]
+    hook = sys.unraisablehook
+    cell("keywords", "SPEED")
+    assert [signal.getsignal(n) for n in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)] == before
+    assert sys.unraisablehook is hook
+
+
+def test_a_signal_that_python_drops_comes_again() -> None:
+    """What a callback of the garbage collector raises is shown and forgotten, unless somebody looks."""
+
+    class Falls:
+        def __del__(self) -> None:
+            raise Terminated(signal.SIGTERM)
+
+    def lose() -> None:
+        with signals.SIGNALS:
+            signals.SIGNALS._asked = signal.SIGTERM
+            Falls()
+            signal.sigtimedwait([], 5)
+
+    with pytest.raises(Terminated):
+        lose()
+
+
+@pytest.mark.parametrize(("number", "who", "status"), SIGNALS)
+def test_a_process_that_is_told_to_end(number: int, who: str, status: int, tmp_path: Path) -> None:
+    program = tmp_path / "endless.mnt"
+    program.write_text(MOVE + ENDLESS)
+    command = [*COMMAND, "run", str(program), "--realtime", "1000"]
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "10.0000\n"
+        process.send_signal(number)
+        out, err = process.communicate(timeout=20)
+    assert (process.returncode, " · interrupted at " in out) == (status, True)
+    assert err.startswith(f"error[interrupted]: the run was ended {who}\n")
+    assert "Traceback" not in err
+
+
+@pytest.fixture
+def crashes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "crashes"
+    folder.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(folder))
+    return folder
+
+
+def broken(*given: object, **named: object) -> object:
+    raise AssertionError("it cannot be")
+
+
+def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
+    cell: Cell, crashes: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Scheduler, "settle", broken)
+    cell.write("a.mnt", MOVE)
+    cell.write("a.machine.toml", "[controller]\naxes = 2\n")
+    ran = cell("run", "a.mnt", "--report", "json", "--no-cache")
+    report = json.loads(ran.out)
+    assert (ran.status, report["status"], report["output"], len(report["moves"])) == (
+        70,
+        "fault",
+        ["10.0000"],
+        1,
+    )
+    (folder,) = crashes.iterdir()
+    assert report["diagnostics"][0]["code"] == "crash"
+    assert report["diagnostics"][0]["hint"].endswith(f"lie in {folder}")
+    assert (folder / "a.mnt").read_text() == MOVE
+    assert (folder / "a.machine.toml").read_text() == "[controller]\naxes = 2\n"
+    text = (folder / "crash.txt").read_text()
+    assert text.startswith("motionlang 0.1.0, Python ")
+    assert "options: run a.mnt --report json --no-cache\n" in text
+    assert "AssertionError: it cannot be" in text
+    assert "Traceback" not in ran.out + ran.err
+
+
+@pytest.mark.parametrize(
+    ("place", "arguments"),
+    [
+        ("motionlang.cli.run.read_source", ("run", "a.mnt", "--report", "json")),
+        ("motionlang.report.text", ("run", "a.mnt", "--report", "json")),
+        ("motionlang.views.table.render", ("run", "a.mnt")),
+        ("motionlang.cli.check.check_command", ("check", "a.mnt")),
+        ("motionlang.views.export.write_trace", ("run", "a.mnt", "--trace", "a.csv")),
+    ],
+)
+def test_a_crash_anywhere_is_told_and_kept(
+    place: str, arguments: tuple[str, ...], cell: Cell, crashes: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(place, broken)
+    cell.write("a.mnt", MOVE)
+    ran = cell(*arguments)
+    assert ran.status == 70
+    assert "error[crash]: motionlang has made a mistake: AssertionError: it cannot be" in ran.err
+    assert (next(crashes.iterdir()) / "a.mnt").read_text() == MOVE
+    if "json" in arguments:
+        assert json.loads(ran.out)["diagnostics"][0]["code"] == "crash"
+
+
+def test_a_crash_that_cannot_be_kept_is_told(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(cell.folder / "none"))
+    monkeypatch.setattr("motionlang.cli.check.check_command", broken)
+    ran = cell("check", "a.mnt")
+    assert (ran.status, "what led to it could not be kept" in ran.err) == (70, True)

@@ -1,0 +1,74 @@
+"""Very many mistakes: shown in bounds, found in time that grows with them, and equal ones told once with a count."""
+
+from __future__ import annotations
+
+import motionlang
+from motionlang.errors import Diagnostic
+from motionlang.lang.machine.machine import MOST_DIAGNOSTICS, Machine
+from motionlang.mccl.lint.check import check
+from motionlang.source import Source
+from motionlang.views.diagnostics import MOST, render, render_all
+
+BAD = "".join(f"1XX{number}\n" for number in range(3000))
+
+
+class Counting(str):
+    """A text that counts how often it is looked through."""
+
+    looks = 0
+
+    def count(self, *given: object) -> int:
+        Counting.looks += 1
+        return super().count(*given)  # type: ignore[arg-type]
+
+    def rfind(self, *given: object) -> int:
+        Counting.looks += 1
+        return super().rfind(*given)  # type: ignore[arg-type]
+
+
+def test_places_of_many_mistakes_cost_one_look_at_the_text() -> None:
+    source = Source("bad.mcl", BAD)
+    source.text = Counting(BAD)
+    found = check(source)
+    assert [each.line for each in found] == list(range(1, 3001))
+    assert Counting.looks < 10
+
+
+def test_a_file_full_of_mistakes_is_shown_in_bounds() -> None:
+    source = Source("bad.mcl", BAD)
+    text = render_all(check(source), source)
+    assert text.count("error[") == MOST
+    assert text.endswith("\nand 2900 errors more, which the JSON report has\n")
+    assert len(render_all(check(source)[:MOST], source)) == len(text) - len(text.rpartition("\nand ")[2]) - 5
+
+
+def test_equal_diagnostics_of_a_run_are_one() -> None:
+    """A warning in a loop."""
+    program = Source(
+        "home.mnt", "Dim i As Integer\nFor i = 1 To 50\n HOME(0) = 0\n CANCEL(0)\n WAIT = 100\nNext\n"
+    )
+    ran = motionlang.run(program, machine={"controller.axes": 1}, until=10.0, cache=False)
+    (told,) = [each for each in ran.diagnostics if each.code == "never"]
+    assert (told.count, told.line) == (50, 3)
+    assert 0.0 < told.first < 0.001
+    assert 4.9 < told.last < 4.92
+    shown = told.as_dict()
+    assert (shown["count"], shown["first_time"], shown["last_time"]) == (50, told.first, told.last)
+    assert f"note: 50 times, from {told.first:.6g} s to {told.last:.6g} s" in render(told, program)
+
+
+def test_a_command_that_is_refused_again_and_again_is_counted() -> None:
+    ran = motionlang.run(Source("w.mcl", "2MR1,WA0.1,RP9\n"), until=10.0)
+    (told,) = [each for each in ran.diagnostics if each.code == "disabled-axis"]
+    assert told.count == 10
+    assert 0.9 < told.last < 0.91
+    assert told.first < 0.001
+
+
+def test_different_diagnostics_of_a_run_are_bounded() -> None:
+    machine = Machine()
+    for number in range(2 * MOST_DIAGNOSTICS):
+        machine.complain(Diagnostic("never", f"complaint {number}"))
+        machine.complain(Diagnostic("never", f"complaint {number}"))
+    assert len(machine.diagnostics) == MOST_DIAGNOSTICS
+    assert {each.count for each in machine.diagnostics} == {2}
