@@ -193,21 +193,12 @@ def _add_plan(commands: Commands) -> None:
 
 
 def _add_profiles(commands: Commands) -> None:
+    from motionlang.cli.profiles import add_arguments, profiles_command
+
     parser = add_command(
-        commands, "profiles", "compare the four velocity profiles by the example of PMC's TN1069", _profiles
+        commands, "profiles", "compare the four velocity profiles of PMC's TN1069 by a move", profiles_command
     )
-    parser.add_argument(
-        "--as-printed",
-        action="store_true",
-        help="the published figures beside the exact ones, each erratum named",
-    )
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
-
-
-def _profiles(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    from motionlang.cli.profiles import profiles_command
-
-    return profiles_command(arguments.as_printed, arguments.json)
+    add_arguments(parser)
 
 
 def _add_keywords(commands: Commands) -> None:

@@ -1,6 +1,7 @@
 """`motionlang plan`: the missing figures of a trapezoidal move, and a program that makes it.
 
-AN00115's lesson: distance, time, speed, rates and ramp times determine one another; a rule fills what is still free.
+AN00115's lesson: distance, time, speed, rates and ramp times determine one another; a rule fills what is still free. A
+move that is too short for its speed turns round before, and the figures say so.
 """
 
 from __future__ import annotations
@@ -9,7 +10,9 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
+from motionlang.profile.reach import needed_distance, remedies, triangle
 from motionlang.profile.solve import NAMES, RULES, solve_move
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
@@ -30,8 +33,6 @@ UNITS = {
     "accel": "uu/s²",
     "decel": "uu/s²",
 }
-# What MCCL takes in whole counts while no user unit is set.
-WHOLE = ("distance", "speed", "accel", "decel")
 HELP = {
     "distance": "distance of the move, user units; negative for a move the other way",
     "time": "time of the whole move, seconds",
@@ -52,6 +53,7 @@ examples:
   motionlang plan --distance 20 --time 0.6 --rule third
   motionlang plan --distance 200 --speed 250 --accel 1250 --scale 1200
   motionlang plan --distance 20 --time 0.6 --speed 50 --rule equal --by-times --dialect mint
+  motionlang plan --encoder-lines 1000 --gear 3:1 --pitch 10 --distance 200 --time 1 --accel-time 0.2 --decel-time 0.2
 """
 
 
@@ -60,7 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     for name in NAMES:
         parser.add_argument(f"--{name.replace('_', '-')}", type=float, metavar="X", help=HELP[name])
     parser.add_argument("--rule", choices=tuple(RULES), help="how to split the time where nothing else does")
-    parser.add_argument("--scale", type=float, default=1.0, metavar="COUNTS", help="counts per user unit (1)")
+    add_scale_arguments(parser)
     parser.add_argument("--axis", type=int, metavar="N", help="the axis of the program; the language's first")
     parser.add_argument(
         "--by-times", action="store_true", help="ACCELTIME and DECELTIME instead of rates (Mint)"
@@ -76,48 +78,106 @@ def plan_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser)
     backwards = given.get("distance", 0.0) < 0.0
     if backwards:
         given["distance"] = -given["distance"]
-    if not 1e-6 <= arguments.scale <= 1e12:
-        parser.error("--scale must be a number of counts from 1e-06 to 1e+12")
+    try:
+        scale, how = scale_of(arguments)
+    except ValueError as problem:
+        parser.error(str(problem))
     if arguments.axis is not None and arguments.axis < (1 if arguments.dialect == "mccl" else 0):
         parser.error("there is no such axis: Mint counts from 0, MCCL from 1")
     try:
-        move, assumed = _solve(given, arguments.rule)
+        move, assumed, wanted = _solve(given, arguments.rule)
     except ValueError as problem:
-        parser.error(str(problem))
+        changes = remedies(arguments.rule, given)
+        parser.error(f"{problem}\n  hint: change one: {'; '.join(changes)}" if changes else str(problem))
     if backwards:
         move["distance"] = -move["distance"]
     programs = {
-        name: write(move, arguments.scale, arguments.axis, arguments.by_times)
+        name: write(move | wanted, scale, arguments.axis, arguments.by_times)
         for name, write in WRITERS.items()
         if arguments.dialect in (None, name)
     }
+    notes = [f"scale: {how} = {_number(scale)} counts/uu"] if how else []
+    notes += _unreached(move, wanted)
     if arguments.json:
-        sys.stdout.write(json.dumps({"schema": SCHEMA, "move": move, "programs": programs}, indent=1) + "\n")
+        document = {"schema": SCHEMA, "move": move, "scale": scale, "notes": notes, "programs": programs}
+        sys.stdout.write(json.dumps(document, indent=1) + "\n")
         return 0
     colour = wants_colour(sys.stdout)
-    text = "\n".join(_lines(move, set(given), assumed, programs, colour)) + "\n"
+    lines = _lines(move, set(given) - set(wanted), assumed, notes, programs, colour)
+    text = "\n".join(lines) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
     return 0
 
 
-def _solve(given: dict[str, float], rule: str | None) -> tuple[dict[str, float], set[str]]:
-    """The eight figures, and those that were taken over from their opposite number for want of anything else."""
+def _solve(given: dict[str, float], rule: str | None) -> tuple[dict[str, float], set[str], dict[str, float]]:
+    """The eight figures, those taken over from their opposite number, and what a move that is too short asked for."""
+    short = _too_short(given)
+    if short is not None:
+        return short
     try:
-        return solve_move(rule, **given), set()
-    except ValueError:
+        return solve_move(rule, **given), set(), {}
+    except ValueError as first:
+        problem = first
         for one, other in (("accel", "decel"), ("accel_time", "decel_time")):
             if (one in given) != (other in given) and rule is None:
                 missing = other if one in given else one
                 full = {**given, missing: given[one if one in given else other]}
                 try:
-                    return solve_move(None, **full), {missing}
-                except ValueError:
-                    continue
-        raise
+                    return solve_move(None, **full), {missing}, {}
+                except ValueError as contradiction:
+                    problem = contradiction
+        raise problem from None
+
+
+def _too_short(
+    given: dict[str, float],
+) -> tuple[dict[str, float], set[str], dict[str, float]] | None:
+    """The same of a distance with a speed and ramps that it has no room for; None for anything else."""
+    rates = {}
+    for rate, time in (("accel", "accel_time"), ("decel", "decel_time")):
+        if (rate in given) == (time in given):
+            continue
+        value = given[rate if rate in given else time]
+        if value > 0.0 and given.get("speed", 0.0) > 0.0:
+            rates[rate] = value if rate in given else given["speed"] / value
+    ramps = {"accel", "decel", "accel_time", "decel_time"} & set(given)
+    if not rates or len(ramps) != len(rates) or set(given) - ramps != {"distance", "speed"}:
+        return None
+    assumed = {"accel", "decel"} - set(rates)
+    accel, decel = (rates.get(name, next(iter(rates.values()))) for name in ("accel", "decel"))
+    speed = given["speed"]
+    try:
+        move = triangle(given["distance"], speed, accel, decel)
+    except (ValueError, OverflowError, ZeroDivisionError):
+        return None
+    if move is None:
+        return None
+    return move, assumed, {"speed": speed, "accel_time": speed / accel, "decel_time": speed / decel}
+
+
+def _unreached(move: dict[str, float], wanted: dict[str, float]) -> list[str]:
+    """That the speed asked for is not reached, and what it would need."""
+    if not wanted:
+        return []
+    speed, distance = wanted["speed"], abs(move["distance"])
+    needed = needed_distance(speed, move["accel"], move["decel"])
+    factor = needed / distance
+    rates = {f"{name} {move[name] * factor:.6g}" for name in ("accel", "decel")}
+    each = f"{move['accel'] * factor:.6g} uu/s² up and down" if move["accel"] == move["decel"] else " and ".join(
+        sorted(rates))  # fmt: skip
+    return [
+        f"a speed of {speed:g} uu/s is not reached: the peak is {move['speed']:.6g} after {move['accel_time']:.6g} s; "
+        f"it needs a distance of {needed:.6g} uu, or {each}"
+    ]
 
 
 def _lines(
-    move: dict[str, float], given: set[str], assumed: set[str], programs: dict[str, str], colour: bool
+    move: dict[str, float],
+    given: set[str],
+    assumed: set[str],
+    notes: list[str],
+    programs: dict[str, str],
+    colour: bool,
 ) -> list[str]:
     rows, styles = [], []
     for name in NAMES:
@@ -126,10 +186,12 @@ def _lines(
         styles.append("dim" if name in given else "")
     columns = (Column("figure", align="<"), Column("value"), Column("", align="<"), Column("", align="<"))
     lines = grid(columns, rows, width=1000, colour=colour, styles=styles)
+    if notes:
+        lines += ["", *(f"{styled('note:', 'note', colour)} {note}" for note in notes)]
     for name, program in programs.items():
         lines += ["", styled(dialect_name(name), "bold", colour)]
         lines += [f"  {styled(line, 'word', colour)}" for line in program.splitlines()]
-        if name == "mccl" and "US" not in program and any("." in _number(move[each]) for each in WHOLE):
+        if name == "mccl" and "US" not in program and "." in program:
             lines.append(
                 f"  {styled('note:', 'note', colour)} without a scale MCCL takes whole counts only; give --scale"
             )
@@ -139,7 +201,7 @@ def _lines(
 def _mint(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
     """The move in Mint, where ramp times are milliseconds."""
     n = axis or 0
-    lines = [f"SCALEFACTOR({n}) = {_number(scale)}"] if scale != 1.0 else []
+    lines = [f"SCALE({n}) = {_number(scale)}"] if scale != 1.0 else []
     lines.append(f"SPEED({n}) = {_number(move['speed'])}")
     for rate, time in (("accel", "accel_time"), ("decel", "decel_time")):
         word, value = (rate, move[rate]) if not by_times else (rate + "time", 1000.0 * move[time])

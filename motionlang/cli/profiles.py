@@ -1,20 +1,29 @@
-"""`motionlang profiles`: the comparison table of PMC's technical note TN1069, exact, and as it was printed."""
+"""`motionlang profiles`: the comparison table of PMC's technical note TN1069, exact, as printed, and of any move."""
 
 from __future__ import annotations
 
 import json
 import sys
 import textwrap
+from typing import TYPE_CHECKING
 
-from motionlang.profile.tn1069 import ACCELERATION, COLUMNS, DISTANCE, ERRATA, VELOCITY, comparison
+from motionlang.profile.tn1069 import ERRATA, Demand, comparison
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Sequence
+
+    from motionlang.profile.tn1069 import Row
 
 SCHEMA = "motionlang.profiles/1"
 # What the names of the rows stand for.
 MEANINGS = {
     "T_A": "acceleration time",
     "S_A": "acceleration distance",
+    "T_D": "deceleration time",
+    "S_D": "deceleration distance",
     "S_V": "slew distance",
     "T_V": "slew time",
     "peak": "peak velocity",
@@ -23,21 +32,81 @@ MEANINGS = {
 WIDTH = 100
 
 
-def profiles_command(as_printed: bool, as_json: bool) -> int:
-    """Print the table; 0."""
-    if as_json:
-        sys.stdout.write(json.dumps(_data(), indent=1) + "\n")
+OPTIONS = (
+    ("acceleration", "A", "acceleration, counts/s² (100000)"),
+    ("velocity", "V", "velocity, counts/s (40000)"),
+    ("distance", "S", "distance, counts (40000)"),
+    ("deceleration", "D", "deceleration, counts/s²; as the acceleration where nothing else is said"),
+    ("ramp", "N", "the part of T_A in which the trapezoidal S-curve's acceleration rises, 0 to 0.5 (0.1)"),
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options of `profiles`."""
+    for name, letter, help in OPTIONS:
+        parser.add_argument(f"--{name}", type=float, metavar=letter, help=help)
+    parser.add_argument(
+        "--as-printed",
+        action="store_true",
+        help="the published figures beside the exact ones, each erratum named",
+    )
+    parser.add_argument("--plot", metavar="FILE", help="draw the four profiles into a .png or .svg file")
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+
+
+def profiles_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    """Print the table, draw it where that is asked for; argparse's error for a move that there is not."""
+    given = {name: value for name, *_ in OPTIONS if (value := getattr(arguments, name)) is not None}
+    try:
+        demand = Demand(**given)
+        rows = comparison(demand)
+    except (ValueError, OverflowError) as problem:
+        parser.error(str(problem))
+    if arguments.as_printed and not demand.printed:
+        parser.error("--as-printed goes with the note's own move only")
+    if arguments.plot:
+        if not arguments.plot.lower().endswith((".png", ".svg")):
+            parser.error("--plot draws .png and .svg files")
+        status = _draw(demand, arguments.plot)
+        if status:
+            return status
+    if arguments.json:
+        sys.stdout.write(json.dumps(_data(demand, rows), indent=1) + "\n")
         return 0
-    text = "\n".join(_lines(as_printed, wants_colour(sys.stdout))) + "\n"
+    text = "\n".join(_lines(demand, rows, arguments.as_printed, wants_colour(sys.stdout))) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
     return 0
 
 
-def _lines(as_printed: bool, colour: bool) -> list[str]:
+def _draw(demand: Demand, path: str) -> int:
+    """Draw the four profiles; 1 where the file or matplotlib is missing, which is told."""
+    from motionlang.errors import Diagnostic
+    from motionlang.views.diagnostics import render
+    from motionlang.views.profiles_plot import draw_profiles
+
+    try:
+        draw_profiles(demand, path)
+    except ImportError as problem:
+        told = Diagnostic(
+            "file", f"{problem.name} is not installed", hint="install motionlang with the extra plot"
+        )
+    except OSError as problem:
+        told = Diagnostic("file", f"{path}: {problem.strerror or problem}")
+    else:
+        return 0
+    sys.stderr.write(render(told, None))
+    return 1
+
+
+def _lines(demand: Demand, rows: Sequence[Row], as_printed: bool, colour: bool) -> list[str]:
     head = "TN1069: one move in four profiles"
-    given = f"A = {ACCELERATION:g} counts/s², V = {VELOCITY:g} counts/s, S = {DISTANCE:g} counts; 1000 cycles a second"
+    slowing = "" if demand.symmetric else f"D = {demand.deceleration:g} counts/s², "
+    given = (
+        f"A = {demand.acceleration:g} counts/s², {slowing}V = {demand.velocity:g} counts/s, "
+        f"S = {demand.distance:g} counts; 1000 cycles a second"
+    )
     lines = [styled(head, "bold", colour), given, ""]
-    lines += _table(as_printed, colour)
+    lines += _table(demand, rows, as_printed, colour)
     if as_printed:
         lines += ["", styled("the print is wrong here", "bold", colour)]
         for number, erratum in enumerate(ERRATA, 1):
@@ -45,15 +114,15 @@ def _lines(as_printed: bool, colour: bool) -> list[str]:
     return lines
 
 
-def _table(as_printed: bool, colour: bool) -> list[str]:
+def _table(demand: Demand, made: Sequence[Row], as_printed: bool, colour: bool) -> list[str]:
     columns = [
         Column("", align="<"),
         Column("", align="<"),
-        *(Column(name) for name in COLUMNS),
+        *(Column(name) for name in demand.columns),
         Column("", align="<"),
     ]
     rows, styles = [], []
-    for row in comparison():
+    for row in made:
         rows.append([row.name, MEANINGS.get(row.name, ""), *map(_exact, row.exact), row.unit])
         styles.append("")
         if as_printed and row.printed is not None:
@@ -66,11 +135,11 @@ def _exact(value: float | None) -> str:
     return "none" if value is None else f"{value:.10g}"
 
 
-def _data() -> dict[str, object]:
+def _data(demand: Demand, rows: Sequence[Row]) -> dict[str, object]:
     return {
         "schema": SCHEMA,
-        "given": {"acceleration": ACCELERATION, "velocity": VELOCITY, "distance": DISTANCE},
-        "profiles": list(COLUMNS),
+        "given": {name: getattr(demand, name) for name, *_ in OPTIONS},
+        "profiles": list(demand.columns),
         "rows": [
             {
                 "name": row.name,
@@ -78,7 +147,7 @@ def _data() -> dict[str, object]:
                 "exact": list(row.exact),
                 "printed": None if row.printed is None else list(row.printed),
             }
-            for row in comparison()
+            for row in rows
         ],
-        "errata": list(ERRATA),
+        "errata": list(ERRATA) if demand.printed else [],
     }

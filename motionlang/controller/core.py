@@ -43,7 +43,10 @@ class Core(Readings):
         self.move_to(axis, base + distance, command, line)
 
     def movable(self, axis: int) -> Axis:
-        """An axis that may move: Refusal while it is off, has an error that locks it, or its brake is set."""
+        """An axis that may move.
+
+        Refusal while it is off, has an error that locks it, its brake is set, or it is in a motion that allows no other.
+        """
         a = self.axes[axis]
         if a.faults & a.locks:
             what = names(a.faults)
@@ -54,6 +57,9 @@ class Core(Readings):
             raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
         if axis in self.braked:
             raise Refusal("brake", f"the brake of axis {axis} is set", "lift the brake before it moves")
+        if a.move is not None and a.move.action is not None and a.move.action.exclusive:
+            words = f"axis {axis} is in {a.move.command}, which takes no other motion"
+            raise Refusal("moving", words, "stop it before another motion")
         self._hold(a)
         return a
 

@@ -68,6 +68,8 @@ class Action:
 
     # Whether it begins on top of following, without waiting for that to end; then it has `begin_on_top`.
     lies_on_top = False
+    # Whether the axis takes no other motion before this one has been stopped.
+    exclusive = False
 
     def release(self, move: Move) -> None:
         """GO was given to the axis of the entry."""

@@ -107,3 +107,100 @@ def test_figures_that_make_no_move(cell: Cell, line: tuple[str, ...], message: s
     ran = cell("plan", *line)
     assert (ran.status, ran.out) == (2, "")
     assert ran.err.startswith(f"motionlang plan: error: {message}")
+
+
+def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> None:
+    """10 at 300 with 2000: it turns round at sqrt(10 * 2000) = 141.4 after 0.0707 s; 300 needs 300^2/2000 = 45."""
+    document = json.loads(
+        cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--json"]).out
+    )
+    assert document["move"]["speed"] == pytest.approx(141.4213562)
+    assert document["move"]["time"] == pytest.approx(0.1414213562)
+    assert document["move"]["slew_time"] == 0.0
+    (note,) = document["notes"]
+    assert note == (
+        "a speed of 300 uu/s is not reached: the peak is 141.421 after 0.0707107 s; "
+        "it needs a distance of 45 uu, or 9000 uu/s² up and down"
+    )
+    for name, program in document["programs"].items():
+        assert "300" in program
+        ran = run(Source(f"plan.{name}", program), dialect=name, cache=False)
+        (move,) = ran.report["moves"]  # type: ignore[misc]
+        assert move["peak_speed"] == pytest.approx(141.4213562)
+        assert move["duration"] == pytest.approx(0.1414213562)
+    assert (
+        json.loads(cell("plan", *["--distance", "45", "--speed", "300", "--accel", "2000", "--json"]).out)[
+            "notes"
+        ]
+        == []
+    )
+
+
+def test_ramp_times_of_a_move_too_short_are_those_to_the_speed_asked_for(cell: Cell) -> None:
+    line = "--distance -10 --speed 300 --accel-time 0.15 --decel-time 0.3 --by-times --dialect mint --json"
+    document = json.loads(cell("plan", *line.split()).out)
+    assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
+    ran = run(Source("plan.mnt", document["programs"]["mint"]), cache=False)
+    (move,) = ran.report["moves"]  # type: ignore[misc]
+    assert move["peak_speed"] == pytest.approx(document["move"]["speed"])
+    assert move["peak_speed"] < 300
+
+
+@pytest.mark.parametrize(
+    ("machine", "scale", "how"),
+    [
+        ("--encoder-lines 1000 --degrees", 4000 / 360, "1000 lines · 4 / 360 = 11.11111111 counts/uu"),
+        ("--resolution 0.001", 1000, "1/0.001 = 1000 counts/uu"),
+        ("--encoder-lines 1000 --gear 3:1 --pitch 10", 1200, "1000 lines · 4 · 3 / 10 = 1200 counts/uu"),
+        ("--encoder-lines 500 --quadrature 1 --pitch 2", 250, "500 lines · 1 / 2 = 250 counts/uu"),
+    ],
+)
+def test_counts_per_unit_from_what_the_machine_is_built_of(
+    cell: Cell, machine: str, scale: float, how: str
+) -> None:
+    line = ("plan", *machine.split(), "--distance", "200", "--time", "1", "--rule", "third")
+    document = json.loads(cell(*line, "--json").out)
+    assert document["scale"] == pytest.approx(scale, rel=1e-12)
+    assert document["notes"] == [f"scale: {how}"]
+    assert f"SCALE(0) = {scale:.10g}\n" in cell(*line).out
+
+
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        (
+            "--distance 20 --time 0.6 --speed 5",
+            "speed above 33.3333 and up to 66.6667; time above 4 and up to 8; distance from 1.5 to below 3",
+        ),
+        (
+            "--distance 20 --time 0.1 --accel 100",
+            "accel 8000 or more; time 0.894427 or more; distance 0.25 or less",
+        ),
+        ("--distance 20 --time 0.6 --speed 50 --accel 3", "accel 250"),
+        ("--distance 20 --time 1 --speed 50 --accel 500 --decel 500", "distance 45; time 0.5"),
+    ],
+)
+def test_an_impossible_demand_says_which_value_to_change(cell: Cell, line: str, hint: str) -> None:
+    ran = cell("plan", *line.split())
+    assert ran.status == 2
+    assert f"\n  hint: change one: {hint}" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("--encoder-lines 1000", "--encoder-lines needs what a turn of the load is: --pitch or --degrees"),
+        ("--encoder-lines 1000 --pitch 10 --degrees", "--encoder-lines needs what a turn of the load is"),
+        ("--gear 3", "--gear needs --encoder-lines"),
+        ("--degrees", "--degrees needs --encoder-lines"),
+        ("--scale 3 --resolution 1", "--scale and --resolution both give the scale"),
+        ("--resolution 0", "resolution must be greater than zero"),
+        ("--encoder-lines 1000 --pitch nan", "per turn must be greater than zero"),
+        ("--encoder-lines 1000 --pitch 1 --gear 3:0", "argument --gear: invalid"),
+        ("--encoder-lines 1000 --pitch 1 --quadrature 3", "a line gives 1, 2 or 4 counts, not 3"),
+    ],
+)
+def test_a_machine_that_gives_no_scale(cell: Cell, line: str, message: str) -> None:
+    ran = cell("plan", "--distance", "1", "--time", "1", *line.split())
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.startswith(f"motionlang plan: error: {message}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -36,7 +37,7 @@ def test_as_printed_beside_it_with_every_erratum(cell: Cell) -> None:
         ["24000", "14880", "22240", "18667"],
         ["600", "372", "556", "467"],
     ]
-    assert [line[:2] for line in lines if line[:1].isdigit()] == ["1.", "2.", "3.", "4.", "5."]
+    assert [line[:2] for line in lines if line[:1].isdigit()] == ["1.", "2.", "3.", "4.", "5.", "6."]
 
 
 def test_json_has_full_precision(cell: Cell) -> None:
@@ -45,4 +46,52 @@ def test_json_has_full_precision(cell: Cell) -> None:
     assert rows["T_A"]["exact"][1] == pytest.approx(628.3185307179587, rel=1e-12)
     assert rows["S_V"]["exact"][3] is None
     assert rows["peak"]["printed"] is None
-    assert len(document["errata"]) == 5
+    assert len(document["errata"]) == 6
+
+
+def test_a_move_of_ones_own(cell: Cell) -> None:
+    line = "profiles --acceleration 200 --deceleration 100 --velocity 50 --distance 1000 --ramp 0.25"
+    out = cell(*line.split()).out
+    assert "A = 200 counts/s², D = 100 counts/s², V = 50 counts/s, S = 1000 counts;" in out
+    assert "trapezoidal 0.25" in out
+    assert [line.split()[0] for line in out.splitlines()[5:9]] == ["T_A", "S_A", "T_D", "S_D"]
+    document = json.loads(cell(*line.split(), "--json").out)
+    assert document["given"]["ramp"] == 0.25
+    assert document["errata"] == []
+    assert document["rows"][2]["exact"][0] == pytest.approx(500.0)
+
+
+@pytest.mark.parametrize("kind", ["png", "svg"])
+def test_it_is_drawn(cell: Cell, tmp_path: Path, kind: str) -> None:
+    pytest.importorskip("matplotlib")
+    path = tmp_path / f"a.{kind}"
+    ran = cell("profiles", "--velocity", "20000", "--plot", str(path))
+    assert (ran.status, ran.err) == (0, "")
+    again = tmp_path / f"b.{kind}"
+    cell("profiles", "--velocity", "30000", "--plot", str(again))
+    assert path.read_bytes() != again.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("--velocity 0", "the velocity must be above zero"),
+        ("--acceleration nan", "the acceleration must be above zero"),
+        ("--deceleration -3", "the deceleration must be above zero"),
+        ("--distance inf", "the distance must be above zero"),
+        ("--ramp 0.5", "the ramp must be above 0 and below 0.5, not 0.5"),
+        ("--velocity 3 --as-printed", "--as-printed goes with the note's own move only"),
+        ("--plot a.txt", "--plot draws .png and .svg files"),
+    ],
+)
+def test_a_move_that_there_is_not(cell: Cell, line: str, message: str) -> None:
+    ran = cell("profiles", *line.split())
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.startswith(f"motionlang profiles: error: {message}")
+
+
+def test_a_plot_that_cannot_be_written(cell: Cell, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    ran = cell("profiles", "--plot", str(tmp_path / "no" / "a.png"))
+    assert (ran.status, ran.out) == (1, "")
+    assert "No such file" in ran.err

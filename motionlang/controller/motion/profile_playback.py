@@ -1,14 +1,19 @@
 """Following a ready-made profile: what suspends it is its own time, which runs slower and slower until it stands.
 
-So an axis stays on its profile, and axes that play together stay together, however often they are suspended.
+So an axis stays on its profile, and axes that play together stay together, however often they are suspended. A
+spline goes on with the rest of its segment in a time of its own.
 """
 
 from __future__ import annotations
+
+from bisect import bisect_right
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action
 from motionlang.profile import halted, hold, plan_stop, plan_velocity
 from motionlang.profile.composed import Composed
+from motionlang.profile.curve import relabelled
+from motionlang.profile.pvt.motion import pvt_segment
 from motionlang.profile.stop import running
 
 TYPE_CHECKING = False
@@ -41,8 +46,11 @@ class Played(Action):
         return True
 
     def plan(self, controller: Core, a: Axis) -> Profile:
-        """The way on at full pace."""
+        """The way on at full pace; on a path the rest of the segment first, in the axis's `suspend_time`."""
         path, place, rate = self.state(controller, a)
+        if self.on_path and a.suspend_time > 0.0 and rate < 1.0 and place < path.knots[-1]:
+            self._aim(a, path)
+            return self._segment_in_time(controller, a, path, place)
         if a.suspend_time > 0.0 and rate < 1.0:
             change = 1.0 / a.suspend_time
             pace = plan_velocity("trapezoid", place, rate, 1.0, change, change)
@@ -77,6 +85,15 @@ class Played(Action):
         return last.after(now - a.starts[-1]), 0.0, 1.0
 
     # -- inside
+
+    def _segment_in_time(self, controller: Core, a: Axis, path: Profile, place: float) -> Profile:
+        """The rest of the segment that holds `place` as one cubic of `suspend_time`, then the path as it was."""
+        state = a.at(controller.clock.now)
+        end = path.knots[bisect_right(path.knots, place)]
+        goal = path.at(end)
+        first = pvt_segment(state.position, state.velocity, goal.position, goal.velocity, a.suspend_time)
+        self._path = None
+        return relabelled(first, path.shape, "segment").then(path.after(end))
 
     def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
         """The profile, with what goes on behind it, and its time coming to rest, or to the end where nothing does."""

@@ -7,12 +7,12 @@ be done there are no ticks: whoever knows of a reason to move wakes it.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.faults import Refusal
 from motionlang.controller.io.sensor import PERIOD, next_tick
 from motionlang.controller.motion.follow import FollowMove
 from motionlang.controller.motion.reference import Reference
 from motionlang.profile import Profile, rest
 from motionlang.profile.curve import far_end
-from motionlang.profile.stop import running
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,6 +26,8 @@ class Track(Reference):
     """The motion: `decide` answers with the velocity that is wanted, counts/s, and whether it may yet change."""
 
     __slots__ = ("a", "awake", "controller", "decide")
+
+    exclusive = True
 
     def __init__(
         self, controller: Core, a: Axis, move: FollowMove, decide: Callable[[], tuple[float, bool]]
@@ -88,12 +90,12 @@ class Track(Reference):
 def track(
     controller: Core, a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int
 ) -> Track:
-    """Let an axis be moved by what `decide` says, from the next tick on; it comes out of any other motion."""
+    """Let an axis that stands be moved by what `decide` says, from the next tick on."""
+    if a.move is not None:
+        raise Refusal("moving", f"axis {a.index} is moving", f"{command} needs the axis at rest")
     controller.rates(a, a.speed)
     move = FollowMove(a.index, command, line, "track")
     made = Track(controller, a, move, decide)
-    state = a.at(controller.clock.now)
-    still = rest("track", state.position, INFINITY)
-    made.engage(controller, a, running(state.position, state.velocity) if state.velocity else still)
+    made.engage(controller, a, rest("track", a.position(controller.clock.now), INFINITY))
     made.wake()
     return made

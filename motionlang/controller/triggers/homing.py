@@ -42,9 +42,9 @@ class Homing:
     """One homing in progress on one axis; `found` turns true when the datum is known.
 
     `direction` is that of the search, speeds are counts/s, `datum` is the position that the found place gets, `offset`
-    how far from it the axis ends (None: where it stops). `landed` is where it stopped, measured from the datum; `line`
-    is that of the program which began it, `provided` says whether the machine has what is looked for. `ended` is called
-    at the end, whatever it was.
+    how far from it the axis ends (None: where it stops). `before` is the position that the found place had until then;
+    `line` is that of the program which began it, `provided` says whether the machine has what is looked for. `ended` is
+    called at the end, whatever it was.
     """
 
     __slots__ = (
@@ -62,8 +62,8 @@ class Homing:
         "_watch",
         "axis",
         "back_off_speed",
+        "before",
         "found",
-        "landed",
         "line",
         "speed",
         "state",
@@ -95,7 +95,7 @@ class Homing:
         self._watch: Watch | None = None
         self._move: Move | None = None
         self.found = False
-        self.landed = 0.0
+        self.before = 0.0
         self.state = "done"
         # Before all others, who then never see the axis at rest in between.
         controller.listeners.insert(0, self._heard)
@@ -177,6 +177,7 @@ class Homing:
         self._unwatch()
         self.state = "stopping"
         self.found = True
+        self.before = controller.position(self.axis)
         controller.define_position(self.axis, self._datum)
         controller.stop(self.axis, "")
 
@@ -233,10 +234,10 @@ class Homing:
         if self.state == "on-switch":
             self._back_off()  # also where the stop ran over the whole switch: it comes back over it
             return
-        if self.state == "stopping":
-            self.landed = self._controller.position(self.axis) - self._datum
-            if self._offset is not None and self.landed != self._offset:
-                self._go_to_offset(self._offset)
+        offset = self._offset
+        if self.state == "stopping" and offset is not None:
+            if self._controller.position(self.axis) - self._datum != offset:
+                self._go_to_offset(offset)
                 return
         self.cancel()
 

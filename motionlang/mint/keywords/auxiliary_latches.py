@@ -15,9 +15,10 @@ def _setting(name: str, unit: str, verb: str, value: str, help: str, high: float
                    trust="memory", group="latches")  # fmt: skip
 
 
-def _reading(name: str, short: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:
+def _reading(name: str, short: str, index: str, unit: str, verb: str, help: str, example: str,
+             source: str = _LIBRARY, trust: str = "memory") -> Keyword:  # fmt: skip
     return Keyword(name, short, "reading", "R", index, unit, f"auxiliary_latches.{verb}", help, example.format(name),
-                   default=0.0, source=_LIBRARY, trust="memory", group="latches")  # fmt: skip
+                   default=0.0, source=source, trust=trust, group="latches")  # fmt: skip
 
 
 def _enable(name: str, verb: str, help: str, example: str) -> Keyword:
@@ -43,7 +44,8 @@ ROWS = (
              "1 when an encoder has passed an index mark since this was read last.",
              "MOVER(0) = 100\nGO(0)\nPRINT ENCODERZLATCH(0)"),
     _reading("AUXENCODERZLATCH", "aez", "auxchannel", "bool", "aux_passed",
-             "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK),
+             "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK,
+             "Baldor MN1270 p. 34", "manual"),
     _enable("AUXENCODERZEROENABLE", "zero_enable", "Catch the position of an auxiliary encoder at its next index mark.",
             _MARK.format("AUXENCODERZEROPOSITION")),
     _setting("AUXENCODERZEROLATCHMODE", "integer", "zero_mode", "1",

@@ -29,10 +29,10 @@ def _trigger(name: str, verb: str, unit: str, help: str, low: float, high: float
 
 ROWS = (
     *_CONSTANTS,
-    Keyword("MOVEBUFFERID", "", "setting", "RW", "axis", "integer", "move_id",
-            "The mark that moves loaded from now on carry.",
+    Keyword("MOVEBUFFERID", "MBI", "setting", "RW", "axis", "integer", "move_id",
+            "The mark that moves loaded from now on carry, a number of 16 bits.",
             "MOVEBUFFERID(0) = 7\nMOVER(0) = 10\nGO(0)\nPRINT MOVEBUFFERIDLAST(0)",
-            default=0.0, low=-2147483648.0, high=2147483647.0, source=_LIBRARY, trust="memory", group="buffer"),
+            default=0.0, low=-32768.0, high=32767.0, source=_MN1270, trust="manual", group="buffer"),
     Keyword("MOVEBUFFERIDLAST", "", "reading", "R", "axis", "integer", "buffer.last_id",
             "The mark of the move that is executing, or of the last one.",
             "MOVEBUFFERID(0) = 7\nMOVER(0) = 10\nGO(0)\nPRINT MOVEBUFFERIDLAST(0)",

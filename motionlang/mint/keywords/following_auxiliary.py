@@ -1,4 +1,4 @@
-"""Auxiliary encoders: turned by the machine file's `[[encoder]]`, or by the program with AUXENCODERSPEED."""
+"""Auxiliary encoders: turned by the machine file's `[[encoder]]`, or virtual: then they run at AUXENCODERSPEED."""
 
 from __future__ import annotations
 
@@ -17,10 +17,17 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
 
 LAST_ENCODER = 63
+# The AUXENCODERMODE of a virtual axis.
+VIRTUAL = 8
 
 
 class AuxEncoders(Encoders):
     """The auxiliary encoders, which are no axis's."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.modes: dict[int, int] = {}
+        self._speeds: dict[int, float] = {}
 
     def counts(self, channel: int) -> float:
         return self._controller.encoder_position(AUXILIARY + channel)
@@ -28,9 +35,24 @@ class AuxEncoders(Encoders):
     def velocity(self, channel: int) -> float:
         return self._controller.encoder_velocity(AUXILIARY + channel)
 
+    def virtual_speed(self, channel: int) -> float:
+        """The speed that was given to an encoder as a virtual axis, in its units."""
+        return self._speeds.get(channel, 0.0)
+
     def turn(self, channel: int, speed: float) -> None:
-        """Let an encoder run at a speed, in its units, from now on."""
-        self._controller.drive_encoder(AUXILIARY + channel, speed * self.per_unit(channel))
+        """Give an encoder a speed, in its units: a virtual one runs at it from now on."""
+        self._speeds[channel] = speed
+        if self.modes.get(channel) == VIRTUAL:
+            self._controller.drive_encoder(AUXILIARY + channel, speed * self.per_unit(channel))
+
+    def set_mode(self, channel: int, mode: int) -> None:
+        """Make an encoder a virtual axis, or no longer one: then it stands."""
+        before = self.modes.get(channel, 0)
+        self.modes[channel] = mode
+        if mode == VIRTUAL:
+            self.turn(channel, self.virtual_speed(channel))
+        elif before == VIRTUAL:
+            self._controller.drive_encoder(AUXILIARY + channel, 0.0)
 
 
 def _channel(channel: int) -> int:
@@ -57,12 +79,31 @@ def read_velocity(environment: Environment, row: Row) -> Operation:
     return lambda channel: encoders.speed(_channel(channel))
 
 
+def read_mode(environment: Environment, row: Row) -> Operation:
+    modes = environment.part(AuxEncoders).modes
+    return lambda channel: modes.get(_channel(channel), 0)
+
+
+def write_mode(environment: Environment, row: Row) -> Operation:
+    """AUXENCODERMODE: 8 makes the encoder a virtual axis; any other mode has no effect, which the report says."""
+    encoders, without_effect = environment.part(AuxEncoders), environment.machine.without_effect
+
+    def write(channel: int, mode: int) -> None:
+        row.check(mode)
+        encoders.set_mode(_channel(channel), mode)
+        if mode not in (0, VIRTUAL):
+            without_effect.setdefault(row.name, [])
+
+    return write
+
+
 def read_speed(environment: Environment, row: Row) -> Operation:
-    return read_velocity(environment, row)
+    encoders = environment.part(AuxEncoders)
+    return lambda channel: encoders.virtual_speed(_channel(channel))
 
 
 def write_speed(environment: Environment, row: Row) -> Operation:
-    """AUXENCODERSPEED: the encoder turns at so many units a second from now on."""
+    """AUXENCODERSPEED: a virtual encoder runs at so many units a second from now on."""
     encoders = environment.part(AuxEncoders)
 
     def write(channel: int, speed: float) -> None:

@@ -1,11 +1,13 @@
-"""HTA: an axis that is moved so that an analogue input holds its value (MN1270 p. 89).
+"""HTA: an axis that is moved so that an analogue input holds its value (MN1270 p. 87 to 91).
 
 Velocity = HTAKPROP error + HTADAMPING change of the error + HTAKINT sum of the errors, once a tick of the profiler; the
-error is the value that is wanted minus the one that is measured, percent, and 0 within HTADEADBAND.
+error is the value that is wanted minus the one that is measured, percent, and 0 within HTADEADBAND, which is in counts of
+the converter. The sum begins anew there and when HTAKINT is written.
 """
 
 from __future__ import annotations
 
+from motionlang.controller.faults import Refusal, names
 from motionlang.mint.keywords.axis_settings import forget, reading
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
@@ -21,7 +23,8 @@ if TYPE_CHECKING:
 
     Operation = Callable[..., object]
 
-DEFAULTS = {"HTAKPROP": 1.0}
+# Steps of the converter over the range of an input, -100 to 100 percent or 0 to 100.
+COUNTS = 4096.0
 
 
 class Hold:
@@ -41,6 +44,8 @@ class Hold:
         """The velocity for the next period, counts/s, and whether it may yet change while the input stays."""
         setting, axis = self.holds.setting, self.axis
         error, lively = self._error()
+        if not error:
+            self.total = 0.0
         change = error - self.before if self.before is not None else 0.0
         self.before = error
         self.total += error
@@ -52,14 +57,16 @@ class Hold:
 
     def _error(self) -> tuple[float, bool]:
         setting, axis = self.holds.setting, self.axis
-        channel = int(setting("HTACHANNEL", axis))
-        measured = self.holds.environment.part(Analogue).read(channel)
+        channel, inputs = int(setting("HTACHANNEL", axis)), self.holds.environment.part(Analogue)
+        measured = inputs.read(channel)
         share = setting("HTAFILTER", axis)
         before = measured if self.filtered is None else self.filtered
         self.filtered = share * before + (1.0 - share) * measured
         error = self.wanted - self.filtered
         lively = abs(self.filtered - measured) > 1e-6
-        return (0.0 if abs(error) <= setting("HTADEADBAND", axis) else error), lively
+        lowest, highest = inputs.range(channel)
+        deadband = setting("HTADEADBAND", axis) * (highest - lowest) / COUNTS
+        return (0.0 if abs(error) <= deadband else error), lively
 
 
 class Holds:
@@ -72,12 +79,14 @@ class Holds:
         environment.controller.analogue_inputs.listeners.append(self._changed)
 
     def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), DEFAULTS.get(name, 0.0))
+        return self._settings.get((name, axis), 0.0)
 
     def set(self, name: str, axis: int, value: float) -> None:
         self._settings[name, axis] = value
         hold = self.holding(axis)
         if hold is not None:
+            if name == "HTAKINT":
+                hold.total = 0.0
             hold.track.wake()
 
     def holding(self, axis: int) -> Hold | None:
@@ -85,13 +94,23 @@ class Holds:
         hold = self._holding.get(axis)
         return hold if hold is not None and hold.track.holds else None
 
+    def wanted(self, axis: int) -> float:
+        """The value that an axis holds, percent, or held last; 0 before it held any."""
+        hold = self._holding.get(axis)
+        return hold.wanted if hold is not None else 0.0
+
     def start(self, axis: int, wanted: float, line: int) -> None:
-        """Let an axis hold a value, percent; one that holds already goes on with it."""
+        """Let an axis that is idle and without error hold a value, percent; one that holds already goes on with it."""
         hold = self.holding(axis)
         if hold is not None:
             hold.wanted = wanted
             hold.track.wake()
             return
+        faults = self.environment.controller.faults(axis)
+        if faults:
+            raise Refusal(
+                "axis-error", f"axis {axis} has an error: {names(faults)}", "clear the error before HTA"
+            )
         hold = Hold(self, axis, wanted)
         hold.track = self.environment.controller.track(axis, hold.decide, "HTA", line)
         self._holding[axis] = hold
@@ -111,14 +130,9 @@ class Holds:
 
 
 def read_hold(environment: Environment, row: Row) -> Operation:
-    """HTA: what the axis holds, percent; 0 where it holds nothing."""
+    """HTA: what the axis holds, or held last, percent."""
     holds = environment.part(Holds)
-
-    def read(axis: int) -> float:
-        hold = holds.holding(axis_of(environment, axis))
-        return hold.wanted if hold is not None else 0.0
-
-    return read
+    return lambda axis: holds.wanted(axis_of(environment, axis))
 
 
 def write_hold(environment: Environment, row: Row) -> Operation:

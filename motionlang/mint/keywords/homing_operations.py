@@ -29,7 +29,8 @@ class Homes:
         self._borrowed: dict[int, dict[str, float | None]] = {}
         self.types: dict[int, int] = {}
         self.found: dict[int, bool] = {}
-        self.landed: dict[int, float] = {}
+        # Where the datum was found, as the axis counted until then.
+        self.before: dict[int, float] = {}
 
     def setting(self, name: str, axis: int) -> float:
         """A setting, or what stands for it while it has not been written."""
@@ -85,7 +86,8 @@ class Homes:
         self._active.pop(homing.axis, None)
         self._give_back(homing.axis)
         self.found[homing.axis] = homing.found
-        self.landed[homing.axis] = homing.landed
+        if homing.found:
+            self.before[homing.axis] = homing.before
 
     def _borrow(self, axis: int) -> None:
         """HOMEACCEL and HOMEDECEL stand in for ACCEL and DECEL for as long as the homing lasts."""
@@ -205,8 +207,17 @@ def write_status(environment: Environment, row: Row) -> Operation:
 
 
 def read_position(environment: Environment, row: Row) -> Operation:
-    landed = environment.part(Homes).landed
-    return lambda axis: scale_of(environment, axis).to_user(landed.get(axis, 0.0))
+    """HOMEPOS: what POS was at the datum before homing gave it another value."""
+    before, wraps = environment.part(Homes).before, environment.wraps
+
+    def read(axis: int) -> float:
+        scale = scale_of(environment, axis)
+        if axis not in before:
+            return 0.0
+        found, wrap = scale.position_to_user(before[axis]), wraps.get(axis)
+        return found % wrap if wrap else found
+
+    return read
 
 
 OPERATIONS = {

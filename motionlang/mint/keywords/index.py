@@ -12,7 +12,7 @@ presetmovehometype presetmoveparameter presetindex presetindexmode presetindexso
 presetselectorinput presetinputsmax presetinputstate presettriggerinput presetmoveenable
 """,
     "hold_to_analogue": """
-hta htachannel htakprop htadamping htakint htadeadband htafilter
+hta htachannel htakprop hkp htadamping htakint htadeadband hdb htafilter
 """,
     "torque": """
 torqueref tqr torquerefenable torquerefsource torquerefrisetime torquereffalltime torquedemand effort
@@ -39,7 +39,7 @@ deceltimemax acceljerktime deceljerktime sramp
 mover mr movea ma go jog jg cancel cn cancelall cna
 """,
     "buffer": """
-_trauto _trgo _trinput _trposition movebufferid movebufferidlast movebufferlow triggermode triggerinput
+_trauto _trgo _trinput _trposition movebufferid mbi movebufferidlast movebufferlow triggermode triggerinput
 triggersource triggerchannel triggervalue movedwell moveout moveoutx movepulseoutx
 """,
     "on_the_fly": """
@@ -53,7 +53,8 @@ blend veldemandpath vectorangle
 _mspos _msencoder _msauxencoder _ofstandard _ofspeed_limit _ofaccel_mod _ofspeed_mod _osmaxspeed _osminspeed
 _osmaxaccel _osmaxdecel _osprofileerror _oszeroaccel mastersource masterchannel masterdistance followmode
 follow fl follownumerator followdenom gearing gr gearingmode grm fly offset offsetmode offsetdistance
-offsetstatus ofs auxencoder auxencodervel auxencoderspeed auxencoderscale auxencoderprescale auxencoderwrap
+offsetstatus ofs auxencoder auxencodervel auxencodermode auxencoderspeed auxencoderscale auxencoderprescale
+auxencoderwrap
 """,
     "table_motion": """
 _spspline_1 _spabsolute _spt_absolute _spcontinuous _spspline_2 camtable cam camstart camend camamplitude
@@ -194,8 +195,8 @@ accelsensormode accelsensoroffset accelsensorscale accelsensortype accelsensorve
 accelsensorvelerrorfatal accelsensorvelerrormode activeeventcodes activers485node adcdeadbandhysteresis
 adcfilter adctimeconstant analoginputsetup analogoutputsetup apiargumentvalues apivalue apivaluewritemode
 appdatawritepermission autohomemode autostartmode autotuneerror autotuneparam autotunestatus auxdacmode
-auxencodermode axisadc axischannel axisdac axiserrorlogmask axispdoutput axisposencoder axisstatus
-axisstatusword axissyncdelay axisvelencoder backlash backlashinterval backlashmode baldordebug betabuild boost
+axisadc axischannel axisdac axiserrorlogmask axispdoutput axisposencoder axisstatus axisstatusword
+axissyncdelay axisvelencoder backlash backlashinterval backlashmode baldordebug betabuild boost
 bootloaderbaudssupported bootloaderdetails bridgecompenable bridgeerrorcurrent bridgeerrorvoltage bufferchars
 bufferdepth burninparameter busbaud busbaudssupported buscommandmask buscyclerate busenable busmessagemode
 buspdomapcontent busprocessdata busprocessdatainterval busprocessdataparameter busprotocol

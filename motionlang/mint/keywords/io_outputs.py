@@ -85,8 +85,12 @@ class Analogue:
         value += self.setting("ADCOFFSET", channel)
         if abs(value - self.setting("ADCDEADBANDOFFSET", channel)) < self.setting("ADCDEADBAND", channel):
             value = self.setting("ADCDEADBANDOFFSET", channel)
-        lowest = 0.0 if self.setting("ADCMODE", channel) else -100.0
-        return max(lowest, min(100.0, value))
+        lowest, highest = self.range(channel)
+        return max(lowest, min(highest, value))
+
+    def range(self, channel: int) -> tuple[float, float]:
+        """The lowest and the highest value of an input, percent."""
+        return (0.0 if self.setting("ADCMODE", channel) else -100.0), 100.0
 
 
 def read_adc(environment: Environment, row: Row) -> Operation:

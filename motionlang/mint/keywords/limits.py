@@ -6,6 +6,8 @@ from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords.defaults import MODES, STOP_INPUT_MODE
 
 _LIBRARY = "Mint type library"
+# A public EtherCAT master for the MicroFlex e190: its object 0x605A is STOPMODE (1: ERRORDECEL), 0x605B ABORTMODE (0: none).
+_E190 = "EtherCAT master for the e190"
 _CLEAR = "JOG(0) = 100\nWAIT = 100\nABORT\nPRINT AXISERROR(0)\nCANCEL(0)\nPRINT AXISERROR(0)"
 
 
@@ -45,7 +47,7 @@ _MODES = (
 )
 _CONSTANTS = tuple(
     Keyword(f"_em{name}", "", "constant", "R", "none", "integer", str(value), f"Modes of errors: {help}.",
-            f"PRINT _em{name}", trust="memory", group="constants")
+            f"PRINT _em{name}", source="" if value else _E190, trust="memory" if value else "code", group="constants")
     for value, (name, help) in enumerate(_MODES)
 )  # fmt: skip
 ROWS = (
@@ -93,7 +95,7 @@ ROWS = (
     Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", "limits.resetting.stop_mode",
             "How STOP ends motion: 0 at DECEL, 1 at ERRORDECEL, 2 at once.",
             "STOPMODE(0) = 1\nPRINT STOPMODE(0)",
-            default=0.0, low=0, high=2, source=_LIBRARY, trust="memory", group="stopping"),
+            default=0.0, low=0, high=2, source=_E190, trust="code", group="stopping"),
     Keyword("RESET", "", "command", "C", "axes", "", "limits.resetting.reset",
             "Stop the axis at once, empty its buffer, clear its errors, make its position 0 and switch its drive on.",
             "POS(0) = 5\nRESET(0)\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping"),

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     Array = list[float]
 
 SECOND = 8
+# Milliseconds: the least and the greatest time of a segment, and the step in which it counts.
+SHORTEST, LONGEST, STEP = 4, 60000, 2
 DEFAULTS = {"SPLINESTART": 1, "SPLINEEND": 0, "SPLINETIME": 100}
 
 
@@ -98,13 +100,21 @@ class Splines:
             else:
                 points.append((start if mode & ABSOLUTE else points[-1]) + scale.to_counts(
                     step - base if mode & ABSOLUTE else step))  # fmt: skip
-        spans = [self.setting("SPLINETIME", axis) / 1000.0] * (end - first)
+        spans = [seconds(self.setting("SPLINETIME", axis))] * (end - first)
         if times is not None:
-            spans = [time / 1000.0 for time in _part(times, first, end)]
+            spans = [seconds(time) for time in _part(times, first, end)]
         speeds = None
         if velocities is not None:
             speeds = [scale.to_counts(v, "uu/s") for v in _part(velocities, first, end)]
         return points, speeds, spans
+
+
+def seconds(milliseconds: float) -> float:
+    """The time of a segment, in whole steps of the controller; Refusal where it can be none."""
+    if not SHORTEST <= milliseconds <= LONGEST:
+        words = f"a segment of a spline cannot take {milliseconds:g} ms"
+        raise Refusal("range", words, f"it takes {SHORTEST} to {LONGEST} ms, in steps of {STEP}")
+    return STEP * int(milliseconds // STEP) / 1000.0
 
 
 def _part(array: Array, first: int, end: int) -> list[float]:

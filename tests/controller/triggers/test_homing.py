@@ -93,9 +93,10 @@ def test_index_marks_are_where_the_machine_has_them() -> None:
 
 def test_an_offset_is_gone_to_from_the_datum() -> None:
     c = machine()
+    c.define_position(0, 500.0)
     homing = Homing(c, 0, -1, 8.0, 0.8, 0.8, offset=-0.5, datum=3.0)
     c.clock.advance(60.0)
-    assert homing.landed == pytest.approx(0.02)
+    assert homing.before == pytest.approx(500.0 - 19.0)
     assert c.position(0) == pytest.approx(2.5)
     assert (homing.state, c.is_idle(0)) == ("done", True)
 

@@ -74,10 +74,10 @@ def test_negative_gains_turn_the_direction_round() -> None:
 
 def test_within_the_dead_band_it_stands() -> None:
     result = ran(
-        RATES + "HTAKPROP(0) = 10 : HTADEADBAND(0) = 8\nHTA(0) = 40\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)"
+        RATES + "HTAKPROP(0) = 10 : HTADEADBAND(0) = 100\nHTA(0) = 40\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)"
     )
     assert result.output == ["0.0000"]
-    assert 32.0 <= 2.0 * result.controller.position(0) < 33.0
+    assert 40.0 - 100 * 200 / 4096 <= 2.0 * result.controller.position(0) < 36.0
 
 
 def test_it_keeps_to_speed_and_acceleration() -> None:
@@ -95,17 +95,67 @@ def test_a_new_value_and_a_filter() -> None:
         text
         + "HTA(0) = 10\nHTA(0) = 10\nWAIT = 2000\nPRINT ADC(2), HTA(0)\nSTOP(0)\nPAUSE IDLE(0)\nPRINT HTA(0)"
     )
-    assert result.output == ["40.0000", "10.000010.0000", "0.0000"]
+    assert result.output == ["40.0000", "10.000010.0000", "10.0000"]
     assert len(result.controller.moves) == 1
 
 
 def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes() -> None:
     """A pulse of 30 percent: -30 a second for 100 ms, with ramps of a tick."""
     pulse = [{"channel": 2, "at": 1.0, "for": 0.1, "value": 30.0}]
-    result = ran(RATES + "HTA(0) = 0\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)", pulse)
+    result = ran(RATES + "HTAKPROP(0) = 1\nHTA(0) = 0\nWAIT = 2000\nPRINT VEL(0)\nSTOP(0)", pulse)
     assert result.output == ["0.0000"]
     assert result.controller.position(0) == pytest.approx(-3.0, abs=0.04)
     assert len(result.controller.axes[0].profiles) < 10
+
+
+def test_the_gain_is_zero_until_it_is_written() -> None:
+    """MN1270 p. 91: the default of HTAKPROP is 0, at which nothing moves."""
+    result = ran(RATES + "PRINT HTAKPROP(0)\nHTA(0) = 40\nWAIT = 100\nPRINT POS(0)\nSTOP(0)")
+    assert result.output == ["0.0000", "0.0000"]
+
+
+def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
+    """Nothing but the integral: 40 percent for 100 ms are 4000; then the gain is written, or it is in the band."""
+    pulse = [{"channel": 2, "at": 0.0, "value": 0.0}, {"channel": 2, "at": 0.1, "value": 39.0}]
+    head = RATES + "HTAKINT(0) = 0.01\nHTA(0) = 40\nWAIT = 99\nPRINT Abs(VEL(0) - 40) < 1.5\n"
+    written = ran(head + "HTAKINT(0) = 0.01\nWAIT = 2\nPRINT VEL(0) < 2\nSTOP(0)", pulse)
+    assert written.output == ["1", "1"]
+    banded = ran("HTADEADBAND(0) = 40\n" + head + "WAIT = 10\nPRINT VEL(0)\nSTOP(0)", pulse)
+    assert banded.output == ["1", "0.0000"]
+    outside = ran(head + "WAIT = 10\nPRINT VEL(0) > 39\nSTOP(0)", pulse)
+    assert outside.output == ["1", "1"]
+
+
+@pytest.mark.parametrize("range_, counts", [(0, 20.48), (1, 40.96)])
+def test_the_dead_band_is_in_counts_of_the_converter(range_: int, counts: float) -> None:
+    """12 bits are -100 to 100 percent, or 0 to 100: a dead band of 50 is 2.4 or 1.2 percent."""
+    text = RATES + f"ADCMODE(2) = {range_} : HTAKPROP(0) = 10 : HTADEADBAND(0) = 50\n"
+    place = 2.0 * ran(text + "HTA(0) = 40\nWAIT = 3000\nSTOP(0)").controller.position(0)
+    assert 40.0 - 50 / counts <= place < 40.0 - 50 / counts + 0.5
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "message"),
+    [
+        ("JOG(0) = 1\n", "", "axis 0 is moving"),
+        ("MOVER(0) = 5\nGO(0)\n", "", "axis 0 is moving"),
+        ("ERRORDECEL(0) = 1e6 : ABORT\nPAUSE IDLE(0)\n", "", "axis 0 has an error: abort"),
+        ("", "MOVER(0) = 1", "axis 0 is in HTA, which takes no other motion"),
+        ("", "JOG(0) = 1", "axis 0 is in HTA, which takes no other motion"),
+        ("", "FOLLOW(0) = 1", "axis 0 is in HTA, which takes no other motion"),
+        ("", "INCA(0) = 1", "axis 0 is in HTA, which takes no other motion"),
+    ],
+)
+def test_it_begins_at_rest_and_allows_no_other_motion(before: str, after: str, message: str) -> None:
+    text = RATES.replace("1e5", "50").replace("1e8", "100") + "HTAKPROP(0) = 1 : MASTERCHANNEL(0) = 1\n"
+    result = run(Source("a.mnt", f"{text}{before}HTA(0) = 40\nWAIT = 5\n{after}"),
+                 machine={"analogue": SENSOR}, cache=False, until=5.0)  # fmt: skip
+    assert [each.message for each in result.diagnostics if each.severity == "error"] == [message]
+
+
+def test_short_forms() -> None:
+    result = ran("HKP(0) = 3 : HDB(0) = 4\nPRINT HTAKPROP(0), HTADEADBAND(0)")
+    assert result.output == ["3.00004.0000"]
 
 
 def test_suspended_it_rests_and_goes_on() -> None:

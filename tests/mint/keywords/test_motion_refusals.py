@@ -30,8 +30,8 @@ RUN = {
     "not empty",
     "Dim a(3) As Float = 2, 1, 1\nDim t(2) As Float = 1, 1\nSPLINETABLE(0, a, NULL, t)\nSPLINE(0) = 0": "SPLINETABLE: "
     "one of the arrays has 1 segments and another 2",
-    "Dim a(3) As Float = 2, 1, 1\nDim t(3) As Float = 2, 100\nSPLINETABLE(0, a, NULL, t)\nSPLINE(0) = 0": "axis 0 "
-    "cannot follow the spline: segment time must be greater than zero",
+    "Dim a(3) As Float = 2, 1, 1\nDim t(3) As Float = 2, 100\nSPLINETABLE(0, a, NULL, t)\nSPLINE(0) = 0": "a segment "
+    "of a spline cannot take 0 ms",
     "FOLLOW(1) = 1\nJOG(0) = 5\nOFFSET(1) = 1e308": "OFFSET cannot be 1e+308",
     "SCALEFACTOR(0) = 500\nPOS(0) = 1e308": "POS cannot be 1e+308",
     "ACCELTIMEMAX(0) = 100": "ACCELTIMEMAX needs the highest speed of axis 0",

@@ -42,8 +42,8 @@ CASES = {
     "FOLLOW": (FOLLOW + "FOLLOW(1) = 0.5\n", "FOLLOW(1) = 0.5"),
     "FOLLOWDENOM": (FOLLOW + "FOLLOWDENOM(1) = 4\nFOLLOW(1) = 2\n", "FOLLOWDENOM(1) = 4"),
     "AUXENCODERSPEED": (
-        "AUXENCODERSPEED(0) = 50 : MASTERSOURCE(0) = _msAUXENCODER\nFOLLOW(0) = 1\n",
-        "AUXENCODERSPEED(0) = 50",
+        "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 50 : MASTERSOURCE(0) = _msAUXENCODER\nFOLLOW(0) = 1\n",
+        "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 50",
     ),
     "SPEEDREF": (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREF(0) = 70"),
     "SPEEDREFENABLE": (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREFENABLE(0) = 1"),
@@ -56,7 +56,7 @@ CASES = {
     "modes": (MOVE, "STOPMODE(0) = 0 : IDLEMODE(0) = 0 : LIMITMODE(0) = 1 : TRIGGERMODE(0) = 1"),
     "POS at rest": ("POS(0) = 5\n", "POS(0) = 5"),
     "POS in motion": (MOVE + "WAIT = 200\n", "POS(0) = POS(0)"),
-    "HTA": ("HTACHANNEL(0) = 1\nHTA(0) = 20\n", "HTA(0) = 20 : HTAKPROP(0) = 1"),
+    "HTA": ("HTACHANNEL(0) = 1 : HTAKPROP(0) = 1\nHTA(0) = 20\n", "HTA(0) = 20 : HTAKPROP(0) = 1"),
     "POSREF": ("POSREF(0) = 70\n", "POSREF(0) = 70"),
 }
 

@@ -30,7 +30,7 @@ def undisturbed(mode: int, time: float) -> float:
 def test_it_stands_where_half_of_the_time_more_would_have_brought_it(
     mode: int, wait: int, slowing: int
 ) -> None:
-    """In the time of suspending the time of the spline goes half as far, in that of resuming too."""
+    """In the time of suspending the time of the spline goes half as far."""
     for word in ("SUSPEND(0) = 1", "STOP(0)"):
         result = ran(
             TABLE.format(slowing, mode) + f"WAIT = {wait}\n{word}\nWAIT = 2000\nPRINT VEL(0)\nCANCEL(0)"
@@ -50,15 +50,15 @@ def test_it_stands_where_half_of_the_time_more_would_have_brought_it(
         assert result.output == ["0.0000"]
 
 
-@pytest.mark.parametrize("wait", [540, 580, 599, 600])
-def test_it_goes_on_in_the_cycle_in_which_it_stands(wait: int) -> None:
-    """All that is lost is the time between the two words: half of each ramp is made up by the other."""
+@pytest.mark.parametrize(("wait", "rest"), [(540, 10), (580, 170), (599, 151), (600, 150)])
+def test_it_goes_on_in_the_cycle_in_which_it_stands(wait: int, rest: int) -> None:
+    """The time of the spline goes 50 ms in the ramp of 100; the `rest` ms of the segment then take 100."""
     text = f"WAIT = {wait}\nSUSPEND(0) = 1\nWAIT = 300\nPRINT SPLINEINDEX(0)\nSUSPEND(0) = 0\nWAIT = 1000\n"
     result = ran(TABLE.format(100, 4) + text + "CANCEL(0)")
     a = result.controller.axes[0]
     held = next(k for k, profile in enumerate(a.profiles) if profile.shape == "suspend")
-    lost = a.starts[held + 1] - a.starts[held]
-    time = a.starts[-1] - a.starts[1] - lost
+    since = a.starts[-1] - a.starts[held + 1]
+    time = (wait + 50 + rest) / 1000.0 + since - 0.1
     assert result.controller.position(0) == pytest.approx(undisturbed(4, time), abs=1e-6)
     assert result.output == ["3" if wait < 550 else "1"]
 
@@ -67,3 +67,26 @@ def test_a_spline_that_ends_while_it_slows_down_has_ended() -> None:
     text = "WAIT = 560\nSUSPEND(0) = 1\nPAUSE IDLE(0)\nPRINT POS(0)\nSUSPEND(0) = 0\n"
     text += "MOVER(0) = 1\nGO(0)\nPAUSE IDLE(0)\n"
     assert ran(TABLE.format(100, 0) + text + "PRINT POS(0)").output == ["35.0000", "36.0000"]
+
+
+@pytest.mark.parametrize("stop_at", [500, 900])
+def test_the_rest_of_the_segment_takes_the_suspend_time(stop_at: int) -> None:
+    """MN1270 p. 128: a segment of 1000 ms, suspended, and resumed with SPLINESUSPENDTIME 400: it ends 400 ms later."""
+    text = f"""Dim c(3) As Float = 2, 10, 30
+SPLINETABLE(0, c)
+SPLINETIME(0) = 1000 : SPLINESUSPENDTIME(0) = 400
+SPLINE(0) = 0
+GO(0)
+WAIT = {stop_at}
+SUSPEND(0) = 1
+WAIT = 1000
+Dim began As Time = 0
+SUSPEND(0) = 0
+PAUSE POS(0) >= {10 if stop_at == 500 else 40}
+PRINT began, SPLINEINDEX(0)
+PAUSE IDLE(0)
+PRINT began, POS(0)
+"""
+    # At 900 the ramp runs 100 ms of the spline's time into the second segment: that one ends the spline.
+    expected = ["4002", "140040.0000"] if stop_at == 500 else ["4000", "40040.0000"]
+    assert ran(text).output == expected

@@ -1,0 +1,73 @@
+"""Counts per user unit for `motionlang plan`: given, or derived from encoder, gear and screw, or linear scale."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.profile.counts import linear_scale, rotary_scale
+
+if TYPE_CHECKING:
+    import argparse
+
+LEAST, MOST = 1e-6, 1e12
+
+
+def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options that say how many counts a user unit has."""
+    parser.add_argument("--scale", type=float, metavar="COUNTS", help="counts per user unit (1)")
+    parser.add_argument(
+        "--encoder-lines", type=float, metavar="N", help="lines of the motor's encoder a turn, for the scale"
+    )
+    parser.add_argument("--quadrature", type=int, metavar="N", help="counts of each line: 1, 2 or 4 (4)")
+    parser.add_argument(
+        "--gear", type=_ratio, metavar="N[:M]", help="turns of the motor a turn of the load (1)"
+    )
+    parser.add_argument("--pitch", type=float, metavar="X", help="user units that a turn of the load is")
+    parser.add_argument(
+        "--degrees", action="store_true", help="user units are degrees: a turn of the load is 360"
+    )
+    parser.add_argument(
+        "--resolution", type=float, metavar="X", help="user units between two counts of a linear encoder"
+    )
+
+
+def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
+    """Counts per user unit, and how they were derived; ValueError where the options do not say it."""
+    lines, resolution = arguments.encoder_lines, arguments.resolution
+    ways = [name for name in ("scale", "encoder_lines", "resolution") if getattr(arguments, name) is not None]
+    if len(ways) > 1:
+        one, other = (f"--{name.replace('_', '-')}" for name in ways[:2])
+        raise ValueError(f"{one} and {other} both give the scale")
+    parts = [name for name in ("quadrature", "gear", "pitch") if getattr(arguments, name) is not None]
+    if lines is None and (parts or arguments.degrees):
+        raise ValueError(f"--{parts[0] if parts else 'degrees'} needs --encoder-lines")
+    if resolution is not None:
+        scale, how = linear_scale(resolution), f"1/{resolution:g}"
+    elif lines is not None:
+        scale, how = _rotary(arguments)
+    else:
+        scale, how = (1.0 if arguments.scale is None else arguments.scale), ""
+    if not LEAST <= scale <= MOST:
+        raise ValueError(f"--scale must be a number of counts from {LEAST:g} to {MOST:g}")
+    return scale, how
+
+
+def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
+    if arguments.degrees == (arguments.pitch is not None):
+        raise ValueError(
+            "--encoder-lines needs what a turn of the load is: --pitch or --degrees, one of them"
+        )
+    lines, gear = arguments.encoder_lines, 1.0 if arguments.gear is None else arguments.gear
+    quadrature = 4 if arguments.quadrature is None else arguments.quadrature
+    turn = 360.0 if arguments.degrees else arguments.pitch
+    how = f"{lines:g} lines · {quadrature}" + (f" · {gear:g}" if gear != 1.0 else "") + f" / {turn:g}"
+    return rotary_scale(lines, turn, gear, quadrature), how
+
+
+def _ratio(text: str) -> float:
+    """A ratio as people write it: 3, 3:1 or 7:2."""
+    above, _, below = text.partition(":")
+    try:
+        return float(above) / float(below or 1)
+    except ZeroDivisionError:
+        raise ValueError(text) from None

@@ -1,0 +1,64 @@
+"""The pages that go through PMC's and ABB's notes: `python -m tests.cli.notes` writes what their commands print anew."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+import shlex
+import tempfile
+from math import cos, pi, sin, sqrt
+from typing import TYPE_CHECKING
+
+from motionlang.cli import main
+from tests.copley.docs import BLOCK, ROOT, blocks
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+PAGES = {name: ROOT / "docs" / name for name in ("tn1069.md", "an00115.md")}
+NUMBER = re.compile(r"^\|.*\| `(.+)` \| (-?[0-9.]+) \|$", re.MULTILINE)
+
+
+def integral(of: Callable[[float], float], end: float, steps: int = 20_000) -> float:
+    """The area under a function from 0 to `end`, by the midpoints of strips."""
+    width = end / steps
+    return width * sum(of((k + 0.5) * width) for k in range(steps))
+
+
+NAMES = {"pi": pi, "sin": sin, "cos": cos, "sqrt": sqrt, "integral": integral}
+
+
+def numbers(text: str) -> Iterator[tuple[str, str]]:
+    """Each formula with the note's figures, and the number beside it."""
+    yield from NUMBER.findall(text)
+
+
+def worked_out(formula: str) -> float:
+    return float(eval(formula, dict(NAMES)))  # a line of our own pages
+
+
+def answer(command: str) -> str:
+    """What a command prints, standard error after standard output."""
+    program, *words = shlex.split(command)
+    assert program == "motionlang", command
+    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), contextlib.suppress(SystemExit):
+        main(words)
+    return "".join(stream.buffer.getvalue().decode() for stream in (out, err))  # type: ignore[attr-defined]
+
+
+def rewritten(text: str) -> str:
+    """The page with every output as it is today."""
+
+    def fresh(match: re.Match[str]) -> str:
+        ((pairs),) = blocks(match[0])
+        return "```console\n" + "".join(f"$ {command}\n{answer(command)}" for command, _ in pairs) + "```"
+
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        return BLOCK.sub(fresh, text)
+
+
+if __name__ == "__main__":
+    for page in PAGES.values():
+        page.write_text(rewritten(page.read_text(encoding="utf-8")), encoding="utf-8")
