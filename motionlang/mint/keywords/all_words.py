@@ -60,7 +60,8 @@ def _not_simulated() -> Iterator[Keyword]:
         sense = "reading" if access == "R" else "setting"
         verb = no_effect.VERB if name in no_effect.WORDS else unsimulated.verb(name)
         yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source, trust="code",
-                      group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False)  # fmt: skip
+                      group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False,
+                      effect="switch" if name in no_effect.SWITCHES else "")  # fmt: skip
     for text, origin, trust in (
         (commands.WORDS, source, "code"),
         (unsimulated.COMMANDS, "Mint v4", "memory"),

@@ -26,7 +26,7 @@ ROWS = (
             "Hold to analogue: move the axis so that the analogue input HTACHANNEL comes to this value, percent, and "
             "keeps it, at SPEED at most, until STOP, CANCEL or another motion. No GO is needed.",
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHTA(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
-            default=0.0, low=-100.0, high=100.0, source=_MN1270, trust="manual", group="motion"),
+            default=0.0, low=-100.0, high=100.0, source=_MN1270, trust="manual", group="motion", effect="act"),
     _setting("HTACHANNEL", "integer", "The analogue input that HTA holds.", 0, 63),
     _gain("HTAKPROP", "User units a second for each percent of error (wanted minus measured); negative to turn the "
                       "direction round.", 1.0),

@@ -66,6 +66,8 @@ VFBOOSTTRANSITIONMODE VFDEADBAND VFDEADBANDCENTREFREQ VFPROFILE VFSLIPCOMPENSATI
 VFTHREEPOINTMODE VFTHREEPOINTVOLTS ZEROSPEEDDEADBAND
 """
 WORDS = frozenset(_TEXT.split())
+# Of them, those that on a controller end what the axis was doing.
+SWITCHES = frozenset(("CONFIG",))
 _MN1270 = "Baldor MN1270"
 _TYPES = (("OFF", "no axis"), ("SERVO", "a servo"), ("STEPPER", "a stepper"), ("VIRTUAL", "a virtual axis"))
 _MODES = (
