@@ -13,7 +13,7 @@ from tests.keyword_pages import page, path
 @pytest.mark.parametrize("language", dialects())
 def test_the_page_is_what_the_table_says(language: str) -> None:
     text = path(language).read_text(encoding="utf-8")
-    assert text == page(language), "python -m tests.keyword_pages writes the pages anew"
+    assert text == page(language), "python -m tests.derived writes the pages anew"
 
 
 @pytest.mark.parametrize("language", dialects())

@@ -6,6 +6,7 @@ stand with the life of a move in `core`).
 
 from __future__ import annotations
 
+from motionlang.controller.axis import Axis
 from motionlang.controller.core import Core
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import feedrate, halt
@@ -71,6 +72,12 @@ class AxisVerbs(Core):
             a.decel_time = None
         if a.move is not None and name in feedrate.LIVE:
             feedrate.changed(self, a, name)
+
+    def restore(self, axis: int) -> None:
+        """Give an axis at rest all `SETTINGS` as they are at power-up."""
+        new = Axis(axis)
+        for name in sorted(SETTINGS):
+            self.configure(axis, name, getattr(new, name))
 
     def setting(self, axis: int, name: str) -> float | str | None:
         """Read one of `SETTINGS` back."""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 # verb -> what it does. Every verb is a method of `Controller`; the dialects call no other.
 VERBS: dict[str, str] = {
     "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
+    "restore": "Give all settings of an axis their values at power-up.",
     "setting": "Read a setting back.",
     "set_scale": "Set the counts per user unit (and the time base) of an axis.",
     "enable": "Switch an axis on, at the position where it stands.",

@@ -54,7 +54,7 @@ def key(*parts: str) -> str:
 
 
 def fingerprint(package: str) -> str:
-    """The state of a compiler's source files, so that a changed one never meets what an older one made.
+    """The state of a compiler's source files and data, so that a changed one never meets what an older one made.
 
     `package` is the folder of the language. Empty where there are no such files to look at, as in a zip archive.
     """
@@ -76,7 +76,7 @@ def fingerprint(package: str) -> str:
 def _note_all(place: str, found: list[str]) -> None:
     with os.scandir(place) as entries:
         for entry in entries:
-            if entry.name.endswith(".py"):
+            if entry.name.endswith((".py", ".txt")):
                 _note(entry.path, entry.stat(), found)
             elif entry.name != "__pycache__" and entry.is_dir():
                 _note_all(entry.path, found)

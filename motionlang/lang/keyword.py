@@ -12,6 +12,30 @@ if TYPE_CHECKING:
 
 # How the fact is known: printed in a manual, read off running code, or remembered.
 TRUST = ("manual", "code", "memory")
+# What a statement with a word does to the axes it names. Of the first group a word has at most one, which is its role
+# in a program that is followed step by step; the others say more of it.
+ROLES = {
+    "move": "puts a move into the buffer of its axis, of which it is known where it ends",
+    "entry": "puts something else into the buffer: a dwell, an output",
+    "course": "puts a motion into the buffer, of which nobody knows where it ends",
+    "path": "puts a move of several axes together into the buffers, which the GO of the first one starts",
+    "go": "starts what is in the buffer",
+    "stop": "ends what the axis does and empties its buffer",
+    "act": "moves the axis at once, without GO",
+    "scale": "changes what a user unit is",
+    "zero": "gives the present position another value",
+}
+TRAITS = {
+    "relative": "what it is given is a distance, not a position",
+    "line": "a path that ends where its values say",
+    "endless": "the motion ends when something stops it",
+    "abrupt": "the axis stands at once",
+    "all": "it means every axis, whatever it names",
+    "datum": "the axis has another zero afterwards",
+    "follows": "the axis moves with its master, whatever it does itself",
+    "hands-over": "from now on an input, a table or an analogue value moves the axis, too",
+    "switch": "what the axis was doing may have ended",
+}
 
 
 class Keyword:
@@ -25,12 +49,20 @@ class Keyword:
     `low`…`high`  the accepted range, inclusive; None where open
     `solved`   its reading takes the level that it is compared with, and so can tell when it passes that
     `simulated`   False: recognised, documented, answered as "not simulated"
+    `effect`   what writing the word, or carrying it out, does to its axes: words of `ROLES` and `TRAITS`
+    `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the word written last counts
+    `changes`  "motion": what is read changes only while the axis moves
+    `driven`   the section of the machine file that says what is read, such as "input"
     """
 
     __slots__ = (
         "access",
+        "changes",
         "default",
+        "driven",
+        "effect",
         "example",
+        "gives",
         "group",
         "help",
         "high",
@@ -67,6 +99,10 @@ class Keyword:
         group: str = "",
         simulated: bool = True,
         solved: bool = False,
+        effect: str = "",
+        gives: str = "",
+        changes: str = "",
+        driven: str = "",
     ) -> None:
         assert trust in TRUST, trust
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
@@ -74,6 +110,16 @@ class Keyword:
         self.default, self.low, self.high = default, low, high
         self.source, self.trust, self.group, self.simulated = source, trust, group, simulated
         self.solved = solved
+        self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
+
+    def does(self, what: str) -> bool:
+        """Whether its effect has a word of `ROLES` or `TRAITS`."""
+        return what in self.effect.split()
+
+    @property
+    def role(self) -> str:
+        """Its word of `ROLES`, "" where it has none."""
+        return next((what for what in self.effect.split() if what in ROLES), "")
 
     def __repr__(self) -> str:
         return f"Keyword({self.name!r})"

@@ -40,7 +40,7 @@ def markdown(rows: Sequence[Keyword], dialect: str, shown: Callable[[Keyword], S
         f"# The words of {dialect_name(dialect)}",
         "",
         f"{len(simulated)} words are simulated, {len(known)} more are known and answered as not simulated. Written",
-        "from the keyword table by `python -m tests.keyword_pages`; `motionlang keywords WORD` shows the same.",
+        "from the keyword table by `python -m tests.derived`; `motionlang keywords WORD` shows the same.",
     ]
     groups = _groups(simulated)
     lines += ["", *(f"* [{_title(group)}](#{_title(group).lower().replace(' ', '-')})" for group in groups)]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.controller.controller import Controller
+from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.controller.faults import Refusal
 from motionlang.controller.verbs import VERBS, Recorder
 
@@ -41,6 +41,20 @@ def test_the_dialects_call_no_other_method(folder: str) -> None:
 def test_a_recorder_knows_no_other_verb() -> None:
     with pytest.raises(AttributeError):
         _ = Recorder().fly
+
+
+def test_restoring_gives_every_setting_its_value_at_power_up() -> None:
+    new, used = Controller(1), Controller(1)
+    for name in SETTINGS:
+        before = new.setting(0, name)
+        used.configure(0, name, "parabola" if isinstance(before, str) else 3)
+    assert all(
+        used.setting(0, name) != new.setting(0, name) for name in ("speed", "shape", "override", "max_accel")
+    )
+    used.restore(0)
+    assert {name: used.setting(0, name) for name in SETTINGS} == {
+        name: new.setting(0, name) for name in SETTINGS
+    }
 
 
 def test_a_loaded_move_waits_for_go() -> None:

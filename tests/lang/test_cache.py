@@ -147,6 +147,14 @@ def test_a_new_module_of_the_compiler_is_another_key(tmp_path: Path) -> None:
     assert cache.fingerprint(mint) != before
 
 
+def test_a_change_in_the_data_of_the_compiler_is_another_key(tmp_path: Path) -> None:
+    mint = installed(tmp_path)
+    before = cache.fingerprint(mint)
+    words = tmp_path / "motionlang" / "mint" / "keywords" / "type_library" / "values.txt"
+    words.write_text(words.read_text(encoding="utf-8").replace("|value|", "|kept|"), encoding="utf-8")
+    assert cache.fingerprint(mint) != before
+
+
 def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path) -> None:
     installed(tmp_path)
     (tmp_path / "hello.mnt").write_text(HELLO.text)

@@ -55,7 +55,7 @@ def test_every_page_is_in_a_chapter() -> None:
 
 
 def test_the_contents_are_those_of_the_pages() -> None:
-    assert INDEX.read_text(encoding="utf-8") == contents(), "python -m tests.mint_manual writes them anew"
+    assert INDEX.read_text(encoding="utf-8") == contents(), "python -m tests.derived writes them anew"
 
 
 # A line of code without its texts, character literals and comments.

@@ -18,33 +18,6 @@ if TYPE_CHECKING:
 
     from motionlang.controller.servo.plant import Drive, Motor
 
-# The word of a language, and the fields of the loop that it decides.
-FIELDS: dict[str, tuple[str, ...]] = {
-    "KPROP": ("proportional",),
-    "KINT": ("integral",),
-    "KINTLIMIT": ("integral_limit",),
-    "KINTMODE": ("integral_mode",),
-    "KDERIV": ("derivative",),
-    "KVEL": ("velocity_feedback",),
-    "KVELFF": ("velocity_ff",),
-    "KACCEL": ("accel_ff", "decel_ff"),
-    "DACLIMITMAX": ("output_limit",),
-    "LOOPTIME": ("servo_rate", "trajectory_rate"),
-    "SG": ("proportional",),
-    "SI": ("integral", "integral_limit"),
-    "IL": ("integral_limit",),
-    "IO": ("integral_mode",),
-    "SD": ("derivative",),
-    "FR": ("derivative_every",),
-    "VG": ("velocity_ff",),
-    "AG": ("accel_ff",),
-    "DG": ("decel_ff",),
-    "OB": ("output_deadband",),
-    "OO": ("output_offset",),
-    "PH": ("reversed",),
-    "SQ": ("output_limit",),
-    "RATE": ("servo_rate", "trajectory_rate"),
-}
 _LEAST_BANDWIDTH = 0.1
 
 
@@ -70,7 +43,8 @@ def axis_loop(
     `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is counts per user unit. ValueError names what is
     wrong.
     """
-    set_by_program = {field for word in words for field in FIELDS[word]}
+    table = MCCL if model else MINT
+    set_by_program = {field for word in words for field in table[word].fields.split()}
     kept = {name: value for name, value in section.items() if name not in set_by_program}
     if not set_by_program.isdisjoint(GAINS):
         loop = _language(section, words, model, scale)

@@ -26,13 +26,15 @@ MODELS = ("multiflex", "dcx")
 
 @dataclass(frozen=True, slots=True)
 class Gain:
-    """A keyword: what it sets, the value it has before a program sets it, its unit, and how this is known."""
+    """A keyword: the value it has before a program sets it, its unit, what it sets, and how this is known."""
 
     word: str
     default: float
     unit: str
     help: str
     trust: str
+    fields: str
+    """The fields of the loop that it decides."""
 
 
 def _table(*rows: Gain) -> dict[str, Gain]:
@@ -40,42 +42,106 @@ def _table(*rows: Gain) -> dict[str, Gain]:
 
 
 MINT: dict[str, Gain] = _table(
-    Gain("KPROP", 0.0, "DAC steps per count", "Output for each count of following error.", "manual"),
-    Gain("KINT", 0.0, "DAC steps per count and loop", "Output for the sum of following errors.", "memory"),
-    Gain("KINTLIMIT", 100.0, "percent of full scale", "The most that the integral contributes.", "manual"),
+    Gain(
+        "KPROP",
+        0.0,
+        "DAC steps per count",
+        "Output for each count of following error.",
+        "manual",
+        "proportional",
+    ),
+    Gain(
+        "KINT",
+        0.0,
+        "DAC steps per count and loop",
+        "Output for the sum of following errors.",
+        "memory",
+        "integral",
+    ),
+    Gain(
+        "KINTLIMIT",
+        100.0,
+        "percent of full scale",
+        "The most that the integral contributes.",
+        "manual",
+        "integral_limit",
+    ),
     Gain(
         "KINTMODE",
         0.0,
         "0 never, 1 always, 2 at steady speed, 3 at rest",
         "When the integral acts.",
         "manual",
+        "integral_mode",
     ),
     Gain(
-        "KDERIV", 0.0, "DAC steps per count/loop", "Output for the change of the following error.", "manual"
+        "KDERIV",
+        0.0,
+        "DAC steps per count/loop",
+        "Output for the change of the following error.",
+        "manual",
+        "derivative",
     ),
-    Gain("KVEL", 0.0, "DAC steps per count/loop", "Damping by measured speed.", "manual"),
-    Gain("KVELFF", 0.0, "DAC steps per count/loop", "Output for demanded speed.", "manual"),
-    Gain("KACCEL", 0.0, "DAC steps per count/loop²", "Output for demanded acceleration.", "memory"),
-    Gain("DACLIMITMAX", 100.0, "percent of full scale", "The most that goes out.", "memory"),
-    Gain("LOOPTIME", 1000.0, "microseconds", "The time of one servo loop.", "manual"),
+    Gain(
+        "KVEL", 0.0, "DAC steps per count/loop", "Damping by measured speed.", "manual", "velocity_feedback"
+    ),
+    Gain("KVELFF", 0.0, "DAC steps per count/loop", "Output for demanded speed.", "manual", "velocity_ff"),
+    Gain(
+        "KACCEL",
+        0.0,
+        "DAC steps per count/loop²",
+        "Output for demanded acceleration.",
+        "memory",
+        "accel_ff decel_ff",
+    ),
+    Gain("DACLIMITMAX", 100.0, "percent of full scale", "The most that goes out.", "memory", "output_limit"),
+    Gain(
+        "LOOPTIME",
+        1000.0,
+        "microseconds",
+        "The time of one servo loop.",
+        "manual",
+        "servo_rate trajectory_rate",
+    ),
 )
 MCCL: dict[str, Gain] = _table(
-    Gain("SG", 0.0, "V per count", "Output for each count of following error.", "code"),
-    Gain("SI", 0.0, "V per count and sample", "Output for the sum of following errors.", "code"),
-    Gain("SD", 0.0, "V per count and derivative sample", "Output for the change of the error.", "code"),
-    Gain("IL", 0.0, "counts, summed", "Where the sum of errors stops growing.", "memory"),
-    Gain("FR", 0.00025, "s", "The time of one derivative sample.", "code"),
-    Gain("VG", 0.0, "V per unit/s", "Output for demanded velocity.", "manual"),
-    Gain("AG", 0.0, "V per unit/s²", "Output for demanded acceleration.", "manual"),
-    Gain("DG", 0.0, "V per unit/s²", "Output for demanded deceleration.", "manual"),
-    Gain("OB", 0.0, "V", "An output smaller than this is none.", "memory"),
-    Gain("OO", 0.0, "V", "Added to every output.", "memory"),
-    Gain("PH", 0.0, "0 or 1", "1 reverses the output.", "memory"),
-    Gain("SQ", 10.0, "V", "The most that goes out.", "code"),
+    Gain("SG", 0.0, "V per count", "Output for each count of following error.", "code", "proportional"),
     Gain(
-        "IO", 0.0, "0, 1 or 2", "Integral: always, frozen in motion, cleared and frozen in motion.", "memory"
+        "SI",
+        0.0,
+        "V per count and sample",
+        "Output for the sum of following errors.",
+        "code",
+        "integral integral_limit",
     ),
-    Gain("RATE", 4000.0, "Hz", "Servo rate: HS 4000, MS 2000, LS 1000.", "manual"),
+    Gain(
+        "SD",
+        0.0,
+        "V per count and derivative sample",
+        "Output for the change of the error.",
+        "code",
+        "derivative",
+    ),
+    Gain("IL", 0.0, "counts, summed", "Where the sum of errors stops growing.", "memory", "integral_limit"),
+    Gain("FR", 0.00025, "s", "The time of one derivative sample.", "code", "derivative_every"),
+    Gain("VG", 0.0, "V per unit/s", "Output for demanded velocity.", "manual", "velocity_ff"),
+    Gain("AG", 0.0, "V per unit/s²", "Output for demanded acceleration.", "manual", "accel_ff"),
+    Gain("DG", 0.0, "V per unit/s²", "Output for demanded deceleration.", "manual", "decel_ff"),
+    Gain("OB", 0.0, "V", "An output smaller than this is none.", "memory", "output_deadband"),
+    Gain("OO", 0.0, "V", "Added to every output.", "memory", "output_offset"),
+    Gain("PH", 0.0, "0 or 1", "1 reverses the output.", "memory", "reversed"),
+    Gain("SQ", 10.0, "V", "The most that goes out.", "code", "output_limit"),
+    Gain(
+        "IO",
+        0.0,
+        "0, 1 or 2",
+        "Integral: always, frozen in motion, cleared and frozen in motion.",
+        "memory",
+        "integral_mode",
+    ),
+    Gain(
+        "RATE", 4000.0, "Hz", "Servo rate: HS 4000, MS 2000, LS 1000.", "manual", "servo_rate trajectory_rate"
+    ),
 )
 _MINT_MODES = ("never", "always", "steady", "stopped")
 _MCCL_MODES = ("always", "stopped", "zeroed")

@@ -22,7 +22,6 @@ CODE = "not-simulated"
 _ENDS = "the run ends here"
 _WHEN_WRITTEN = {
     unsimulated.MOTION: f"{_ENDS}, unless it is given 0",
-    unsimulated.FACTOR: f"{_ENDS}, unless it is given 1",
 }
 
 
@@ -103,9 +102,9 @@ def warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call 
 def _is_kept(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
     """Whether a word takes what it is given and changes nothing by it, as far as can be seen."""
     if by is None:
-        return row.verb == unsimulated.FACTOR
+        return False
     values = getattr(by, "values", ())
-    harmless = {unsimulated.MOTION: 0, unsimulated.FACTOR: 1}.get(row.verb)
+    harmless = {unsimulated.MOTION: 0}.get(row.verb)
     return row.verb == unsimulated.VALUE or (
         bool(values) and all(getattr(each, "value", None) == harmless for each in values)
     )

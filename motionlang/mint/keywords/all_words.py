@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from pkgutil import get_data
 
 from motionlang.lang.keyword import Keyword
 
@@ -14,17 +15,7 @@ if TYPE_CHECKING:
 
 def rows() -> list[Keyword]:
     """Every row, the groups in their order, then what is left of the library."""
-    found = [row for group in groups() for row in group.ROWS]
-    taken = {spelling.lower() for row in found for spelling in (row.name, row.short) if spelling}
-    for row in _not_simulated():
-        if row.name.lower() not in taken:
-            taken.add(row.name.lower())
-            if row.short.lower() in taken:
-                row.short = ""
-            elif row.short:
-                taken.add(row.short.lower())
-            found.append(row)
-    return found
+    return [*(row for group in groups() for row in group.ROWS), *_not_simulated()]
 
 
 def groups() -> tuple[ModuleType, ...]:
@@ -39,6 +30,7 @@ camboxes captures auxiliary_latches monitoring event_flags relays steppers
 io comms modbus remote network serial limits homing latches sensing servo functions nonvolatile encoder_wrap
 no_effect identity legacy factory_defaults units constants language
 """
+_LIBRARY = "Mint ActiveX type library, build 5626"
 _UNITS = {
     "int": "integer",
     "bool": "bool",
@@ -52,21 +44,32 @@ _UNITS = {
 def _not_simulated() -> Iterator[Keyword]:
     """The rest of the type library: recognised and explained, not simulated."""
     from motionlang.mint.keywords import no_effect, unsimulated
-    from motionlang.mint.keywords.type_library import commands, words_a_i, words_j_z
 
-    source = "Mint ActiveX type library, build 5626"
-    for line in (words_a_i.WORDS + words_j_z.WORDS).splitlines():
-        name, short, index, kind, access, meaning = line.split("|")
+    fates = {
+        "kept": no_effect.VERB,
+        "value": unsimulated.VALUE,
+        "command": unsimulated.COMMAND,
+        "motion": unsimulated.MOTION,
+    }
+    for name, short, index, kind, access, fate, meaning in _lines("values"):
+        verb = fates[fate]
         sense = "reading" if access == "R" else "setting"
-        verb = no_effect.VERB if name in no_effect.WORDS else unsimulated.verb(name)
-        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=source, trust="code",
-                      group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False)  # fmt: skip
-    for text, origin, trust in (
-        (commands.WORDS, source, "code"),
-        (unsimulated.COMMANDS, "Mint v4", "memory"),
-    ):
-        for line in text.splitlines():
-            name, short, index, meaning = line.split("|")
-            verb = unsimulated.verb(name)
+        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=_LIBRARY, trust="code",
+                      group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False,
+                      effect="switch" if name in no_effect.SWITCHES else "")  # fmt: skip
+    for file, origin, trust in (("commands", _LIBRARY, "code"), ("commands_v4", "Mint v4", "memory")):
+        for name, short, index, fate, meaning in _lines(file):
+            verb = fates[fate]
             yield Keyword(name, short, "command", "C", index, "", verb, meaning, source=origin, trust=trust,
                           group=unsimulated.GROUPS[verb], simulated=False)  # fmt: skip
+
+
+def _lines(file: str) -> Iterator[list[str]]:
+    """The fields of a file of the type library.
+
+    `values`: NAME, short form, index, type, access, what becomes of it, meaning; the commands have no type and access.
+    """
+    text = get_data("motionlang.mint.keywords", f"type_library/{file}.txt")
+    assert text is not None
+    for line in text.decode("utf-8").splitlines():
+        yield line.split("|")

@@ -10,7 +10,7 @@ ROWS = (
     Keyword("MOVECORRECTION", "", "setting", "W", "axis", "uu", "correction.correction",
             "Let the move in progress end this much further on, such as by the error of a print mark.",
             "MOVER(0) = 100\nGO(0)\nMOVECORRECTION(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)",
-            low=-8388607.0, high=8388607.0, source=_LIBRARY, trust="memory", group="motion"),
+            low=-8388607.0, high=8388607.0, source=_LIBRARY, trust="memory", group="motion", effect="act"),
     Keyword("TIMESCALE", "", "setting", "RW", "axis", "number", "correction.time",
             "Seconds in the unit of time of speeds and accelerations: 60 makes them units a minute. Settings made "
             "before keep what they are.",

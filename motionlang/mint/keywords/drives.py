@@ -12,9 +12,9 @@ _STOP = "\nSPEEDREF(0) = 0\nPAUSE IDLE(0)\nPRINT POS(0)"
 
 
 def _setting(name: str, unit: str, help: str, example: str, high: float, default: float = 0.0, short: str = "",
-             trust: str = "memory") -> Keyword:  # fmt: skip
+             effect: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, short, "setting", "RW", "axis", unit, "drives.setting", help, example, default=default, low=0,
-                   high=high, source=_LIBRARY, trust=trust, group="axis")  # fmt: skip
+                   high=high, source=_LIBRARY, trust="memory", group="axis", effect=effect)  # fmt: skip
 
 
 def _time(name: str, help: str) -> Keyword:
@@ -29,7 +29,7 @@ def _reading(name: str, short: str, unit: str, verb: str, help: str) -> Keyword:
 
 def _reference(name: str, short: str, unit: str, verb: str, help: str, example: str) -> Keyword:
     return Keyword(name, short, "setting", "RW", "axis", unit, verb, help, example, default=0.0, low=-_LARGEST,
-                   high=_LARGEST, source=_LIBRARY, trust="memory", group="motion")  # fmt: skip
+                   high=_LARGEST, source=_LIBRARY, trust="memory", group="motion", effect="act")  # fmt: skip
 
 
 _EDGES = (
@@ -47,10 +47,10 @@ ROWS = (
                "Speed reference: ramp to a speed in the SPEEDREF… times and keep it, until another one is written; 0 "
                "brings the axis to rest.", _RUN + "SPEEDREF(0) = 500\nWAIT = 1000\nPRINT VEL(0)" + _STOP),
     _setting("SPEEDREFENABLE", "bool", "0 lets the axis ramp to rest whatever SPEEDREF is, 1 lets it go on.",
-             _RUN + "SPEEDREF(0) = 500\nSPEEDREFENABLE(0) = 0\nPAUSE IDLE(0)\nPRINT SPEEDREF(0)", 1, 1.0),
+             _RUN + "SPEEDREF(0) = 500\nSPEEDREFENABLE(0) = 0\nPAUSE IDLE(0)\nPRINT SPEEDREF(0)", 1, 1.0, effect="act"),
     _setting("SPEEDREFSOURCE", "integer",
              "What the speed reference is: 0 SPEEDREF, n analogue input n - 1, whose 100 % are the highest speed.",
-             "SPEEDREFSOURCE(0) = 1\nPRINT SPEEDREF(0)", 64),
+             "SPEEDREFSOURCE(0) = 1\nPRINT SPEEDREF(0)", 64, effect="hands-over"),
     _time("SPEEDREFACCELTIME", "Milliseconds from rest to the highest speed (DRIVESPEEDMAX, else MAXSPEED, else "
                                "SPEED) in ramps of SPEEDREF; 0 for ACCEL."),
     _time("SPEEDREFDECELTIME", "Milliseconds from the highest speed to rest in ramps of SPEEDREF; 0 for DECEL."),

@@ -16,16 +16,16 @@ def _most(name: str, unit: str, verb: str, help: str, example: str) -> Keyword:
                    high=1e12, source=_LIBRARY, trust="memory", group="axis")  # fmt: skip
 
 
-def _ramp_time(name: str, verb: str, help: str, example: str, low: float) -> Keyword:
+def _ramp_time(name: str, verb: str, help: str, example: str, low: float, gives: str) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "ms", verb, help, example, low=low, high=_LONGEST,
-                   source=_LIBRARY, trust="memory", group="axis")  # fmt: skip
+                   source=_LIBRARY, trust="memory", group="axis", gives=gives)  # fmt: skip
 
 
 ROWS = (
     Keyword("FEEDRATE", "", "setting", "RW", "axis", "uu/s", "speed",
             "Another name of SPEED: slew speed of moves; with bit 0 of FEEDRATEMODE each keeps that of its loading.",
             "FEEDRATE(0) = 250\nPRINT FEEDRATE(0), SPEED(0)",
-            default=40000.0, low=0.0, high=_LARGEST, source=_MN1270, trust="manual", group="axis"),
+            default=40000.0, low=0.0, high=_LARGEST, source=_MN1270, trust="manual", group="axis", gives="speed"),
     Keyword("FEEDRATEMODE", "FRM", "setting", "RW", "axis", "integer", "feedrate_mode",
             "Bit 0: moves keep the speed with which they are loaded; without it a new speed acts at once. "
             "Bit 1: FEEDRATEOVERRIDE acts.",
@@ -48,16 +48,16 @@ ROWS = (
           "MAXDECEL(0) = 50\nPRINT MAXDECEL(0)"),
     _ramp_time("ACCELTIMEMAX", "feedrate.time_to_most",
                "Acceleration given as the time from rest to MAXSPEED; replaces ACCEL.",
-               "MAXSPEED(0) = 100\nACCELTIMEMAX(0) = 200\nPRINT ACCEL(0)", 0.001),
+               "MAXSPEED(0) = 100\nACCELTIMEMAX(0) = 200\nPRINT ACCEL(0)", 0.001, "accel"),
     _ramp_time("DECELTIMEMAX", "feedrate.time_to_most",
                "Deceleration given as the time from MAXSPEED to rest; replaces DECEL.",
-               "MAXSPEED(0) = 100\nDECELTIMEMAX(0) = 200\nPRINT DECEL(0)", 0.001),
+               "MAXSPEED(0) = 100\nDECELTIMEMAX(0) = 200\nPRINT DECEL(0)", 0.001, "decel"),
     _ramp_time("ACCELJERKTIME", "feedrate.jerk_time",
                "Jerk given as the time in which ACCEL builds up in an S-ramp, 0 for at once; replaces ACCELJERK.",
-               "ACCEL(0) = 500\nACCELJERKTIME(0) = 100\nPRINT ACCELJERK(0)", 0),
+               "ACCEL(0) = 500\nACCELJERKTIME(0) = 100\nPRINT ACCELJERK(0)", 0, "accel jerk"),
     _ramp_time("DECELJERKTIME", "feedrate.jerk_time",
                "Jerk given as the time in which DECEL builds up in an S-ramp, 0 for at once; replaces DECELJERK.",
-               "DECEL(0) = 500\nDECELJERKTIME(0) = 100\nPRINT DECELJERK(0)", 0),
+               "DECEL(0) = 500\nDECELJERKTIME(0) = 100\nPRINT DECELJERK(0)", 0, "decel jerk"),
     Keyword("SRAMP", "", "setting", "RW", "axis", "%", "feedrate.s_ramp",
             "Smoothing of ramps in percent: 0 a trapezoid, 100 acceleration that only rises and falls. Replaces "
             "PROFILEMODE and the jerks; ACCEL and DECEL stay the peaks, so ramps grow by this percentage.",

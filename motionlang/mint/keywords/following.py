@@ -67,7 +67,8 @@ ROWS = (
     Keyword("FOLLOW", "FL", "setting", "RW", "axis", "number", "following.follow",
             "Follow the master: units of this axis for each unit of the master. 0 ends it; no GO is needed.",
             _READY + "FOLLOW(1) = 0.5\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)",
-            default=0.0, low=-_LARGEST, high=_LARGEST, source=_MN1270, trust="manual", group="motion"),
+            default=0.0, low=-_LARGEST, high=_LARGEST, source=_MN1270, trust="manual", group="motion",
+            effect="act follows"),
     Keyword("FOLLOWNUMERATOR", "", "setting", "RW", "axis", "number", "following.part",
             "FOLLOW is multiplied by this and divided by FOLLOWDENOM: 1 and 3 make an exact third.",
             _READY + "FOLLOWDENOM(1) = 3\nFOLLOWNUMERATOR(1) = 2\nFOLLOW(1) = 1\nMOVER(0) = 99\nGO(0)\n"
@@ -85,11 +86,11 @@ ROWS = (
     Keyword("FLY", "", "move", "W", "axis", "uu", "following.fly",
             "Load a segment of a flying shear: go this distance while the master goes MASTERDISTANCE. Its ratio to the "
             "master changes evenly from that of the segment before, so two equal segments end at a ratio of 0.",
-            _FLY, source=_LIBRARY, trust="memory", group="motion"),
+            _FLY, source=_LIBRARY, trust="memory", group="motion", effect="course follows"),
     Keyword("OFFSET", "", "move", "RW", "axis", "uu", "following.offset",
             "Load a distance on top of following; an axis that follows nobody moves by it. Reading it gives the "
             "distance still to go, of a move too.",
-            _OFFSET.format(""), source=_MN1270, trust="manual", group="motion", solved=True),
+            _OFFSET.format(""), source=_MN1270, trust="manual", group="motion", effect="course follows", solved=True),
     Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", "following.masters.setting",
             "How OFFSET is done: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
             _OFFSET.format("OFFSETMODE(1) = _ofSPEED_MOD : OFFSETDISTANCE(1) = 50\n"),
@@ -103,7 +104,7 @@ ROWS = (
     Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number", "following.auxiliary.position",
             "What an auxiliary encoder shows, in units of AUXENCODERSCALE.",
             "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
-            default=0.0, source=_LIBRARY, trust="code", group="encoders"),
+            default=0.0, source=_LIBRARY, trust="code", group="encoders", driven="encoder"),
     Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number", "following.auxiliary.velocity",
             "Speed of an auxiliary encoder, in units of AUXENCODERSCALE a second.",
             "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nPRINT AUXENCODERVEL(0)",

@@ -27,7 +27,8 @@ def _what(direction: int, switch: str, index: bool) -> str:
 ROWS = (
     Keyword("HOME", "HM", "setting", "RW", "axis", "integer", "homing.home",
             "Find the datum of the axis: run to the switch, leave it slowly, go on to the index; one of the _hm types.",
-            _HOMED.format("HOME"), low=0, high=len(HOME_TYPES) - 1, source=_MN1270, trust="manual", group="motion"),
+            _HOMED.format("HOME"), low=0, high=len(HOME_TYPES) - 1, source=_MN1270, trust="manual", group="motion",
+            effect="act datum"),
     Keyword("HOMETYPE", "", "setting", "RW", "axis", "integer", "homing.type",
             "The type of homing, as HOME was given it last.",
             "HOMETYPE(0) = _hmPOSITIVE_SWITCH\nPRINT HOMETYPE(0)",
@@ -59,7 +60,7 @@ ROWS = (
             default=-1.0, low=-1, high=999, source=_LIBRARY, trust="code", group="homing"),
     Keyword("HOMESWITCH", "hsw", "reading", "R", "axis", "bool", "limits.switches.home_switch",
             "1 while the axis is on its home switch.",
-            "PRINT HOMESWITCH(0)", default=0.0, source=_LIBRARY, trust="code", group="homing"),
+            "PRINT HOMESWITCH(0)", default=0.0, source=_LIBRARY, trust="code", group="homing", driven="input"),
     *(
         Keyword(name, "", "constant", "R", "none", "integer", str(value), _what(direction, switch, index),
                 f"PRINT {name}", source=_MN1270 if value == 1 else "", trust="memory", group="constants")

@@ -24,7 +24,7 @@ ROWS = (
             "Jog at JOGSPEED: 1 forwards, -1 in reverse; 0 brings the axis to rest. It keeps its value until it is "
             "written again, also when JOGDURATION has ended the jog.",
             _PANEL + "PRINT VEL(0)\nPAUSE IDLE(0)\nPRINT POS(0)", default=0.0, low=-1, high=1, source=_LIBRARY,
-            trust="memory", group="motion"),
+            trust="memory", group="motion", effect="act"),
     _setting("JOGMODE", "", "integer",
              "How long JOGCOMMAND jogs: 0 until it is 0, 1 for JOGDURATION, once for each new command.",
              "JOGMODE(0) = 1\nPRINT JOGMODE(0)", 1),

@@ -5,15 +5,17 @@ from __future__ import annotations
 from motionlang.lang.keyword import Keyword
 
 
-def _word(name: str, help: str, example: str, trust: str = "memory", short: str = "") -> Keyword:
+def _word(name: str, help: str, example: str, trust: str = "memory", short: str = "",
+          driven: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, short, "statement", "C", "none", "", name.lower(), help, example,
-                   source="MN1955 contents", trust=trust, group="language")  # fmt: skip
+                   source="MN1955 contents", trust=trust, group="language", driven=driven)  # fmt: skip
 
 
 ROWS = (
     _word("Print", "Print values one after the other; a last comma or semicolon keeps the line open.",
           'PRINT "x = ", 1.5', "code", "?"),
-    _word("Input", "Wait for a number from the terminal.", "Dim n As Integer\nIf 0 Then INPUT \"How many? \", n"),
+    _word("Input", "Wait for a number from the terminal.", "Dim n As Integer\nIf 0 Then INPUT \"How many? \", n",
+          driven="answer"),
     _word("Pause", "Wait until a condition is true.", "MOVER(0) = 12 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)", "manual"),
     _word("Dim", "Declare variables, with their types and first values.", "Dim n As Integer = 3\nPRINT n"),
     _word("Const", "Give a fixed value a name.", "Const LENGTH = 12.5\nPRINT LENGTH", "code"),

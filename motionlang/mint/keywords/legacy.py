@@ -31,7 +31,8 @@ ROWS = (
     Keyword("HOLDTOANALOG", "", "setting", "RW", "axis", "%", "hold_to_analogue.hold",
             "Move an axis so that an analogue input holds this value (v4; HTA).",
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHOLDTOANALOG(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
-            default=0.0, low=-100.0, high=100.0, source="Baldor MN1270 p. 81", trust="memory", group="motion"),
+            default=0.0, low=-100.0, high=100.0, source="Baldor MN1270 p. 81", trust="memory", group="motion",
+            effect="act"),
     _contour("CONTOURON", 0, "Run through paths without slowing down (v4; CONTOURMODE = 1 in MintMT)."),
     _contour("CONTOUROFF", 1, "Slow down between paths (v4; CONTOURMODE = 0 in MintMT)."),
 )  # fmt: skip

@@ -27,7 +27,7 @@ def _input(name: str, short: str, help: str) -> Keyword:
 
 def _switch(name: str, short: str, verb: str, help: str) -> Keyword:
     return Keyword(name, short, "reading", "R", "axis", "bool", verb, help, f"PRINT {name}(0)", default=0.0,
-                   source=_LIBRARY, trust="code", group="limits")  # fmt: skip
+                   source=_LIBRARY, trust="code", group="limits", driven="input")  # fmt: skip
 
 
 def _soft(name: str, help: str) -> Keyword:
@@ -87,27 +87,31 @@ ROWS = (
     _mode("ABORTMODE", "What the axis does at ABORT"),
     Keyword("ABORT", "", "command", "C", "none", "", "limits.abort",
             "Stop every axis as its ABORTMODE says, and note the error on it.",
-            _CLEAR, source=_LIBRARY, trust="memory", group="stopping"),
+            _CLEAR, source=_LIBRARY, trust="memory", group="stopping", effect="stop abrupt all"),
     Keyword("STOP", "ST", "command", "C", "axes", "", "limits.resetting.stop",
             "Decelerate the axes to rest as their STOPMODE says, and empty their buffers.",
             "JOG(0) = 100\nWAIT = 500\nSTOP(0)\nPAUSE IDLE(0)\nPRINT IDLE(0)",
-            source=_LIBRARY, trust="memory", group="stopping"),
+            source=_LIBRARY, trust="memory", group="stopping", effect="stop"),
     Keyword("STOPMODE", "", "setting", "RW", "axis", "integer", "limits.resetting.stop_mode",
             "How STOP ends motion: 0 at DECEL, 1 at ERRORDECEL, 2 at once.",
             "STOPMODE(0) = 1\nPRINT STOPMODE(0)",
             default=0.0, low=0, high=2, source=_E190, trust="code", group="stopping"),
     Keyword("RESET", "", "command", "C", "axes", "", "limits.resetting.reset",
             "Stop the axis at once, empty its buffer, clear its errors, make its position 0 and switch its drive on.",
-            "POS(0) = 5\nRESET(0)\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping"),
+            "POS(0) = 5\nRESET(0)\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping",
+            effect="stop abrupt datum"),
     Keyword("RESETALL", "", "command", "C", "none", "", "limits.resetting.reset_all",
             "RESET for every axis.",
-            "POS(0) = 5\nRESETALL\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping"),
+            "POS(0) = 5\nRESETALL\nPRINT POS(0)", source=_LIBRARY, trust="memory", group="stopping",
+            effect="stop abrupt all datum"),
     Keyword("DEFAULT", "", "command", "C", "axes", "", "limits.resetting.default",
             "Give every setting of an axis at rest its default again.",
-            "SPEED(0) = 5\nDEFAULT(0)\nPRINT SPEED(0)", source=_LIBRARY, trust="memory", group="axis"),
+            "SPEED(0) = 5\nDEFAULT(0)\nPRINT SPEED(0)", source=_LIBRARY, trust="memory", group="axis",
+            effect="stop abrupt datum"),
     Keyword("DEFAULTALL", "", "command", "C", "none", "", "limits.resetting.default_all",
             "DEFAULT for every axis.",
-            "SPEED(1) = 5\nDEFAULTALL\nPRINT SPEED(1)", source=_LIBRARY, trust="memory", group="axis"),
+            "SPEED(1) = 5\nDEFAULTALL\nPRINT SPEED(1)", source=_LIBRARY, trust="memory", group="axis",
+            effect="stop abrupt all datum"),
 )  # fmt: skip
 # What `motionlang.mint.compile.line_triggers` puts before a line at which the machine file lets a fault happen.
 HIDDEN = (

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from math import inf
-
-from motionlang.controller.axis import DEFAULTS
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.environment import mint_settings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,30 +17,6 @@ if TYPE_CHECKING:
 
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
-# What DEFAULT gives back to an axis, beside the numbers of `DEFAULTS`.
-_SETTINGS: dict[str, object] = {
-    "accel_time": None,
-    "decel_time": None,
-    "buffer_size": int(DEFAULTS["buffer_size"]),
-    "error_decel": DEFAULTS["decel"],
-    "shape": "trapezoid",
-    "feedrate_mode": 0,
-    "override": 1.0,
-    "buffer_low": -1,
-    "move_id": 0,
-    "accel_jerk_time": None,
-    "decel_jerk_time": None,
-    "s_ramp": None,
-    "own_rates": None,
-    "max_speed": inf,
-    "max_accel": inf,
-    "max_decel": inf,
-    "contour_mode": False,
-    "contour_angle": 0.0,
-    "blend_mode": False,
-    "blend_distance": 0.0,
-    "suspend_time": 0.1,
-}
 
 
 class StopModes:
@@ -82,8 +56,8 @@ def _default(environment: Environment, axis: int) -> None:
     controller = environment.controller
     if not controller.is_idle(axis):
         raise Refusal("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
-    for name, value in {**DEFAULTS, **_SETTINGS}.items():
-        controller.configure(axis, name, value)
+    controller.restore(axis)
+    mint_settings(controller, axis)
     controller.set_scale(axis, 1.0)
     for part in environment.parts():
         forget: Callable[[int], None] | None = getattr(part, "default", None)

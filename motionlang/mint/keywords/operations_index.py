@@ -187,7 +187,7 @@ torque.reference torque.setting torque.demand torque.effort torque.current
 units.position units.speed units.acceleration
 """,
     "unsimulated_operations": """
-unsimulated.value unsimulated.motion unsimulated.command unsimulated.factor unsimulated.jump
+unsimulated.value unsimulated.motion unsimulated.command unsimulated.jump
 """,
 }
 SOURCES = {

@@ -11,10 +11,12 @@ _END = '\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), " ", POS(1)'
 _TWO = "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)"
 
 
-def _path(name: str, unit: str, help: str, example: str, trust: str = "code") -> Keyword:
+def _path(
+    name: str, unit: str, help: str, example: str, trust: str = "code", effect: str = "path"
+) -> Keyword:
     short = "".join(name[at] for at in (0, -1)) if name[:5] != "HELIX" else ""  # VA, VR, CA, CR
     return Keyword(name, short, "move", "W", "axes", unit, "paths.arc" if "degrees" in unit else "paths.line", help,
-                   example + _END, source=_LIBRARY, trust=trust, group="motion")  # fmt: skip
+                   example + _END, source=_LIBRARY, trust=trust, group="motion", effect=effect)  # fmt: skip
 
 
 def _setting(name: str, unit: str, verb: str, help: str, example: str, high: float) -> Keyword:
@@ -25,9 +27,9 @@ def _setting(name: str, unit: str, verb: str, help: str, example: str, high: flo
 _RULE = "SPEED, ACCEL and DECEL of the first axis are those along the path, and GO of it starts all"
 ROWS = (
     _path("VECTORA", "uu", f"Load a straight line of several axes to a position; {_RULE}.",
-          "VECTORA(0, 1) = 30, 40"),
+          "VECTORA(0, 1) = 30, 40", effect="path line"),
     _path("VECTORR", "uu", f"Load a straight line of several axes by distances; {_RULE}.",
-          "VECTORR(0, 1) = 30, 40"),
+          "VECTORR(0, 1) = 30, 40", effect="path line relative"),
     _path("CIRCLEA", "uu, uu, degrees",
           f"Load an arc of two axes: absolute centre and angle, positive from the first axis to the second; {_RULE}.",
           "CIRCLEA(0, 1) = 50, 0, 180"),

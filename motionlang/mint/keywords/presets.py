@@ -12,9 +12,9 @@ _RUN = _TWO + "PRESETINDEX(0) = 1\n{}PRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRI
 
 
 def _row(name: str, index: str, unit: str, verb: str, help: str, example: str, low: float, high: float,
-         default: float = 0.0, group: str = "axis") -> Keyword:  # fmt: skip
+         default: float = 0.0, group: str = "axis", effect: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, "", "setting", "RW", index, unit, f"presets.{verb}", help, example, default=default, low=low,
-                   high=high, source=_LIBRARY, trust="memory", group=group)  # fmt: skip
+                   high=high, source=_LIBRARY, trust="memory", group=group, effect=effect)  # fmt: skip
 
 
 def _entry(name: str, unit: str, help: str, low: float, high: float) -> Keyword:
@@ -55,7 +55,8 @@ ROWS = (
             100, "parameter", -100),
     _row("PRESETINDEX", "axis", "integer", "index",
          "The preset that is next; without a trigger input writing it starts it, while PRESETMOVEENABLE is 1.",
-         _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion"),
+         _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion",
+         effect="act"),
     _setting("PRESETINDEXMODE",
              "What follows a preset: 0 it stays selected, 1 the next one of the table is selected, 2 that starts by "
              "itself after PRESETDWELLTIME.", 0, 2),
@@ -73,5 +74,5 @@ ROWS = (
              -1, 999, -1.0),
     _row("PRESETMOVEENABLE", "axis", "bool", "setting",
          "Whether presets start; without a trigger input 1 starts the one that is selected.", _RUN.format(""), 0, 1,
-         group="motion"),
+         group="motion", effect="hands-over"),
 )  # fmt: skip

@@ -7,20 +7,21 @@ from motionlang.lang.keyword import Keyword
 _MN1274 = "Baldor MN1274 p. 116"
 
 
-def _word(name: str, access: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:
+def _word(name: str, access: str, index: str, unit: str, verb: str, help: str, example: str,
+          driven: str = "") -> Keyword:  # fmt: skip
     kind = "setting" if "W" in access else "reading"
     low, high = (-100.0, 100.0) if unit == "%" and "W" in access else (None, None)
     return Keyword(name, "", kind, access, index, unit, verb, help, example, default=0.0, low=low, high=high,
-                   source=_MN1274, trust="manual", group="remote")  # fmt: skip
+                   source=_MN1274, trust="manual", group="remote", driven=driven)  # fmt: skip
 
 
 ROWS = (
     _word("REMOTEIN", "R", "bus, node", "bits", "remote.bits", "The inputs of a remote node as bits.",
-          "PRINT REMOTEIN(1, 2)"),
+          "PRINT REMOTEIN(1, 2)", "remote"),
     _word("REMOTEINX", "R", "bus, node, input", "bool", "remote.bit", "One input of a remote node.",
-          "PRINT REMOTEINX(1, 2, 0)"),
+          "PRINT REMOTEINX(1, 2, 0)", "remote"),
     _word("REMOTEINBANK", "R", "bus, node, bank", "bits", "remote.bits", "A bank of inputs of a remote node.",
-          "PRINT REMOTEINBANK(1, 2, 0)"),
+          "PRINT REMOTEINBANK(1, 2, 0)", "remote"),
     _word("REMOTEOUT", "RW", "bus, node", "bits", "remote.bits", "The outputs of a remote node as bits.",
           "REMOTEOUT(1, 2) = 255\nPRINT REMOTEOUT(1, 2)"),
     _word("REMOTEOUTX", "RW", "bus, node, output", "bool", "remote.bit", "One output of a remote node.",
@@ -28,7 +29,7 @@ ROWS = (
     _word("REMOTEOUTBANK", "RW", "bus, node, bank", "bits", "remote.bits", "A bank of outputs of a remote node.",
           "REMOTEOUTBANK(1, 2, 0) = 7\nPRINT REMOTEOUTBANK(1, 2, 0)"),
     _word("REMOTEADC", "R", "bus, node, channel", "%", "remote.percent",
-          "An analogue input of a remote node in percent.", "PRINT REMOTEADC(1, 2, 0)"),
+          "An analogue input of a remote node in percent.", "PRINT REMOTEADC(1, 2, 0)", "remote"),
     _word("REMOTEDAC", "RW", "bus, node, channel", "%", "remote.percent",
           "An analogue output of a remote node in percent.", "REMOTEDAC(1, 2, 3) = 100\nPRINT REMOTEDAC(1, 2, 3)"),
     _word("NODELIVE", "R", "bus, node", "bool", "remote.live",

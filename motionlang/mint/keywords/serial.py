@@ -18,7 +18,7 @@ ROWS = (
             "Read the next character that has come in at a serial port, 0 when there is none; written, send one. "
             "Port 1 where none is given.",
             "SERIALCHAR = 65\nSERIALCHAR = 13\nPRINT SERIALCHAR",
-            default=0.0, low=0, high=255, source=_LIBRARY, trust="memory", group="terminal"),
+            default=0.0, low=0, high=255, source=_LIBRARY, trust="memory", group="terminal", driven="serial"),
     Keyword("SERIALBUFFERUSAGE", "", "reading", "R", "port", "integer", "serial.waiting",
             "How many characters have come in at a serial port and were not read yet.",
             "PRINT SERIALBUFFERUSAGE", default=0.0, source=_LIBRARY, trust="memory", group="terminal"),

@@ -46,5 +46,6 @@ ROWS = (
     Keyword("TORQUE", "", "setting", "RW", "axis", "%", "servo.torque",
             "Give the motor a constant output, percent of full scale, in place of its servo loop, until CANCEL, STOP, "
             "RESET or a move closes the loop again. It needs a simulated motor.",
-            "PRINT TORQUE(0)", default=0.0, low=-100.0, high=100.0, source=_LIBRARY, trust="memory", group="servo"),
+            "PRINT TORQUE(0)", default=0.0, low=-100.0, high=100.0, source=_LIBRARY, trust="memory", group="servo",
+            effect="act"),
 )  # fmt: skip

@@ -53,7 +53,8 @@ ROWS = (
     Keyword("CAM", "", "move", "RW", "axis", "integer", "table_motion.cams.cam",
             "Load a cam over the master; GO begins it where both axes then are. Bits: 0 positions count from its begin "
             "and not from segment to segment, 1 they are those of the axis, 2 again and again.",
-            _CAM.format(""), low=0, high=7, source=_LIBRARY, trust="memory", group="motion"),
+            _CAM.format(""), low=0, high=7, source=_LIBRARY, trust="memory", group="motion",
+            effect="course follows"),
     _setting("CAMSTART", "following.masters.setting", "integer", "The first segment of a cam that is used.",
              _CAM.format("CAMSTART(1) = 2\n"), 1.0, 1, 16777215),
     _setting("CAMEND", "following.masters.setting", "integer",
@@ -78,7 +79,7 @@ ROWS = (
     Keyword("SPLINE", "SPL", "move", "RW", "axis", "integer", "table_motion.splines.spline",
             "Load a spline through the positions of SPLINETABLE; GO begins it. The bits are the _sp constants; "
             "the axis must be idle.",
-            _SPLINE.format(""), low=0, high=15, source=_MN1270, trust="manual", group="motion"),
+            _SPLINE.format(""), low=0, high=15, source=_MN1270, trust="manual", group="motion", effect="course"),
     _setting("SPLINESTART", "table_motion.splines.setting", "integer", "The first segment of a spline that is used.",
              _SPLINE.format("SPLINESTART(0) = 2\n"), 1.0, 1, 16777215),
     _setting("SPLINEEND", "table_motion.splines.setting", "integer",

@@ -21,10 +21,10 @@ ROWS = (
     Keyword("INKEY", "ik", "reading", "R", "terminal", "integer", "terminal.key",
             "Code of the next key that the operator has pressed, 0 when there is none; at the terminal in brackets, "
             "or at that of TERMINAL.",
-            "PRINT INKEY", default=0.0, source=_LIBRARY, trust="code", group="terminal"),
+            "PRINT INKEY", default=0.0, source=_LIBRARY, trust="code", group="terminal", driven="key"),
     Keyword("READKEY", "rk", "reading", "R", "none", "integer", "terminal.held_key",
             "Code of the key that the operator holds down, 0 when there is none.",
-            "PRINT READKEY", default=0.0, source=_LIBRARY, trust="code", group="terminal"),
+            "PRINT READKEY", default=0.0, source=_LIBRARY, trust="code", group="terminal", driven="key"),
     Keyword("CLS", "", "command", "C", "terminal", "", "terminal.clear_screen",
             "Clear the terminal's screen (as the ANSI codes that do so).",
             "CLS", source=_LIBRARY, trust="memory", group="terminal"),

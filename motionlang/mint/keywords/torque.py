@@ -8,10 +8,10 @@ _LIBRARY = "Mint type library"
 _LONGEST = 2147483647.0
 
 
-def _setting(name: str, unit: str, help: str, high: float, default: float = 0.0) -> Keyword:
+def _setting(name: str, unit: str, help: str, high: float, default: float = 0.0, effect: str = "") -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, "torque.setting", help,
                    f"{name}(0) = {default:.0f}\nPRINT {name}(0)", default=default, low=0, high=high, source=_LIBRARY,
-                   trust="memory", group="servo")  # fmt: skip
+                   trust="memory", group="servo", effect=effect)  # fmt: skip
 
 
 def _reading(name: str, short: str, index: str, unit: str, verb: str, help: str) -> Keyword:
@@ -25,10 +25,11 @@ ROWS = (
             "Torque reference: the output of the motor, percent of full scale, ramps to it in place of the servo loop, "
             "until CANCEL, STOP, RESET or a move closes the loop again. It needs a simulated motor.",
             "PRINT TORQUEREF(0)", default=0.0, low=-100.0, high=100.0, source=_LIBRARY, trust="memory",
-            group="motion"),
+            group="motion", effect="act"),
     _setting("TORQUEREFENABLE", "bool", "0 lets the output fall to 0 whatever TORQUEREF is, 1 lets it rise again.", 1,
-             1.0),
-    _setting("TORQUEREFSOURCE", "integer", "What the torque reference is: 0 TORQUEREF, n analogue input n - 1.", 64),
+             1.0, "act"),
+    _setting("TORQUEREFSOURCE", "integer", "What the torque reference is: 0 TORQUEREF, n analogue input n - 1.", 64,
+             effect="hands-over"),
     _setting("TORQUEREFRISETIME", "number", "Milliseconds in which the output rises from 0 to 100 %; 0 for at once.",
              _LONGEST),
     _setting("TORQUEREFFALLTIME", "number", "Milliseconds in which the output falls from 100 % to 0; 0 for at once.",

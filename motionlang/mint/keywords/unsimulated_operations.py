@@ -58,27 +58,19 @@ def read_motion(environment: Environment, row: Row) -> Operation:
 
 
 def write_motion(environment: Environment, row: Row) -> Operation:
-    """Switched off, nothing moves."""
-    return _unless(environment, row, 0)
+    """Given 0 it is switched off and nothing moves; any other value ends the run."""
+    keep = _keep(environment, row)
+
+    def write(*given: object) -> None:
+        if given[-3] != 0:
+            _end(row, f"{row.name} is not simulated", given[-1])
+        keep(*given[:-1])
+
+    return write
 
 
 def do_motion(environment: Environment, row: Row) -> Operation:
     return lambda *given: _end(row, f"{row.name} is not simulated", given[-1])
-
-
-def read_factor(environment: Environment, row: Row) -> Operation:
-    """What the program wrote, or the machine file says; otherwise 1."""
-    kept = environment.part(Kept)
-
-    def read(*given: object) -> object:
-        found = kept.find(row, given[:-2])
-        return 1.0 if found is None else found
-
-    return read
-
-
-def write_factor(environment: Environment, row: Row) -> Operation:
-    return _unless(environment, row, 1)
 
 
 def write_jump(environment: Environment, row: Row) -> Operation:
@@ -88,18 +80,6 @@ def write_jump(environment: Environment, row: Row) -> Operation:
     return lambda *given: _end(
         row, f"writing {row.name} {WRITTEN[row.name]}: this is not simulated", given[-1]
     )
-
-
-def _unless(environment: Environment, row: Row, harmless: float) -> Operation:
-    """Keep the value that changes nothing; any other one ends the run."""
-    keep = _keep(environment, row)
-
-    def write(*given: object) -> None:
-        if given[-3] != harmless:
-            _end(row, f"{row.name} is not simulated", given[-1])
-        keep(*given[:-1])
-
-    return write
 
 
 def _end(row: Row, message: str, at: object, told: bool = False) -> NoReturn:
@@ -119,6 +99,5 @@ OPERATIONS = {
     "unsimulated.value": {"read": read_value, "write": write_value},
     "unsimulated.motion": {"read": read_motion, "write": write_motion, "do": do_motion},
     "unsimulated.command": {"do": do_command},
-    "unsimulated.factor": {"read": read_factor, "write": write_factor},
     "unsimulated.jump": {"write": write_jump},
 }

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
-from motionlang.mint.lint.words import FOLLOWS, HALTS, HANDS_OVER, PATHS, SLOTS, ZEROES
 from motionlang.mint.resolve.flowgraph import DO, Step
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
 IDLE, MOVES, UNKNOWN = "idle", "moves", "unknown"
 # More entries than any buffer holds need not be told apart.
 MOST_ENTRIES = 101
-_SWITCHES = frozenset(("DRIVEENABLE", "SUSPEND", "CONFIG", "TRIGGERMODE", "AXISMODE"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,9 +149,9 @@ class Follower:
 
     def _led(self) -> set[Key]:
         """Axes that may move without a GO of theirs: behind a master, on a path of another axis, by a trigger."""
-        found = self.facts.named(*FOLLOWS, *HANDS_OVER)
+        found = self.facts.given("follows", "hands-over")
         for _, _, act in self.facts.all_acts():
-            if act.row is not None and act.row.name in PATHS:
+            if act.row is not None and act.row.role == "path":
                 found.update(act.axes[1:])
         return found
 
@@ -204,7 +202,7 @@ class Follower:
     def _act(self, function: Function, step: Step, act: Act, state: State) -> State:
         if act.role == "call":
             return self._call(function, act, state)
-        if act.row is not None and act.row.name == "WAIT":
+        if act.row is not None and act.row.verb == "wait":
             return state.passed()
         follow = _FOLLOW.get(act.role)
         if follow is None:
@@ -248,13 +246,13 @@ class Follower:
 
     def _read(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         watched = type(step.node) is nodes.Pause or step.turns
-        if act.row is not None and act.row.name == "POS" and axis.fresh and not watched:
+        if act.row is not None and act.row.verb == "position" and axis.fresh and not watched:
             self._tell("in-motion", step, act, act.axes[number], axis)
         return axis
 
     def _move(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        target = self._target(function, act, number, axis, act.row.name == "MOVER")
+        target = self._target(function, act, number, axis, act.row.does("relative"))
         return self._checked(
             step, act, number, replace(self._entry(function, step, act, number, axis), target=target)
         )
@@ -288,8 +286,8 @@ class Follower:
         """A move of several axes waits for the GO of the first one; where it ends is known for a line."""
         assert act.row is not None
         target = None
-        if act.row.name in ("VECTORA", "VECTORR") and number < len(act.values):
-            target = self._target(function, act, number, axis, act.row.name == "VECTORR")
+        if act.row.does("line") and number < len(act.values):
+            target = self._target(function, act, number, axis, act.row.does("relative"))
         if number == 0:
             axis = self._entry(function, step, act, number, axis)
         return self._checked(step, act, number, replace(axis, target=target))
@@ -300,32 +298,31 @@ class Follower:
 
     def _stop(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        stands = axis.motion == IDLE or act.row.name in HALTS
+        stands = axis.motion == IDLE or act.row.does("abrupt")
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
         axis = replace(axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept)
-        return replace(axis, target=None, frame=None) if act.row.name in ZEROES else axis
+        return replace(axis, target=None, frame=None) if act.row.does("datum") else axis
 
     def _at_once(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        jogs = act.row.name == "JOG" and self.facts.number(function, act.value(number)) not in (None, 0)
-        homes = act.row.name in ("HOME", "DATUM")
+        jogs = act.row.does("endless") and self.facts.number(function, act.value(number)) not in (None, 0)
         return replace(
             axis,
             motion=MOVES if jogs else UNKNOWN,
             fresh=False,
             target=None,
-            frame=None if homes else axis.frame,
+            frame=None if act.row.does("datum") else axis.frame,
             stale=frozenset(),
         )
 
     def _slot(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        slot = SLOTS[act.row.name]
+        slot = act.row.gives
         if slot == "speed":
             if axis.timed is not None:
                 self._tell("time-before-speed", step, act, act.axes[number], axis)
             axis = replace(axis, speeded=True, timed=None)
-        elif act.row.name in ("ACCELTIME", "DECELTIME") and not axis.speeded:
+        elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = replace(axis, timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
         return replace(
@@ -349,7 +346,7 @@ class Follower:
 
     def _use(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        if act.row.kind in ("command", "move") or act.row.name in _SWITCHES:
+        if act.row.kind in ("command", "move") or act.row.does("switch"):
             return replace(axis, motion=UNKNOWN, fresh=False, waiting=0, target=None)
         return axis
 
@@ -375,7 +372,7 @@ class Follower:
             known = isinstance(inner, nodes.Name) and inner.name.lower() != node.name.lower()
             return self._refined(function, inner, truth, state) if known else state  # type: ignore[arg-type]
         row = self.facts.table.get(node.name)
-        if row is None or row.name != "IDLE":
+        if row is None or row.verb != "is_idle":
             return state
         key = self.facts.key_of(function, node)
         if key is None:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.axis_state import IDLE, Follower, State
 from motionlang.mint.lint.effects import Act, Facts, Key, spelt
-from motionlang.mint.lint.words import ENTRIES
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -154,7 +153,7 @@ class Buffers:
         names = ", ".join(map(spelt, act.axes))
         self.add(
             "never-started",
-            f"the {'move' if act.row.name not in ENTRIES else 'entry'} is loaded, but no GO for it follows",
+            f"the {act.role if act.role == 'entry' else 'move'} is loaded, but no GO for it follows",
             act.at,
             f"GO({names}) starts what is in the buffer",
         )

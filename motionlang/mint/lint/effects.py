@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.mint.lint.words import OF_ALL_AXES, role
 from motionlang.mint.resolve.flowgraph import Graph, Step
 from motionlang.mint.resolve.folding import fold
 from motionlang.mint.resolve.symbols import Function, Symbol
@@ -22,6 +21,17 @@ if TYPE_CHECKING:
 Key = int | Symbol | None
 # Roles that command an axis; those that only stop it are no command.
 COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act", "zero", "scale"))
+
+
+def _role(row: Keyword, written: bool) -> str:
+    """What a statement does to the axes that a word names.
+
+    "read", a word of `ROLES`, "slot" (sets a property of moves), and "use": anything else that is given a value or
+    carried out.
+    """
+    if not written:
+        return "read"
+    return row.role or ("slot" if row.gives else "use")
 
 
 class Act:
@@ -47,10 +57,6 @@ class Act:
     @property
     def at(self) -> int:
         return self.node.at
-
-    def is_(self, word: str) -> bool:
-        """Whether this is a word of the table, by its name."""
-        return self.row is not None and self.row.name == word
 
     def value(self, number: int) -> nodes.Expr | None:
         """What the n-th axis is given; the last value holds for all further axes."""
@@ -203,12 +209,12 @@ class Facts:
         row = self.table.get(name.name)
         if row is None or row.kind in ("function", "constant", "statement"):
             return
-        if row.name == "AXES":
+        if row.verb == "default_axes":
             self.default_axes = True
-        yield Act(role(row, written), row, name, self._axes(function, name, row), values)
+        yield Act(_role(row, written), row, name, self._axes(function, name, row), values)
 
     def _axes(self, function: Function, name: nodes.Name, row: Keyword) -> tuple[Key, ...]:
-        if row.name in OF_ALL_AXES:
+        if row.does("all"):
             return (None,)
         kinds = row.index.split(", ")
         if not {"axis", "axes"} & set(kinds):
@@ -230,16 +236,23 @@ class Facts:
             return symbol if symbol not in self.writers else None
         return None
 
-    def named(self, *words: str) -> set[Key]:
-        """The axes for which one of some words is written anywhere."""
-        acts = [act for _, _, act in self.all_acts() if act.row is not None and act.row.name in words]
+    def given(self, *effects: str) -> set[Key]:
+        """The axes for which a word with one of some effects is written anywhere."""
+        acts = [
+            act for _, _, act in self.all_acts() if act.row is not None and any(map(act.row.does, effects))
+        ]
+        return {key for act in acts if act.role != "read" for key in act.axes}
+
+    def named(self, word: str) -> set[Key]:
+        """The axes for which a word is written anywhere."""
+        acts = [act for _, _, act in self.all_acts() if act.row is not None and act.row.name == word]
         return {key for act in acts if act.role != "read" for key in act.axes}
 
     def constants(self, word: str) -> dict[Key, list[float] | None]:
         """The constants that a word gives to each axis, None where one is not known."""
         found: dict[Key, list[float] | None] = {}
         for function, _, act in self.all_acts():
-            if not act.is_(word) or act.role == "read":
+            if act.row is None or act.row.name != word or act.role == "read":
                 continue
             for number, key in enumerate(act.axes):
                 value = self.number(function, act.value(number))

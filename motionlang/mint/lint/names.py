@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _COMMANDS = frozenset(("move", "entry", "course", "path", "go", "act"))
 # Words with which tasks take turns.
-_TURNS = frozenset(("TASKSTATUS", "TASKSUSPEND", "TASKRESUME"))
+_TURNS = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
 def check_names(facts: Facts, add: Add) -> None:
@@ -77,7 +77,7 @@ def _take_turns(facts: Facts) -> bool:
     symbols = [symbol for function in facts.functions for symbol in function.scope.names.values()]
     if any(symbol.kind == "variable" and symbol.type.name == SEMAPHORE for symbol in symbols):
         return True
-    if any(act.row is not None and act.row.name in _TURNS for _, _, act in facts.all_acts()):
+    if any(act.row is not None and act.row.verb in _TURNS for _, _, act in facts.all_acts()):
         return True
     bodies = [node for function in facts.functions for node in walk(function.body)]
     return any(type(node) is nodes.End and node.name is not None for node in bodies)

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.lint.axis_state import IDLE, State
 from motionlang.mint.lint.effects import Facts
-from motionlang.mint.lint.words import STANDING
 from motionlang.mint.resolve.flowgraph import DO
 from motionlang.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
@@ -140,12 +139,12 @@ class Ways:
 
     def _stands(self, words: list[nodes.Name]) -> bool:
         rows = [self.facts.table.get(each.name) for each in words]
-        return any(row is not None and row.name in STANDING for row in rows)
+        return any(row is not None and row.changes == "motion" for row in rows)
 
     def _axis(self, function: Function, words: list[nodes.Name]) -> str:
         for each in words:
             row = self.facts.table.get(each.name)
-            if row is not None and row.name in STANDING:
+            if row is not None and row.changes == "motion":
                 key = self.facts.key_of(function, each)
                 return key.name if isinstance(key, Symbol) else str(key)
         return ""
@@ -161,9 +160,9 @@ class Ways:
             return False
         if row.kind == "function":
             return row.name == "Rnd"
-        if row.name in STANDING:
+        if row.changes == "motion":
             return self.follower.known(state, self.facts.key_of(function, name)).motion != IDLE
-        if row.name == "INX":
+        if row.driven == "input" and row.index == "input":
             return self._input_may_change(function, name)
         return True
 

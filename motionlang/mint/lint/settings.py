@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.axis_state import IDLE, Follower
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key, spelt
-from motionlang.mint.lint.words import SLOTS
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 
@@ -58,7 +57,7 @@ class Settings:
                             and not {key, None} & others
                             and not (isinstance(key, Symbol) and others)
                         ):
-                            found.setdefault((key, SLOTS[act.row.name]), 1 << len(found))
+                            found.setdefault((key, act.row.gives), 1 << len(found))
         return found
 
     def _others(self, function: Function) -> set[Key] | None:
@@ -88,8 +87,8 @@ class Settings:
             if act.role == "slot" and act.row is not None:
                 if len(set(act.axes)) == len(act.axes):
                     for key in act.axes:
-                        found &= ~bits.get((key, SLOTS[act.row.name]), 0)
-            elif act.role == "call" or None in act.axes or (act.row is not None and act.row.name == "WAIT"):
+                        found &= ~bits.get((key, act.row.gives), 0)
+            elif act.role == "call" or None in act.axes or (act.row is not None and act.row.verb == "wait"):
                 found = everything
             elif act.role != "scale":
                 for (key, _), bit in bits.items():
@@ -102,7 +101,7 @@ class Settings:
             if act.role != "slot":
                 continue
             assert act.row is not None
-            slot = SLOTS[act.row.name]
+            slot = act.row.gives
             dead = [key for key in act.axes if (bit := bits.get((key, slot), 0)) and not behind & bit]
             # `SPEED(0, 1, 2) = 10;` with an exception for one of them below is a manner of writing.
             if dead and len(dead) == len(act.axes):
@@ -132,12 +131,7 @@ class Settings:
                 continue
             seen.add(each)
             for act in self.facts.acts[each]:
-                if (
-                    act.role == "slot"
-                    and key in act.axes
-                    and act.row is not None
-                    and SLOTS[act.row.name] == slot
-                ):
+                if act.role == "slot" and key in act.axes and act.row is not None and act.row.gives == slot:
                     return act
             stack.extend(reversed(each.next))
         return None

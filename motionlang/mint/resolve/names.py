@@ -355,8 +355,8 @@ class Names:
             row = self.table.get(node.name)
             if row is not None and row.kind not in ("function", "constant"):
                 function.observes = True
-                self.uses_axes = self.uses_axes or row.name == "AXES"
-                self.uses_terminal = self.uses_terminal or row.name == "TERMINAL"
+                self.uses_axes = self.uses_axes or row.verb == "default_axes"
+                self.uses_terminal = self.uses_terminal or row.verb == "terminal.terminal"
             return
         if symbol.kind in ("variable", "parameter"):
             symbol.uses += 1

@@ -27,12 +27,17 @@ _MILLISECOND = 1e-6
 
 
 def _mint_ways(controller: Controller) -> None:
-    """A new speed acts at once on the move in progress (FEEDRATEMODE 0); an axis with an error takes no motion."""
+    """The settings of Mint's axes, and an axis with an error takes no motion."""
     from motionlang.controller.faults import ALL
 
     for axis, a in controller.axes.items():
-        controller.configure(axis, "live_speed", True)
+        mint_settings(controller, axis)
         a.locks = ALL
+
+
+def mint_settings(controller: Controller, axis: int) -> None:
+    """What an axis has otherwise than the controller's: a new speed acts at once on a move (FEEDRATEMODE 0)."""
+    controller.configure(axis, "live_speed", True)
 
 
 class Environment:

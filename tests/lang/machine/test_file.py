@@ -142,7 +142,7 @@ def test_text_that_is_not_toml() -> None:
 
 
 def test_the_page_of_the_machine_file_is_what_its_vocabulary_says() -> None:
-    assert PAGE.read_text(encoding="utf-8") == written(), "python -m tests.machine_page writes it anew"
+    assert PAGE.read_text(encoding="utf-8") == written(), "python -m tests.derived writes it anew"
 
 
 @pytest.mark.parametrize(

@@ -27,9 +27,7 @@ NAMES = {**vars(build), **vars(nodes)}
 
 def test_the_tables_are_those_of_the_grammar() -> None:
     path = Path(mint_tables.__file__)
-    assert path.read_text() == generate.generate("mint.lark", "mint", ACTIONS), (
-        "run python -m motionlang.lang.parsing.generate"
-    )
+    assert path.read_text() == generate.generate("mint.lark", "mint", ACTIONS), "run python -m tests.derived"
 
 
 def test_the_grammar_has_no_conflict(caplog: pytest.LogCaptureFixture) -> None:

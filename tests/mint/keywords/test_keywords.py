@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -11,13 +12,13 @@ from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.lang.keyword import Keyword
 from motionlang.mint import DIALECT
 from motionlang.mint.keywords import indexing, no_effect, table, unsimulated
-from motionlang.mint.keywords.type_library import words_a_i as library_a_i
-from motionlang.mint.keywords.type_library import words_j_z as library_j_z
+from motionlang.mint.keywords.all_words import groups
 from motionlang.mint.keywords.vocabulary import Vocabulary
 from motionlang.mint.runtime.binding import makers
 from motionlang.source import Source
 from tests.keyword_pages import shown
 
+LIBRARY = Path(indexing.__file__).with_name("type_library")
 SIMULATED = [row for row in table() if row.simulated and row.example]
 OTHERS = [row for row in table() if not row.simulated]
 
@@ -47,25 +48,18 @@ def test_rows_are_complete() -> None:
             assert row.example or row.name == "Controller", row.name
 
 
-def test_the_whole_type_library_is_known() -> None:
-    lines = (library_a_i.WORDS + library_j_z.WORDS).splitlines()
-    assert len(lines) >= 907
-    assert all(table().get(line.partition("|")[0]) is not None for line in lines)
+def test_nothing_in_the_library_is_shadowed() -> None:
+    """A word that becomes simulated leaves the files of the library, and a short form that is taken is not there."""
+    lines = [line for file in sorted(LIBRARY.glob("*.txt")) for line in file.read_text("utf-8").splitlines()]
+    spellings = [spelling.lower() for line in lines for spelling in line.split("|")[:2] if spelling]
+    own = {spelling.lower() for group in groups() for row in group.ROWS for spelling in (row.name, row.short)}
+    assert len(lines) == 517
+    assert len(spellings) == len(set(spellings))
+    assert own.isdisjoint(spellings)
+    assert {row.name for row in OTHERS if row.verb in VERBS} == {line.partition("|")[0] for line in lines}
 
 
-def test_every_word_of_the_library_is_simulated_or_sorted() -> None:
-    """How many of each: a word never falls from one into another unnoticed."""
-    names = [line.partition("|")[0] for line in (library_a_i.WORDS + library_j_z.WORDS).splitlines()]
-    rows = [row for row in map(table().get, names) if row is not None]
-    simulated = [row for row in rows if row.simulated]
-    assert len(names) == len(set(names)) == len(rows) == 908
-    assert len(simulated) >= 276
-    assert len([row for row in rows if row.verb == no_effect.VERB]) <= 423
-    assert all(row.help and row.source for row in rows)
-    assert all(row.example and row.trust for row in simulated)
-
-
-VERBS = (no_effect.VERB, unsimulated.VALUE, unsimulated.COMMAND, unsimulated.MOTION, unsimulated.FACTOR)
+VERBS = (no_effect.VERB, unsimulated.VALUE, unsimulated.COMMAND, unsimulated.MOTION)
 
 
 def test_what_is_not_simulated_is_sorted() -> None:
@@ -75,12 +69,8 @@ def test_what_is_not_simulated_is_sorted() -> None:
         assert (row.access == "C") <= (row.verb in (unsimulated.COMMAND, unsimulated.MOTION)), row.name
 
 
-def test_every_list_has_words_of_mint() -> None:
-    for word in unsimulated.words() | no_effect.WORDS | set(unsimulated.WRITTEN):
-        row = table().get(word)
-        assert row is not None, word
-        assert row.name == word
-    assert not unsimulated.words() & no_effect.WORDS
+def test_what_only_writing_is_not_simulated_of_is_a_word() -> None:
+    assert all((row := table().get(word)) is not None and row.name == word for word in unsimulated.WRITTEN)
 
 
 MOTION = """

@@ -13,10 +13,10 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.keys import KEYS
 from motionlang.lang.machine.machine import Machine
 from motionlang.mint import DIALECT
-from motionlang.mint.keywords import identity, table, unsimulated
+from motionlang.mint.keywords import identity, table
 from motionlang.mint.keywords import legacy as older
 from motionlang.mint.keywords.machine_readings import can_be_told
-from motionlang.mint.keywords.unsimulated import COMMAND, FACTOR, MOTION, VALUE
+from motionlang.mint.keywords.unsimulated import COMMAND, MOTION, VALUE
 from motionlang.repl.runner import Runner
 from motionlang.result import Run
 from motionlang.source import Source
@@ -50,12 +50,10 @@ def shown(row: Keyword) -> str:
 
 @pytest.mark.parametrize("row", [row for row in OTHERS if "W" in row.access and row.verb != MOTION], ids=str)
 def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
-    given = "1" if row.verb == FACTOR else value(row)
     read = f"PRINT {word(row)}" if "R" in row.access else ""
-    result = ran(f"{word(row)} = {given}", read, 'PRINT "on"')
+    result = ran(f"{word(row)} = {value(row)}", read, 'PRINT "on"')
     assert result.status == "ended"
-    shows = "1.0000" if row.verb == FACTOR else shown(row)
-    assert result.output == [*([shows] if read else []), "on"]
+    assert result.output == [*([shown(row)] if read else []), "on"]
     assert f"{row.name} (line 1)" in result.not_counted[0]
 
 
@@ -75,11 +73,9 @@ def test_what_moves_or_decides_ends_the_run_where_it_stands(row: Keyword) -> Non
     assert {each.code for each in result.diagnostics} == {"not-simulated"}
 
 
-@pytest.mark.parametrize(
-    "row", [row for row in OTHERS if row.verb in (MOTION, FACTOR) and "W" in row.access], ids=str
-)
+@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == MOTION and "W" in row.access], ids=str)
 def test_what_would_move_may_be_switched_off(row: Keyword) -> None:
-    result = ran(f"{word(row)} = {1 if row.verb == FACTOR else 0}", 'PRINT "on"')
+    result = ran(f"{word(row)} = 0", 'PRINT "on"')
     assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
 
 
@@ -243,7 +239,3 @@ def test_no_program_ends_in_a_traceback(lines: list[str]) -> None:
     result = ran(first, *lines)
     assert result.status in ("ended", "fault")
     assert all(each.line for each in result.diagnostics)
-
-
-def test_the_lists_are_of_words_that_are_still_not_simulated_or_were_when_they_were_sorted() -> None:
-    assert all(table().get(name) is not None for name in unsimulated.words())

@@ -1,1 +1,0 @@
-"""The words of Mint's type library (build 5626) and of its console, as printed there."""

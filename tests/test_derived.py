@@ -1,0 +1,93 @@
+"""The recipe of docs/architecture.md, with a made-up word in both languages: its row, what it does, one command."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+# Where the recipe is followed: what it touches, and what the writers read.
+COPIED = ("motionlang", "grammars", "docs", "tests")
+
+
+def insert(path: Path, before: str, text: str) -> None:
+    """Write something before the last place of a text in a file."""
+    head, found, tail = path.read_text(encoding="utf-8").rpartition(before)
+    assert found
+    path.write_text(f"{head}{text}{found}{tail}", encoding="utf-8")
+
+
+def python(folder: Path, *arguments: str) -> str:
+    """What the interpreter prints in a folder, whose package is the one that it imports."""
+    done = subprocess.run(
+        [sys.executable, *arguments],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the project in which the recipe was followed."""
+    folder = tmp_path_factory.mktemp("recipe")
+    for name in COPIED:
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "golden"))
+    mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
+    row = (
+        '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", "state.halfway", "Half of the position.",\n'
+        '            "POS(0) = 5\\nPRINT HALFWAY(0)", source="made up", changes="motion"),\n'
+    )
+    insert(mint / "state.py", ")  # fmt: skip", row)
+    does = (
+        "def read_halfway(environment: Environment, row: Row) -> Operation:\n"
+        "    position = environment.controller.position\n"
+        "    return lambda axis: scale_of(environment, axis).position_to_user(position(axis)) / 2\n"
+        "\n\n"
+    )
+    insert(mint / "state_operations.py", "OPERATIONS = {", does)
+    insert(mint / "state_operations.py", "}\n", '    "state.halfway": {"read": read_halfway},\n')
+    row = '    _row("HY", "reading", "R", "none", "number", "tell_half", "Tell a half.", "HY"),\n'
+    insert(mccl / "reports.py", ")  # fmt: skip", row)
+    does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'
+    insert(mccl / "reports_operations.py", "ACTIONS: dict", does)
+    insert(mccl / "reports_operations.py", "}\n", '    "tell_half": tell_half,\n')
+    python(folder, "-m", "tests.derived")
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "shown"),
+    [("a.mnt", "POS(0) = 5\nPRINT HFW(0)\n", "2.5000"), ("a.mcl", "HY\n", "0.5")],
+)
+def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown: str) -> None:
+    (copy / name).write_text(text, encoding="utf-8")
+    assert python(copy, "-m", "motionlang", "run", name, "--report", "none").split() == [shown]
+
+
+@pytest.mark.parametrize("word", ["HALFWAY", "HY"])
+def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
+    page = copy / "docs/keywords" / ("mccl.md" if word == "HY" else "mint.md")
+    assert f"### {word}\n" in page.read_text(encoding="utf-8").replace(" · HFW", "")
+    assert word in python(copy, "-m", "motionlang", "keywords", word)
+
+
+def test_the_linter_knows_it_by_its_row(copy: Path) -> None:
+    (copy / "wait.mnt").write_text("PAUSE HALFWAY(0) > 1\n", encoding="utf-8")
+    said = subprocess.run(
+        [sys.executable, "-m", "motionlang", "check", "wait.mnt"],
+        cwd=copy,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert "endless-wait" in said.stdout + said.stderr

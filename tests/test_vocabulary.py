@@ -1,0 +1,85 @@
+"""What a word is stands in its row: no module outside the vocabulary goes by its name, but for the few listed here."""
+
+from __future__ import annotations
+
+import ast
+from collections import defaultdict
+from pathlib import Path
+
+import motionlang
+from motionlang.lang.keyword import ROLES, TRAITS
+from motionlang.mccl.keywords import TABLE
+from motionlang.mint.keywords import table
+
+PACKAGE = Path(motionlang.__file__).parent
+MINT = {row.name for row in table()}
+MCCL = {row.name for row in TABLE}
+# The words that a module names all the same. A line may leave this list or become shorter; none may grow or come in.
+NAMED = {
+    # What PLAN writes, and what the client sends to a board.
+    "cli/plan.py": "DS MR PT SA SV US",
+    "client/answer.py": "VE",
+    "client/client.py": "TP TS WS WT",
+    # Texts that only look like words: placeholders of options, a state, an axis of a chart, an access.
+    "cli/pvt_options.py": "MS OUT",
+    "cli/run_options.py": "OUT",
+    "cli/servo.py": "OUT",
+    "controller/triggers/homing.py": "HOME",
+    "views/chapter12.py": "DAC",
+    "views/chapter12_plot.py": "DAC",
+    "views/keywords.py": "RW",
+    "views/servo.py": "DAC",
+    "views/servo_plot.py": "DAC",
+    # The gains of both languages in the units of one loop.
+    "controller/servo/axis_loop.py": "LOOPTIME",
+    "controller/servo/gains.py": "AG DACLIMITMAX DG FR IL KACCEL KDERIV KINT KINTLIMIT KINTMODE KPROP KVEL KVELFF "
+    "LOOPTIME OB OO PH SD SG SI SQ VG",
+    "mccl/axis/motor.py": "AG DG FR IL OB OO PH SD SG SI SQ VG",
+    # Which board has which commands, and what a command of another board is called here.
+    "mccl/models.py": "AG CA CD CM CP CR CX DG DS EA ER ET GT HS LS MS NS OB OO PP PS RR SN TX UK UO UR US UT UZ VA VD "
+    "VG VO VV",
+    "mccl/resolve/nearest.py": "AB DS HE MA MF MN MR RP RT SA ST SV TP TS US WS",
+    "mint/models.py": "GEARING OFFSETMODE SPLINE",
+    "lang/machine/nonvolatile.py": "NVLONG",
+    # Commands that the code around them speaks of to the user, or that open a block.
+    "mccl/lint/check.py": "MD",
+    "mccl/motion/contour.py": "CP",
+    "mccl/motion/gear.py": "SM",
+    "mccl/motion/joystick.py": "JN",
+    "mccl/motion/path.py": "CM VA VD VO VV",
+    "mint/compile/keyword_use.py": "IDLE VEL WAIT",
+    "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",
+    "mint/lint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
+}
+
+
+def named() -> dict[str, set[str]]:
+    """The words, in capitals and of two letters or more, that stand as texts in the modules outside the vocabulary."""
+    found: defaultdict[str, set[str]] = defaultdict(set)
+    for path in PACKAGE.rglob("*.py"):
+        place = path.relative_to(PACKAGE)
+        if "keywords" in place.parts:
+            continue
+        words = {"mint": MINT, "mccl": MCCL}.get(place.parts[0], MINT | MCCL)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            text = node.value if isinstance(node, ast.Constant) else None
+            if isinstance(text, str) and text in words and text.isupper() and len(text) > 1:
+                found[place.as_posix()].add(text)
+    return found
+
+
+def test_no_module_outside_the_vocabulary_names_a_word_that_is_not_listed() -> None:
+    assert named() == {place: set(words.split()) for place, words in NAMED.items()}
+
+
+def test_effects_are_said_in_the_words_for_them() -> None:
+    for row in (*table(), *TABLE):
+        effects = row.effect.split()
+        assert set(effects) <= ROLES.keys() | TRAITS.keys(), row.name
+        assert len(ROLES.keys() & set(effects)) <= 1, row.name
+        assert not (row.role and row.gives), row.name
+        assert row.changes in ("", "motion"), row.name
+
+
+def test_every_kind_of_effect_is_one_of_some_word() -> None:
+    assert {effect for row in table() for effect in row.effect.split()} == ROLES.keys() | TRAITS.keys()
