@@ -10,7 +10,6 @@ from motionlang.profile.curve import Profile
 from motionlang.profile.fade import Bounds
 from motionlang.profile.limits import check_finite, check_positive, too_large
 from motionlang.profile.ramps import FALLING, ramp_distance
-from motionlang.profile.root import bracketed_root
 
 
 def plan_jerk(
@@ -41,25 +40,30 @@ def plan_jerk(
             deceleration_jerk=decel_jerk,
         )
         raise too_large()
-    if v0 == 0.0 and a0 == 0.0:
-        # Written out because planning from rest runs inside the program, for nearly every move.
-        distance = target - start
-        size = distance if distance >= 0.0 else -distance
-        rise, fall = accel / accel_jerk, decel / decel_jerk
-        first = speed / accel + rise if speed >= accel * rise else 2.0 * sqrt(speed / accel_jerk)
+    # Written out because planning runs inside the program, for nearly every move from rest, and again in motion.
+    distance = target - start
+    size, u = (distance, v0) if distance >= 0.0 else (-distance, -v0)
+    rise, fall = accel / accel_jerk, decel / decel_jerk
+    if a0 == 0.0 and (u == 0.0 or (0.0 < u <= speed and _stops_within(size, u, decel, decel_jerk, fall))):
+        gain = speed - u
+        first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
         last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
-        slew = size / speed - 0.5 * (first + last)
+        slew = size / speed - 0.5 * (first + last) - 0.5 * u * first / speed
         if slew < 0.0:
-            speed = peak_from_rest(size, accel, decel, accel_jerk, decel_jerk)
-            first = speed / accel + rise if speed >= accel * rise else 2.0 * sqrt(speed / accel_jerk)
+            if u == 0.0:
+                speed = peak_from_rest(size, accel, decel, accel_jerk, decel_jerk)
+            else:
+                speed = peak_speed(u, size, (accel, accel_jerk), (decel, decel_jerk))
+            gain = max(speed - u, 0.0)
+            first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
             last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
             slew = 0.0
         duration = first + slew + last
         if duration < inf:
-            ratio = rise / first if speed >= accel * rise else 0.5
+            ratio = rise / first if gain >= accel * rise else 0.5
             last_ratio = fall / last if speed >= decel * fall else 0.5
             v = speed if distance >= 0.0 else -speed
-            recipe = (0.0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
+            recipe = (v0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
             return Profile("scurve", start, target, duration, recipe)
     check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
     ramps = jerk_ramps(accel, decel, accel_jerk, decel_jerk)
@@ -67,6 +71,12 @@ def plan_jerk(
         # also where a move from rest with figures too large ends: `approach` says so
         return approach(ramps, start, target, speed, v0)
     return bent_approach(ramps, start, target, speed, v0, a0)
+
+
+def _stops_within(size: float, u: float, decel: float, jerk: float, fall: float) -> bool:
+    """Whether a stop from speed u ends before `size` by more than rounding."""
+    time = u / decel + fall if u >= decel * fall else 2.0 * sqrt(u / jerk)
+    return 0.5 * u * time < size * (1.0 - 1e-9)
 
 
 def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:
@@ -104,17 +114,43 @@ def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:
 
 
 def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float, float]) -> float:
-    """The speed at which ramps from u up and down to rest fill `size`; up and down are (accel, jerk)."""
+    """The speed at which ramps from u up and down to rest fill `size`; up and down are (accel, jerk).
 
-    def excess(v: float) -> tuple[float, float]:
-        first, first_slope = _ramp_slope(v - u, *up)
-        last, last_slope = _ramp_slope(v, *down)
-        value = 0.5 * ((u + v) * first + v * last) - size
-        return value, 0.5 * (first + (u + v) * first_slope + last + v * last_slope)
-
+    In closed form if both ramps reach their acceleration. Otherwise the distance over the root of the gain of speed is
+    convex: Newton's steps from above come down to it one by one, and stop where rounding turns them back.
+    """
+    accel, accel_jerk = up
+    decel, decel_jerk = down
+    rise, fall = accel / accel_jerk, decel / decel_jerk
+    per_square, per_speed = 0.5 / accel + 0.5 / decel, 0.5 * (rise + fall)
+    whole = size + 0.5 * u * (u / accel - rise)
+    if whole > 0.0:
+        v = 2.0 * whole / (sqrt(per_speed * per_speed + 4.0 * per_square * whole) + per_speed)
+        if v - u >= accel * rise and v >= decel * fall:
+            return v
     # Without a jerk limit the same acceleration gets further: an upper bound.
-    high = sqrt((2.0 * size + u * u / up[0]) / (1.0 / up[0] + 1.0 / down[0])) * (1.0 + 1e-15)
-    return bracketed_root(excess, u, max(high, u), True)
+    high = sqrt((size + 0.5 * u * u / accel) / per_square) * (1.0 + 1e-15)
+    x = sqrt(max(high - u, 0.0))
+    for _ in range(200):
+        gain = x * x
+        v = u + gain
+        if gain >= accel * rise:
+            first, first_slope = gain / accel + rise, 2.0 * x / accel
+        else:
+            first_slope = 2.0 / sqrt(accel_jerk)
+            first = first_slope * x
+        if v >= decel * fall:
+            last = v / decel + fall
+            last_slope = 1.0 / decel
+        else:
+            last = 2.0 * sqrt(v / decel_jerk)
+            last_slope = 2.0 / (decel_jerk * last) if last else 0.0
+        slope = x * (first + last + v * last_slope) + 0.5 * (u + v) * first_slope
+        following = x - (0.5 * ((u + v) * first + v * last) - size) / slope if slope > 0.0 else x
+        if not 0.0 <= following < x:
+            return v
+        x = following
+    return u + x * x
 
 
 def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> float:
@@ -133,12 +169,3 @@ def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, d
     if v <= lower:
         return v
     return peak_speed(0.0, size, (accel, accel_jerk), (decel, decel_jerk))
-
-
-def _ramp_slope(change: float, accel: float, jerk: float) -> tuple[float, float]:
-    """Duration of a ramp and its derivative with respect to the change of speed."""
-    rise = accel / jerk
-    if change >= accel * rise:
-        return change / accel + rise, 1.0 / accel
-    time = 2.0 * sqrt(change / jerk)
-    return time, 2.0 / (jerk * time) if time > 0.0 else inf

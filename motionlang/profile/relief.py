@@ -75,9 +75,9 @@ def stop_under_way(
     rest = plan_stop(shape, eased.end, eased.end_velocity, decel, ramp)
     made = relabelled(eased.then(rest), shape, "stop")
     if state.acceleration * state.velocity < 0.0:
-        rest = profile.velocity_crossing(0.0, time)
-        if rest is not None and rest <= profile.duration < inf:
-            planned = profile.cut(rest).after(time)
+        still = profile.velocity_crossing(0.0, time)
+        if still is not None and still <= profile.duration < inf:
+            planned = profile.cut(still).after(time)
             if abs(planned.end - state.position) <= abs(made.end - state.position):
                 return relabelled(planned, shape, "stop")
     return made

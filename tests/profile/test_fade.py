@@ -154,3 +154,19 @@ def test_a_stop_late_in_the_last_ramp_changes_nothing() -> None:
         made = stop_under_way(planned, planned.duration - 0.1, shape, 250.0, ramp, jerk, jerk)
         assert made.end == pytest.approx(500.0, abs=1e-9)
         assert made.duration == pytest.approx(0.1, abs=1e-9)
+
+
+def test_a_move_planned_anew_in_its_middle_takes_the_time_it_had_left() -> None:
+    """What is best from the beginning is best from every state on the way, ramps and slew alike."""
+    random = Random(3)
+    for _ in range(300):
+        speed, accel, decel, jerks = limits(random)
+        target = random.uniform(1, 200) * random.choice([-1.0, 1.0])
+        whole = plan("scurve", 0.0, target, speed, accel, decel, 0.0, 0.0, *jerks)
+        time = random.uniform(0.01, 0.99) * whole.duration
+        here = whole.at(time)
+        rest = plan(
+            "scurve", here.position, target, speed, accel, decel, here.velocity, 0.0, *jerks, here.acceleration
+        )
+        assert rest.duration == pytest.approx(whole.duration - time, rel=1e-6, abs=1e-6)
+        assert rest.extrema()[1] <= max(0.0, target) + 1e-6

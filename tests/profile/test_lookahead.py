@@ -7,7 +7,7 @@ from math import hypot, inf, sqrt
 from random import Random
 
 import pytest
-from scipy.optimize import linprog
+from scipy.optimize import linprog  # type: ignore[import-untyped]
 
 from motionlang.profile import Profile
 from motionlang.profile.lookahead import Pace, plan_course
