@@ -1,4 +1,4 @@
-"""The build step that puts the grammars, which live beside the package, into the wheel.
+"""The build steps of the package: the grammars, which live beside it, into the wheel, and a description for an index.
 
 A `package-dir` mapping would do the same, but makes editable installs start through an import hook; see
 docs/decisions.md.
@@ -6,10 +6,12 @@ docs/decisions.md.
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 from setuptools.command.build_py import build_py
+from setuptools.command.egg_info import egg_info
 
 
 class BuildWithGrammars(build_py):
@@ -29,3 +31,21 @@ class BuildWithGrammars(build_py):
         """What an sdist needs beside the package."""
         sources: list[str] = super().get_source_files()  # type: ignore[no-untyped-call,unused-ignore]
         return [*sources, *map(str, sorted(Path("grammars").glob("*.lark")))]
+
+
+class DescribeWithoutLinks(egg_info):
+    """`egg_info` whose description, the README, names the files of the repository instead of linking to them.
+
+    An index shows the README where there is no such file, and the package knows no address of its repository.
+    """
+
+    def run(self) -> None:
+        """Write the metadata with the links of the description replaced."""
+        metadata = self.distribution.metadata
+        metadata.long_description = without_links(metadata.long_description or "")
+        super().run()
+
+
+def without_links(text: str) -> str:
+    """Markdown in which a link to a place beside it is the name of that place."""
+    return re.sub(r"\[[^\]]*\]\((?![a-z]+:)([^)#]+)[^)]*\)", r"`\1`", text)

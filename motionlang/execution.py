@@ -56,7 +56,7 @@ def run(
     machine: Mapping[str, object] | None = None,
     until: float | None = None,
     overrides: Mapping[str, float | str] | None = None,
-    show: Callable[[str], None] | None = None,
+    show: Callable[[str], object] | None = None,
     pace: Callable[[float], None] | None = None,
     outside: Outside | None = None,
     begun: Callable[[Machine], None] | None = None,

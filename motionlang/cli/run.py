@@ -139,7 +139,9 @@ def _run(
         from motionlang.cli.run_progress import watched
 
         return watched(lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun))
-    return _run_unwatched(options, source, settings, outside, _show, None)
+    from motionlang.views.terminal import shower
+
+    return _run_unwatched(options, source, settings, outside, shower(sys.stdout), None)
 
 
 def _run_unwatched(
@@ -147,7 +149,7 @@ def _run_unwatched(
     source: Source,
     settings: dict[str, object],
     outside: Outside | None,
-    show: Callable[[str], None],
+    show: Callable[[str], object],
     begun: Callable[[Machine], None] | None,
 ) -> Run:
     return run(
@@ -164,10 +166,6 @@ def _run_unwatched(
         keep_crash=True,
         cache=options.cache,
     )
-
-
-def _show(text: str) -> None:
-    sys.stdout.write(text)
 
 
 def pacer(factor: float) -> Callable[[float], None]:

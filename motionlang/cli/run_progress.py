@@ -6,6 +6,7 @@ import sys
 from time import monotonic
 
 from motionlang.views.progress import Watcher, is_shown, run_line
+from motionlang.views.terminal import shower
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,17 +16,18 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 
-def watched(run: Callable[[Callable[[str], None], Callable[[Machine], None] | None], Run]) -> Run:
+def watched(run: Callable[[Callable[[str], object], Callable[[Machine], None] | None], Run]) -> Run:
     """The outcome of `run(show, begun)`, looked on at from when the program begins until it ends in whatever way."""
     if not is_shown(sys.stderr):
-        return run(_write, None)
+        return run(shower(sys.stdout), None)
+    write = shower(sys.stdout)
     watcher: Watcher | None = None
 
     def show(text: str) -> None:
         if watcher is not None:
-            watcher.above(_write, text)
+            watcher.above(write, text)
         else:
-            _write(text)
+            write(text)
 
     def begun(machine: Machine) -> None:
         nonlocal watcher
@@ -37,10 +39,6 @@ def watched(run: Callable[[Callable[[str], None], Callable[[Machine], None] | No
     finally:
         if watcher is not None:
             watcher.stop()
-
-
-def _write(text: str) -> None:
-    sys.stdout.write(text)
 
 
 def _describer(machine: Machine) -> Callable[[], str]:

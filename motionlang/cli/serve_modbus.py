@@ -12,6 +12,7 @@ from motionlang.errors import Diagnostic
 from motionlang.execution import end_of, run
 from motionlang.serve.address import is_loopback, shown
 from motionlang.serve.outside import STEP, LockStep, RealTime
+from motionlang.views.terminal import shower
 
 if TYPE_CHECKING:
     import argparse
@@ -90,7 +91,7 @@ def _refuse(message: str, hint: str) -> int:
 
 
 def _show(text: str) -> None:
-    sys.stdout.write(text)
+    shower(sys.stdout)(text)
     sys.stdout.flush()
 
 

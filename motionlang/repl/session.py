@@ -17,7 +17,7 @@ from motionlang.repl.runner import Interrupted, Runner
 from motionlang.repl.status import moving
 from motionlang.source import Source
 from motionlang.views.diagnostics import render
-from motionlang.views.terminal import WIDTH
+from motionlang.views.terminal import WIDTH, harmless
 
 Show = Callable[[str], None]
 
@@ -62,7 +62,10 @@ class Session:
     def reset(self) -> None:
         """Power-up: a new machine at time zero, no names, no open block."""
         self.machine = Machine(
-            self._settings, first_axis=self.dialect.first_axis, show=self.say, overrides=self._overrides
+            self._settings,
+            first_axis=self.dialect.first_axis,
+            show=lambda text: self.say(harmless(text)),
+            overrides=self._overrides,
         )
         self.machine.ask = lambda: self.ask(self.machine.terminal.begun)
         self.runner = Runner(self.dialect, self.machine, self.trouble, self._poll)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.hosts.port import CR, CTRL_B, ESC, LF
@@ -32,6 +33,8 @@ class Host:
         self._after_cr = False
         # When the host has said its last, on the wall clock.
         self.ended: float | None = None
+        # When it was last heard.
+        self.heard = monotonic()
         # What the server's selector looks for.
         self.watched = 0
 
@@ -52,6 +55,11 @@ class Host:
         """Whether something that the host sent could be given to the board."""
         return bool(self._inbox)
 
+    @property
+    def is_silent(self) -> bool:
+        """Whether nothing of this host is under way, in either direction or on the board."""
+        return not (self._inbox or self._outbox or self.port.busy)
+
     def may_go_on(self, pace: Pace) -> bool:
         """Whether the board would take more of what the host has sent."""
         if not self._inbox:
@@ -61,7 +69,7 @@ class Host:
     @property
     def done(self) -> bool:
         """Whether a host that has said its last has been answered."""
-        return self.ended is not None and not (self._inbox or self._outbox or self.port.busy)
+        return self.ended is not None and self.is_silent
 
     def receive(self, now: float) -> None:
         """Read what the host has sent."""
@@ -69,6 +77,7 @@ class Host:
         if data is None:
             self.ended = now
             return
+        self.heard = now
         if self._spy is not None:
             self._spy.sent(self.number, data)
         self._inbox += data

@@ -146,10 +146,19 @@ class Server:
             self._refuse()
             return
         name = address.shown(*peer[:2])
-        if len(self.hosts) >= self._limits.hosts:
+        if len(self.hosts) >= self._limits.hosts and not self._make_room():
             self._turn_away(connection, name)
             return
         self._join(TcpChannel(connection, name), echo)
+
+    def _make_room(self) -> bool:
+        """Let the host go that has been silent for longest, if it has been so long enough: it may come again."""
+        now = time.monotonic()
+        silent = [host for host in self.hosts if host.is_silent and now - host.heard >= self._limits.idle]
+        if not silent:
+            return False
+        self._leave(min(silent, key=lambda host: host.heard), "was silent, and made room for another")
+        return True
 
     def _turn_away(self, connection: socket.socket, name: str) -> None:
         self._complain(f"{name} was turned away: {self._limits.hosts} hosts are connected already")

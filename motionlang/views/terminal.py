@@ -6,6 +6,7 @@ import os
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import TextIO
 
     from rich.console import Console
@@ -110,11 +111,32 @@ def printable(text: str) -> str:
     return text if text.isascii() and text.isprintable() else "".join(map(_picture, text))
 
 
+def shower(stream: TextIO) -> Callable[[str], object]:
+    """What writes a program's output to `stream`: on a terminal harmless, into a file or a pipe as it is."""
+    if not is_terminal(stream):
+        return stream.write
+    return lambda text: stream.write(harmless(text))
+
+
+def harmless(text: str) -> str:
+    """A program's output without the power over a terminal that escape sequences have, each as a picture of itself.
+
+    What Mint's CLS and LOCATE write is obeyed, and so are the bell, backspace, tabulator and carriage return.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    from re import sub
+
+    return sub(_POWERS, lambda found: _picture(found[0]), text)
+
+
 def plain(text: str) -> str:
     """`text` for an encoding that has no lines to draw with."""
     return text.translate(_ASCII)
 
 
+# Control characters of seven and of eight bits; of the sequences only those that clear the screen or place the cursor.
+_POWERS = r"\x1b(?!\[(?:2J|H|\d+;\d+H))|[\x00-\x06\x0b\x0c\x0e-\x1a\x1c-\x1f\x7f-\x9f]"
 _ASCII = str.maketrans({"─": "-", "│": "|", "├": "|", "└": "`", "·": "-", "…": "...", "²": "2"})
 
 

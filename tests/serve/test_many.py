@@ -69,3 +69,19 @@ def test_hosts_come_and_go(serve: Serve) -> None:
     last = board.connect()
     assert last.ask(b"1TP") == b"01 0\n>"
     assert len(board.server.hosts) == len(board.console.ports) == len(board.console.board.tasks) == 1
+
+
+def test_silent_hosts_do_not_shut_out_others(serve: Serve) -> None:
+    """The one that has been silent for longest goes; one that is at work stays."""
+    board = serve(limits=Limits(hosts=3, idle=0.0), clock="real")
+    busy, silent, later = board.connect(), board.connect(), board.connect()
+    assert later.ask(b"1TP") == b"01 0\n>"
+    busy.send(b"WA60\r")
+    while not board.server.hosts[0].port.busy:
+        pass
+    fourth = board.connect()
+    assert fourth.ask(b"1TP") == b"01 0\n>"
+    assert silent.all() == b""
+    assert later.ask(b"2TP") == b"02 0\n>"
+    assert board.server.hosts[0].port.busy
+    assert board.complaints == []

@@ -62,7 +62,7 @@ class Machine:
         settings: Mapping[str, object] | None = None,
         *,
         first_axis: int = 0,
-        show: Callable[[str], None] | None = None,
+        show: Callable[[str], object] | None = None,
         overrides: Mapping[str, float | str] | None = None,
     ) -> None:
         self.settings = dict(settings or {})

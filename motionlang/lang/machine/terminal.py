@@ -16,7 +16,7 @@ class Terminal:
 
     __slots__ = ("_open", "_size", "lines", "show")
 
-    def __init__(self, show: Callable[[str], None] | None = None) -> None:
+    def __init__(self, show: Callable[[str], object] | None = None) -> None:
         self.lines: list[str] = []
         self.show = show
         self._open = ""

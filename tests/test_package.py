@@ -1,0 +1,122 @@
+"""The package as a stranger gets it: metadata, wheel and source distribution, both installed and run."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tarfile
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from motionlang._wheel import without_links
+
+ROOT = Path(__file__).parent.parent
+BUILD = "from setuptools import build_meta as b; import sys; print(b.build_{}(sys.argv[1]))"
+LEFT_OUT = (".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", ".*_cache", ".hypothesis")
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The source distribution and the wheel, built from a copy, in which nothing that is ignored lies."""
+    pytest.importorskip("setuptools", minversion="77")
+    copy = tmp_path_factory.mktemp("package") / "motionlang"
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*LEFT_OUT))
+    out = copy.parent / "dist"
+    out.mkdir()
+    for kind in ("sdist", "wheel"):
+        command = [sys.executable, "-c", BUILD.format(kind), str(out)]
+        subprocess.run(command, cwd=copy, check=True, capture_output=True)
+    return next(out.glob("*.tar.gz")), next(out.glob("*.whl"))
+
+
+def run(command: list[str], folder: Path, **environment: str) -> str:
+    """What a command prints; its own message where it fails."""
+    ran = subprocess.run(
+        command, cwd=folder, env=os.environ | environment, capture_output=True, text=True, check=False
+    )
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    return ran.stdout
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("number", [0, 1], ids=["sdist", "wheel"])
+def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_path: Path) -> None:
+    """Alone: a run needs none of the libraries but for what a person sees."""
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    alone = ["--no-deps", "--no-index", "--no-build-isolation", "--target", "site"]
+    run([*pip, *alone, str(built[number])], tmp_path)
+    shutil.copy(ROOT / "scripts" / "mint" / "ballscrew.mnt", tmp_path)
+    command = [sys.executable, "-m", "motionlang", "run", "ballscrew.mnt", "--report", "json", "--no-cache"]
+    site = str(tmp_path / "site")
+    assert json.loads(run(command, tmp_path, PYTHONPATH=site))["axes"][0]["position"] == 200.0
+    where = [sys.executable, "-c", "import motionlang; print(motionlang.__file__)"]
+    assert run(where, tmp_path, PYTHONPATH=site).startswith(site)
+
+
+def test_an_index_would_take_it(built: tuple[Path, Path], tmp_path: Path) -> None:
+    pytest.importorskip("twine")
+    run([sys.executable, "-m", "twine", "check", "--strict", *map(str, built)], tmp_path)
+
+
+def test_the_wheel_has_what_belongs_there(built: tuple[Path, Path], tmp_path: Path) -> None:
+    pytest.importorskip("check_wheel_contents")
+    run([sys.executable, "-m", "check_wheel_contents", str(built[1])], tmp_path)
+
+
+def test_the_licence_is_in_both(built: tuple[Path, Path]) -> None:
+    text = (ROOT / "LICENSE").read_bytes()
+    assert text.startswith(b"MIT License")
+    with zipfile.ZipFile(built[1]) as wheel:
+        (name,) = (each for each in wheel.namelist() if each.endswith("/licenses/LICENSE"))
+        assert wheel.read(name) == text
+        assert "motionlang/py.typed" in wheel.namelist()
+    with tarfile.open(built[0]) as sdist:
+        found = sdist.extractfile("motionlang-0.1.0/LICENSE")
+        assert found is not None
+        assert found.read() == text
+
+
+def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
+    """Whoever has it can do what the README says: the gallery, the pages and the tests are in it."""
+    with tarfile.open(built[0]) as sdist:
+        names = {name.partition("/")[2] for name in sdist.getnames()}
+    for folder in ("benchmarks", "docs", "grammars", "motionlang", "scripts", "tests"):
+        here = {
+            path.relative_to(ROOT).as_posix()
+            for path in (ROOT / folder).rglob("*")
+            if path.is_file() and "__pycache__" not in path.parts and path.suffix != ".pyc"
+        }
+        assert here <= names, sorted(here - names)[:5]
+
+
+def test_the_description_links_to_nothing_that_an_index_lacks(built: tuple[Path, Path]) -> None:
+    with zipfile.ZipFile(built[1]) as wheel:
+        metadata = wheel.read(next(n for n in wheel.namelist() if n.endswith("/METADATA"))).decode()
+    assert "* `docs/cli.md` — the command line" in metadata
+    assert "](docs" not in metadata
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("[docs/cli.md](docs/cli.md)", "`docs/cli.md`"),
+        ("[a page](docs/cli.md#run)", "`docs/cli.md`"),
+        ("[there](https://example.org/a)", "[there](https://example.org/a)"),
+    ],
+)
+def test_links_become_names(text: str, shown: str) -> None:
+    assert without_links(text) == shown
+
+
+def test_the_matrix_is_what_the_package_says() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    said = [each.rpartition(" ")[2] for each in project["classifiers"] if ":: 3." in each]
+    matrix = (ROOT / ".github" / "workflows" / "ci.yml").read_text(encoding="utf-8")
+    assert f"python: {json.dumps(said)}" in matrix
+    assert project["requires-python"] == f">={said[0]}"
