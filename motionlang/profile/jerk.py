@@ -6,7 +6,7 @@ from math import cbrt, inf, sqrt
 
 from motionlang.profile.approach import Ramps, approach
 from motionlang.profile.curve import Profile
-from motionlang.profile.limits import check_finite, check_positive, too_large
+from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
 from motionlang.profile.ramps import FALLING, ramp_distance
 from motionlang.profile.root import bracketed_root
 
@@ -28,8 +28,9 @@ def plan_jerk(
     defines the S-ramp). A short move peaks at the speed at which the two ramps fill it exactly. An initial
     acceleration `a0` is first brought to zero at the jerk limit. Raises ValueError as `plan_trapezoid`.
     """
-    smooth = accel_jerk > 0.0 and decel_jerk > 0.0 and accel_jerk + decel_jerk < inf
-    if not (smooth and speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
+    smooth = SMALLEST <= accel_jerk <= LARGEST and SMALLEST <= decel_jerk <= LARGEST
+    steady = speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST
+    if not (smooth and steady and speed + accel + decel <= LARGEST):
         check_positive(
             speed=speed,
             acceleration=accel,
