@@ -12,6 +12,7 @@ from bisect import bisect_right
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.scale import Scale
 from motionlang.profile import hold
+from motionlang.profile.limits import LARGEST
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ DEFAULTS: dict[str, float] = {
 
 
 # The jerk of a rate that is there at once.
-_AT_ONCE = 1e300
+_AT_ONCE = LARGEST
 
 
 class Axis:

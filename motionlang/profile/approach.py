@@ -6,7 +6,7 @@ ramp kind), and the peak speed of a move too short for its slew speed.
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf, nextafter, sqrt
 
 from motionlang.profile.curve import Profile
 from motionlang.profile.limits import STILL, check_finite, too_large
@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 
     Ramp = Callable[[float, float], tuple[float, float]]
     Peak = Callable[[float, float], float]
+
+
+# A part of a distance that is no rounding of the sums that make it up.
+_COARSE = 1e-11
 
 
 class Ramps:
@@ -137,10 +141,18 @@ def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> R
     else:
         v = ramps.peak(u, size)
         slewing = v >= speed
-        v = min(v, speed)
+        v = max(u, min(v, speed))  # not below u by rounding
         first, kind = ramps.up(u, v)
     last, last_kind = ramps.down(v, 0.0)
     left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
+    if not slewing and abs(left) > _COARSE * size:
+        # Where jerk hardly bends a long ramp, the last bit of the peak is worth a distance: go below it, and slew.
+        while left < 0.0 and v > u:
+            v = nextafter(v, 0.0)
+            first, kind = ramps.up(u, v)
+            last, last_kind = ramps.down(v, 0.0)
+            left = size - ramp_distance(u, first, kind, v) - ramp_distance(v, last, last_kind, 0.0)
+        slewing = v > 0.0
     slew = left / v if slewing and left > 0.0 else 0.0
     v *= sign
     return (first, kind, v, slew, 0.0, v, last, last_kind, 0.0)

@@ -8,7 +8,7 @@ from motionlang.profile.approach import Ramps, approach
 from motionlang.profile.bent import bent_approach
 from motionlang.profile.curve import Profile
 from motionlang.profile.fade import Bounds
-from motionlang.profile.limits import check_finite, check_positive, too_large
+from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
 from motionlang.profile.ramps import FALLING, ramp_distance
 
 
@@ -30,8 +30,9 @@ def plan_jerk(
     acceleration `a0` goes on where it serves the move, and is taken back where it does not (`fade`). Raises ValueError
     as `plan_trapezoid`.
     """
-    smooth = accel_jerk > 0.0 and decel_jerk > 0.0 and accel_jerk + decel_jerk < inf
-    if not (smooth and speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
+    smooth = SMALLEST <= accel_jerk <= LARGEST and SMALLEST <= decel_jerk <= LARGEST
+    steady = speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST
+    if not (smooth and steady and speed + accel + decel <= LARGEST):
         check_positive(
             speed=speed,
             acceleration=accel,

@@ -8,8 +8,12 @@ STILL = 1e-60
 """A velocity this small is rest: the ramp from it would underflow."""
 
 
+SMALLEST, LARGEST = 1e-60, 1e60
+"""What speeds, rates, jerks and times lie between: their squares and quotients then stay in the range of a float."""
+
+
 def check_positive(**quantities: float) -> None:
-    """Raise ValueError naming the first quantity that is not a finite number greater than zero."""
+    """Raise ValueError naming the first quantity that is not a number greater than zero, from SMALLEST to LARGEST."""
     for name, value in quantities.items():
         word = name.replace("_", " ")
         if isnan(value):
@@ -18,16 +22,20 @@ def check_positive(**quantities: float) -> None:
             raise ValueError(f"{word} must be greater than zero")
         if value == inf:
             raise ValueError(f"{word} must be finite")
+        if not SMALLEST <= value <= LARGEST:
+            raise ValueError(f"{word} must lie between {SMALLEST:g} and {LARGEST:g}")
 
 
 def check_finite(**quantities: float) -> None:
-    """Raise ValueError naming the first quantity that is NaN or infinite."""
+    """Raise ValueError naming the first quantity that is NaN, infinite or beyond LARGEST."""
     for name, value in quantities.items():
         word = name.replace("_", " ")
         if isnan(value):
             raise ValueError(f"{word} is not a number")
         if not isfinite(value):
             raise ValueError(f"{word} must be finite")
+        if abs(value) > LARGEST:
+            raise ValueError(f"{word} must lie between -{LARGEST:g} and {LARGEST:g}")
 
 
 def check_ramp(ramp: float) -> None:

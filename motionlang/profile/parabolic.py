@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import sqrt
 
 from motionlang.profile.approach import Ramps, approach, from_rest
 from motionlang.profile.curve import Profile
-from motionlang.profile.limits import check_positive, too_large
+from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
 from motionlang.profile.ramps import FALLING, RISING
 
 
@@ -18,12 +18,15 @@ def plan_parabolic(
     A short move peaks below `speed`: V' = sqrt(3 A S/8) for A = D from rest. Raises ValueError as
     `plan_trapezoid`.
     """
-    if not (speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
         check_positive(speed=speed, acceleration=accel, deceleration=decel)
         raise too_large()
     if v0 == 0.0:
         up, down = (2.0 / accel, FALLING), (2.0 / decel, RISING)
         return from_rest("parabolic", start, target, speed, up, down, 2.0 / 3.0)
+    check_finite(position=start, target=target, start_velocity=v0)
     return approach(parabolic_ramps(accel, decel), start, target, speed, v0)
 
 

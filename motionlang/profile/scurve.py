@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import inf, pi
+from math import pi
 
 from motionlang.profile.approach import approach, from_rest
 from motionlang.profile.curve import Profile
-from motionlang.profile.limits import check_positive, check_ramp, too_large
+from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, check_ramp, too_large
 from motionlang.profile.ramps import SINE
 from motionlang.profile.trapezoid import stretched
 
@@ -18,12 +18,15 @@ def plan_sinusoidal(
 
     A short move peaks below `speed`; A and D keep. Raises ValueError as `plan_trapezoid`.
     """
-    if not (speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
         check_positive(speed=speed, acceleration=accel, deceleration=decel)
         raise too_large()
     if v0 == 0.0:
         up, down = (0.5 * pi / accel, SINE), (0.5 * pi / decel, SINE)
         return from_rest("sinusoidal", start, target, speed, up, down, 0.5)
+    check_finite(position=start, target=target, start_velocity=v0)
     return approach(stretched("sinusoidal", accel, decel, SINE, 0.5 * pi), start, target, speed, v0)
 
 
@@ -35,7 +38,9 @@ def plan_ratio(
     TN1069's trapezoidal S-curve, 0 < ramp <= 0.5; at 0.5 it is chapter 12's S-curve of two ramps, T_A = 2V/A.
     (The note prints (1/RAMP) VEL/ACC, which contradicts its own table.)
     """
-    if not (speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
         check_positive(speed=speed, acceleration=accel, deceleration=decel)
         raise too_large()
     check_ramp(ramp)
@@ -44,4 +49,5 @@ def plan_ratio(
         return from_rest(
             "scurve", start, target, speed, (stretch / accel, ramp), (stretch / decel, ramp), 0.5
         )
+    check_finite(position=start, target=target, start_velocity=v0)
     return approach(stretched("scurve", accel, decel, ramp, 1.0 / (1.0 - ramp)), start, target, speed, v0)

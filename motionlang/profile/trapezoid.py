@@ -6,7 +6,7 @@ from math import inf, sqrt
 
 from motionlang.profile.approach import Ramps, approach
 from motionlang.profile.curve import Profile
-from motionlang.profile.limits import check_positive, too_large
+from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
 
 
 def plan_trapezoid(
@@ -17,7 +17,9 @@ def plan_trapezoid(
     Any length unit; speeds a second, accelerations a second squared. A short move peaks below `speed`.
     T_A = V/A, S_A = V T_A/2 (TN1069, AN00115). Raises ValueError for numbers no machine can follow.
     """
-    if not (speed > 0.0 and accel > 0.0 and decel > 0.0 and speed + accel + decel < inf):
+    if not (
+        speed >= SMALLEST and accel >= SMALLEST and decel >= SMALLEST and speed + accel + decel <= LARGEST
+    ):
         check_positive(speed=speed, acceleration=accel, deceleration=decel)
         raise too_large()
     if v0 == 0.0:
@@ -40,6 +42,7 @@ def plan_trapezoid(
                 v = -v
             recipe = (0.0, rise, 0.0, v, slew, 0.0, v, fall, 0.0, 0.0)
             return Profile("trapezoid", start, target, duration, recipe)
+    check_finite(position=start, target=target, start_velocity=v0)
     return approach(stretched("trapezoid", accel, decel, 0.0, 1.0), start, target, speed, v0)
 
 

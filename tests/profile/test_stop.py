@@ -76,7 +76,7 @@ def test_bad_numbers() -> None:
         plan_velocity("trapezoid", 0.0, 0.0, 1.0, 1.0, 0.0)
     with pytest.raises(ValueError, match="velocity is not a number"):
         plan_velocity("trapezoid", 0.0, 0.0, math.nan, 1.0, 1.0)
-    with pytest.raises(ValueError, match="too large"):
+    with pytest.raises(ValueError, match="acceleration must lie between 1e-60 and 1e\\+60"):
         plan_velocity("trapezoid", 0.0, 1e200, 1e-200, 1e-200, 1e-200)
     with pytest.raises(ValueError, match="no profile shape"):
         plan_stop("square", 0.0, 1.0, 1.0)
