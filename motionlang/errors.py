@@ -83,6 +83,7 @@ CODES: dict[str, str] = {
     "unused-task": "A task that nothing runs.",
     "motor-off": "A command moves a motor that was never switched on.",
     "nothing-to-wait-for": "A wait for the end of a move that was never started.",
+    "still-running": "A move or a wait needs rest of an axis that runs in velocity mode until it is stopped.",
     "else-if": "An Else If on one line is read as an ElseIf, and might be meant otherwise.",
     "silenced": "A comment silences a warning that does not exist.",
 }

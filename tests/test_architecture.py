@@ -44,7 +44,7 @@ BESIDE: tuple[set[str], ...] = ({"report", "result"},)
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
         ("keyword", "program", "task", "lint", "cache", "run_errors", "dialect"),
-        ("parsing", "machine", "recurrence"),
+        ("attention", "parsing", "machine", "recurrence"),
         ("scheduler",),
     ),
     "controller": (

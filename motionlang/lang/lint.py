@@ -40,6 +40,7 @@ WARNINGS: dict[str, str] = {
     "not-simulated": "Mint, MCCL",
     "motor-off": "MCCL",
     "nothing-to-wait-for": "MCCL",
+    "still-running": "MCCL",
     "unknown-word": "MCCL",
     "silenced": "Mint, MCCL",
 }

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 from motionlang.mccl.hosts.port import CR, CTRL_B, ESC, LF
 
 if TYPE_CHECKING:
+    from motionlang.lang.task import Wait
     from motionlang.mccl.hosts.port import Port
     from motionlang.serve.channel import Channel
     from motionlang.serve.limits import Limits
     from motionlang.serve.pace import Pace
     from motionlang.serve.spy import Spy
 
+INFINITY = float("inf")
 # Characters that a port hears while it is carrying out a line, besides ESC: Ctrl-B, XON, XOFF and the blank.
 AT_ONCE = (CTRL_B, 17, 19, 32)
 
@@ -35,6 +37,8 @@ class Host:
         self.ended: float | None = None
         # When it was last heard.
         self.heard = monotonic()
+        # The wait of which the person who serves was told that nothing ends it.
+        self.told: Wait | None = None
         # What the server's selector looks for.
         self.watched = 0
 
@@ -70,6 +74,14 @@ class Host:
     def done(self) -> bool:
         """Whether a host that has said its last has been answered."""
         return self.ended is not None and self.is_silent
+
+    def waits_in_vain(self) -> str:
+        """What its line waits for that nothing under way brings about, where that has not been told; else nothing."""
+        wait = self.port.waiting
+        if wait is None or wait is self.told or wait.ready() or wait.due() < INFINITY:
+            return ""
+        self.told = wait
+        return wait.why
 
     def receive(self, now: float) -> None:
         """Read what the host has sent."""

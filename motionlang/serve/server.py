@@ -33,6 +33,7 @@ READ, WRITE = selectors.EVENT_READ, selectors.EVENT_WRITE
 NO_ROOM = b"?3\n"
 # Wall seconds that hosts have at the end to take what they were told.
 FAREWELL = 0.5
+INFINITY = float("inf")
 # Different errors of our own that are told.
 MOST_KNOWN = 100
 
@@ -119,6 +120,7 @@ class Server:
         self._guard(self.pace.work)
         for host in list(self.hosts):
             self._serve(host)
+        self._tell_waits()
 
     def close(self) -> None:
         """Say farewell to every host: what the board has said still goes out, if they take it soon."""
@@ -261,6 +263,14 @@ class Server:
                 host.flush()
         except (Gone, OSError, ValueError):
             pass
+
+    def _tell_waits(self) -> None:
+        """Say, once each, that a host waits for what nothing under way brings about."""
+        if any(host.port.waiting for host in self.hosts) and self.console.next_time() == INFINITY:
+            for host in self.hosts:
+                why = host.waits_in_vain()
+                if why:
+                    self._complain(f"host {host.number} waits {why}, and nothing under way ends that; ESC gives it up")
 
     # ------------------------------------------------------------------------------------------- our errors
 

@@ -51,6 +51,7 @@ def tune(board: Board, axis: AxisState) -> None:
     if controller.axes[number].feedback is None:
         return
     words = {WORDS[verb]: value for verb, value in axis.kept.items() if verb in WORDS}
+    words["SQ"] = _largest_output(axis)
     if axis.reversed_phase:
         words["PH"] = 1.0
     if axis.mode == GAIN:
@@ -76,7 +77,12 @@ def drive(board: Board, axis: AxisState) -> None:
     """Torque mode: SQ is the output, in the direction of DI."""
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is not None and controller.is_enabled(number):
-        controller.open_loop(number, axis.direction * axis.kept.get("kept_torque", FULL_OUTPUT))
+        controller.open_loop(number, axis.direction * _largest_output(axis))
+
+
+def _largest_output(axis: AxisState) -> float:
+    """SQ as far as there is output, volts."""
+    return min(axis.kept.get("kept_torque", FULL_OUTPUT), FULL_OUTPUT)
 
 
 def changed_mode(board: Board, axis: AxisState, before: str) -> None:

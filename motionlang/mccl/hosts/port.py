@@ -60,6 +60,11 @@ class Port:
         return self.task.occupied
 
     @property
+    def waiting(self) -> Wait | None:
+        """What the line being carried out waits for."""
+        return self.task.wait if self.working else None
+
+    @property
     def working(self) -> bool:
         """Whether it is carrying out a line that goes on without the host: no key, no reading of what was said."""
         return self.task.occupied and not self.task.held

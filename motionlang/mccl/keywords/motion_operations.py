@@ -2,7 +2,7 @@
 
 No queue of single-axis moves exists: a move command replaces the target. With the trapezoidal profile that happens in
 motion, unless the axis must turn round: then the interpreter stalls until it has stopped (DCX-PCI firmware 1.0a). With
-the other profiles the interpreter stalls until the axis is at rest.
+the other profiles the interpreter stalls until the axis is at rest; one that runs on in velocity mode refuses the move.
 """
 
 from __future__ import annotations
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
+
+
+INFINITY = float("inf")
 
 
 def motor_on(task: CommandTask, command: Command) -> None:
@@ -181,6 +184,7 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
                 f"{axis.number}PM switches it back",
             )
     stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target + axis.takeup)]
+    _check_rest(task, command, stalled)
     if not stalled:
         _start(task, command, targets)
         return None
@@ -208,6 +212,14 @@ def _check_fit(task: CommandTask, axis: AxisState) -> None:
         raise Fault(codes.INVALID, f"axis {number} is slaved to axis {axis.master}", hint, "moving")
     if axis.jogging:
         raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
+
+
+def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None:
+    """Fault where the rest that a move waits for never comes, as its axis runs on in velocity mode."""
+    for number in stalled:
+        if task.board.controller.idle_time(number) == INFINITY:
+            words = f"{command.name} needs axis {number} at rest with its profile, and it runs on in velocity mode"
+            raise Fault(codes.INVALID, words, f"{number}ST stops it; with {number}PT it may be running", "moving")
 
 
 def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:

@@ -1,4 +1,4 @@
-"""The linter of MCCL: commands that can never run, motors never switched on, waits for moves that never came."""
+"""The linter of MCCL: commands that can never run, motors never switched on, waits for moves that never came, axes that run on."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.lint.running import running_axes
 from motionlang.mccl.resolve.line import Line
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ def lint(lines: list[Line], add: Add) -> None:
             ended = True
     _motors(lines, add)
     _waits(lines, add)
+    running_axes(lines, add)
 
 
 def _is_macro(line: Line) -> bool:

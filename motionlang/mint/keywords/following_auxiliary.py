@@ -139,5 +139,6 @@ OPERATIONS = {
     "following.auxiliary.position": {"read": read_position, "write": write_position},
     "following.auxiliary.velocity": {"read": read_velocity},
     "following.auxiliary.speed": {"read": read_speed, "write": write_speed},
+    "following.auxiliary.mode": {"read": read_mode, "write": write_mode},
     "following.auxiliary.setting": {"read": read_setting, "write": write_setting},
 }

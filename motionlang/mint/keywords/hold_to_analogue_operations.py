@@ -82,6 +82,7 @@ class Holds:
         return self._settings.get((name, axis), 0.0)
 
     def set(self, name: str, axis: int, value: float) -> None:
+        """Write a setting; an axis that holds goes by it at once, and a new HTAKINT begins a new sum."""
         self._settings[name, axis] = value
         hold = self.holding(axis)
         if hold is not None:

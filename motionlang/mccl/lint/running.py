@@ -1,0 +1,86 @@
+"""Axes that run in velocity mode for ever, and commands after that which need one at rest."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mccl.codes import Fault
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+
+    Add = Callable[[int, Fault], None]
+
+_SHAPES = {"shape_trapezoid": "", "shape_scurve": "S-curve", "shape_parabolic": "parabola"}
+_MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
+_WAITS = frozenset({"wait_stop", "wait_target"})
+_RESTS = frozenset({"stop", "abort", "motor_off", "reset"})
+# A line with one of these may go on anywhere, and what a macro does is not followed: nothing is known behind it.
+_ELSEWHERE = frozenset(
+    {
+        "define_macro", "repeat", "jump", "jump_by", "call_macro", "jump_macro", "start_task", "leave", "if_below",
+        "if_equal", "if_greater", "if_unequal", "if_set", "if_clear", "if_on", "if_off", "do_if_on", "do_if_off",
+    }
+)  # fmt: skip
+
+
+class _Axis:
+    """What the file has made of an axis so far."""
+
+    __slots__ = ("running", "shape", "velocity_mode")
+
+    def __init__(self) -> None:
+        self.velocity_mode = self.running = False
+        self.shape = ""
+
+
+def running_axes(lines: Iterable[Line], add: Add) -> None:
+    """Warn of moves that are refused, and of waits that never end, because their axis runs on; once each run."""
+    axes: dict[int, _Axis] = {}
+    for line in lines:
+        if any(_verb(command) in _ELSEWHERE for command in line.commands):
+            for axis in axes.values():
+                axis.running = False
+            continue
+        for command, at in zip(line.commands, line.places, strict=True):
+            for number in _named(command, axes):
+                fault = _after(axes.setdefault(number, _Axis()), number, command)
+                if fault is not None:
+                    add(at, fault)
+
+
+def _verb(command: Command) -> str:
+    return command.row.verb if command.row is not None else ""
+
+
+def _named(command: Command, axes: dict[int, _Axis]) -> list[int]:
+    return list(axes) if command.axis == 0 else [command.axis]
+
+
+def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
+    """Let a command act on what is known of an axis; what is wrong with it."""
+    verb = _verb(command)
+    if verb in _SHAPES:
+        axis.shape = _SHAPES[verb]
+    elif verb == "velocity_mode":
+        axis.velocity_mode = True
+    elif verb == "position_mode":
+        axis.velocity_mode = False
+    elif verb == "go":
+        axis.running = axis.running or axis.velocity_mode
+    elif verb in _RESTS:
+        axis.running = False
+    elif axis.running and verb in _WAITS:
+        axis.running = False
+        message = f"{command.text} never ends: axis {number} runs in velocity mode until something stops it"
+        return Fault(0, message, f"{number}ST first", "still-running")
+    elif axis.running and verb in _MOVES and not axis.velocity_mode:
+        axis.running = False
+        if axis.shape:
+            message = f"{command.text} is refused: axis {number} still runs in velocity mode"
+            hint = f"with its {axis.shape} a move begins at rest: {number}ST,{number}WS first, or {number}PT"
+            return Fault(0, message, hint, "still-running")
+    return None

@@ -1,0 +1,43 @@
+"""A move after velocity mode, as a telescope's paddle sends it, and torque limits as PMC's self-test writes them."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.lang.machine.machine import Machine
+from motionlang.mccl.hosts.console import Console
+
+PADDLE = "1MN,1{},1SV120000,1SA70000,1DS70000\r1VM,1GO\rWA0.4\r1PM\r1MA0\r"
+
+
+def answers(text: str) -> tuple[bytes, Console]:
+    console = Console(Machine({"controller.model": "multiflex"}, first_axis=1))
+    port = console.open()
+    for line in text.splitlines():
+        port.feed(line.encode() + b"\r")
+        assert console.settle(60.0), f"{line} is never answered"
+    return port.take(), console
+
+
+@pytest.mark.parametrize("shape", ["PS", "PS0.1", "PP"])
+def test_a_move_that_could_never_begin_is_refused(shape: str) -> None:
+    """It was never answered; the axis runs on, as the remark in the telescope's source has it, until it is stopped."""
+    said, console = answers(PADDLE.format(shape))
+    assert said.endswith(b"?-2\r\n>") or said.endswith(b"?-2\n>")
+    assert console.machine.controller.velocity(1) > 1000
+    said, console = answers(PADDLE.format(shape) + "1ST,1WS\r1MA0,1WS\r1TP\r")
+    assert console.machine.controller.position(1) == 0.0
+
+
+def test_with_the_trapezoid_it_is_taken() -> None:
+    said, console = answers(PADDLE.format("PT") + "1WS\r")
+    assert b"?" not in said
+    assert console.machine.controller.position(1) == 0.0
+
+
+def test_the_torque_limit_is_kept_as_it_is_written() -> None:
+    """The self-test sets 12345/i and reads it back."""
+    for i in range(1, 4):
+        said, _ = answers(f"1SQ{12345 / i:g}\r1TQ\r")
+        assert f"{12345 / i:g}".encode() in said
+        assert b"?" not in said
