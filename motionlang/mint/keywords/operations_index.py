@@ -46,7 +46,7 @@ factory_defaults.defaults
 feedrate.override feedrate.parameter feedrate.limit feedrate.time_to_most feedrate.jerk_time feedrate.s_ramp
 """,
     "following_auxiliary": """
-following.auxiliary.position following.auxiliary.velocity following.auxiliary.speed
+following.auxiliary.position following.auxiliary.velocity following.auxiliary.speed following.auxiliary.mode
 following.auxiliary.setting
 """,
     "following_masters": """
