@@ -15,16 +15,18 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.statement_time import StatementTime
     from motionlang.lang.task import Task
 
 # What ends later than this, in seconds, is no part of a period but its limit.
 FAR = 0.03
 # So many states are remembered; where none has come back by then, none is looked for until something happens.
 MOST = 20_000
+# What leads no further than this, in seconds, is passed state by state, so that a longer period is found; until one has
+# been, or there are so many states without one.
+SHORT, ENOUGH = 0.3, 3000
 # Times are compared in nanoseconds.
 _UNITS = 1e9
-# A period is a whole number of statements where it is so nearly.
-_ROUNDING = 1e-3
 
 
 class Recurrence:
@@ -32,9 +34,9 @@ class Recurrence:
 
     def __init__(self, machine: Controller | Machine) -> None:
         self._clock = machine.clock
-        self._instruction: float = getattr(machine, "instruction_time", 0.0)
-        self._key = (-1, -1)
-        self._seen: dict[tuple[object, ...], float] = {}
+        self._statements: StatementTime | None = getattr(machine, "statements", None)
+        self._key, self._short = (-1, -1), SHORT
+        self._seen: dict[tuple[object, ...], tuple[float, float, float]] = {}
 
     def forget(self) -> None:
         """A task has done something."""
@@ -51,19 +53,25 @@ class Recurrence:
             return
         key = (clock.fired, acts)
         if key != self._key:
-            self._key, self._seen = key, {}
+            self._key, self._seen, self._short = key, {}, SHORT
         signature = (turn, *state)
-        before = self._seen.setdefault(signature, now)
-        if before == now:
+        statements = self._statements
+        here = (now, 0.0, 0.0) if statements is None else (now, statements.base, statements.count)
+        before = self._seen.setdefault(signature, here)
+        if before[0] == now:
             return
         limit = min(_limit(tasks, now), clock.next_time())
         if limit == INFINITY:
             _note_vain(tasks, now)
-        period = self._whole(now - before)
+        period = now - before[0]
         count = int((min(limit, until) - now) / period)
-        if count > 0:
-            self._seen = {}
-            self._go_on(tasks, now + count * period, pace)
+        if count * period > self._short or (count > 0 and len(self._seen) > ENOUGH):
+            self._short = 0.0
+            time = now + count * period
+            if statements is not None and statements.reached == now:
+                statements.repeat(before[1], before[2], count)
+                time = statements.reached
+            self._go_on(tasks, time, pace)
 
     def _go_on(self, tasks: Sequence[Task], time: float, pace: Callable[[float], None] | None) -> None:
         clock = self._clock
@@ -75,14 +83,6 @@ class Recurrence:
         clock.leaps += 1
         clock.now = time
 
-    def _whole(self, period: float) -> float:
-        """No rounding adds up over millions of periods."""
-        if not self._instruction:
-            return period
-        statements = period / self._instruction
-        whole = round(statements)
-        return whole * self._instruction if abs(statements - whole) < _ROUNDING else period
-
 
 def _state(tasks: Sequence[Task], now: float) -> tuple[int | None, list[object]]:
     """How much had been done when the tasks last looked, and how they stand; None where they act."""
@@ -91,7 +91,7 @@ def _state(tasks: Sequence[Task], now: float) -> tuple[int | None, list[object]]
     for task in tasks:
         wait, look = task.wait, task.look
         if wait is not None and not _is_near(task, now):
-            found.append(None)
+            found.append(wait.due())  # no part of a period: the same for as long as this very wait lasts
             continue
         if look is None or (acts is not None and look[0] != acts):
             return None, []

@@ -37,6 +37,7 @@ class MintInteractive(Interactive):
             "P": self.environment.say,
             "t": 0.0,
             "H": 0.0,
+            "S": self.environment.statements,
             "dt": machine.instruction_time,
         }
 
@@ -55,8 +56,8 @@ class MintInteractive(Interactive):
             self._scope.names = before  # a line with mistakes declares nothing
             raise
         self._inputs += 1
-        names, dt = self._namespace, self.machine.instruction_time
-        names.update({f"d{count}": count * dt for count in compiled.costs})
+        names = self._namespace
+        names.update({f"d{count}": float(count) for count in compiled.costs})
         names.update(zip(compiled.operations, self.environment.make_operations(compiled.specs), strict=True))
         exec(compiled.code, names)
         self.environment.files[file] = compiled.places

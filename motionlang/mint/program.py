@@ -79,13 +79,14 @@ class MintProgram(Program):
         """The parent task of the program as it stands."""
         environment = Environment(machine)
         environment.prepare()
-        code, dt = self.code, machine.instruction_time
+        code, statements = self.code, environment.statements
         environment.files[FILE] = code.places
         environment.line_of = self._line_of
         operations = environment.make_operations(code.specs)
         namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
-        namespace.update(E=environment, C=environment.clock, P=environment.say, dt=dt)
-        code.link(namespace, dt)
+        namespace.update(E=environment, C=environment.clock, P=environment.say)
+        namespace.update(S=statements, dt=statements.cost)
+        code.link(namespace)
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.clock import Clock
 from motionlang.lang.machine.terminal import Terminal
+from motionlang.lang.statement_time import StatementTime
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,6 +52,7 @@ class Machine:
         "overrides",
         "scheduler",
         "settings",
+        "statements",
         "terminal",
         "terminals",
         "without_effect",
@@ -70,6 +72,7 @@ class Machine:
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
         self.clock = Clock()
+        self.statements = StatementTime(self.instruction_time)
         self._first_axis = first_axis
         self._controller: Controller | None = None
         self._world: World | None = None

@@ -6,6 +6,7 @@ the same again until an event. The task then waits for the last whole pass befor
 
 from __future__ import annotations
 
+from motionlang.lang.attention import Attention
 from motionlang.lang.task import Wait
 
 TYPE_CHECKING = False
@@ -17,7 +18,7 @@ INFINITY = float("inf")
 
 
 class Poll:
-    """Watches one task's loops. `effects` counts what was done; `fresh_until` is how long what was read stays true."""
+    """Watches one task's loops. `effects` counts what was done; `attention` has the notes of what was read."""
 
     __slots__ = (
         "_accumulator",
@@ -29,24 +30,19 @@ class Poll:
         "_pc",
         "_task",
         "_turn",
+        "attention",
         "effects",
-        "fresh_until",
     )
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
         self.effects = 0
-        self.fresh_until = INFINITY
+        self.attention = Attention(task.board.controller.clock)
         self._line: Line | None = None
         self._pc = self._count = self._done = self._depth = 0
         self._accumulator: float | int = 0
         self._turn = 0
         self._event = 0.0
-
-    def read_until(self, time: float) -> None:
-        """Something was read that may change at `time` with no event to tell."""
-        if time < self.fresh_until:
-            self.fresh_until = time
 
     def again(self) -> Wait | None:
         """Called at each jump back: a wait, if nothing can come of another pass."""
@@ -59,14 +55,14 @@ class Poll:
             and self._depth == len(task.calls)
             and self._undisturbed()
         )
-        length, until = task.count - self._count, self.fresh_until
+        attention, length = self.attention, task.count - self._count
+        notes, attention.notes = attention.notes, []
         self._line, self._pc, self._done = task.line, task.pc, self.effects
         self._accumulator, self._count = task.registers[0], task.count
-        self.fresh_until = INFINITY
         self._depth = len(task.calls)
         self._turn, self._event = task.board.turns, task.board.controller.clock.next_time()
-        if same and length > 0:
-            return self._until_the_next_event(length, until)
+        if same and length > 0 and notes is not None:
+            return self._until_the_next_event(length, attention.until(attention.clock.now, notes))
         return None
 
     def _undisturbed(self) -> bool:

@@ -1,8 +1,9 @@
 """The Python text of one function as it grows, and how virtual time is written into it.
 
-`t` is machine time at the begin of a basic block and `H` the next moment at which something else wants to happen.
-Statements cost `dt` each; their costs are kept in `pending` and written as one constant per block, `dN` = N * dt.
-What takes note of time runs at `u = t + dN`, after everything that is due until then.
+`t` is the number of the statement at the begin of a basic block, counted from the moment `S.base`, and `H` that of the
+first at which something else wants to happen. Statements count one each; how many is kept in `pending` and written as
+one constant per block, `dN`. What takes note of time runs at `u = t + dN`, after everything that is due until then, at
+the machine time `S.base + u * dt`.
 """
 
 from __future__ import annotations
@@ -252,13 +253,13 @@ class Body:
         else:
             self.horizon()
         if tell:
-            self.emit(f"C.now = {self.now()}")
+            self.emit(f"C.now = S.base + {self.now()} * dt")
 
     def act(self, text: str) -> None:
         """A statement of one line that may take note of time."""
         if self.observes:
             self.settle(False)
-            self.emit(f"C.now = {self.now()}; {text}")
+            self.emit(f"C.now = S.base + {self.now()} * dt; {text}")
         else:
             self.settle()
             self.emit(text)

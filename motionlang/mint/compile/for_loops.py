@@ -188,7 +188,7 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     if not body:
         b.emit(" pass")
     b.emit(f"{text} += {step}")
-    b.emit(f"t += {c} * dt")
+    b.emit(f"t += {c}")
     left = f"({stop} - {text})" if step == 1 else f"(({stop} - {text}) // {step})"
     b.horizon(f"(t, {left} * {b.cost(each)})")
     b.indent -= 1

@@ -5,7 +5,7 @@ as it was until something happens. `motionlang.mint.runtime.loop_skipping` pays 
 exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does.
 
     if w2: w2 -= 1
-    else: t, w1, w2 = k1.turn(t, H, w1, (E.acts, v_state))
+    else: t, H, w1, w2 = k1.turn(t, H, w1, (E.acts, v_state))
     if t >= H: t, H = yield t; w2 or (w1 := k1.begin(t, w1, (E.acts, v_state)))
 
 `w1` is what the turn began with, `w2` for how many turns nobody looks.
@@ -73,7 +73,7 @@ def turn(b: Body, poll: Poll) -> None:
     """The end of a turn, `t` being up to date."""
     look, left, site = poll.look, poll.left, poll.site
     b.emit(f"if {left}: {left} -= 1")
-    b.emit(f"else: t, {look}, {left} = {site}.turn(t, H, {look}, {poll.state})")
+    b.emit(f"else: t, H, {look}, {left} = {site}.turn(t, H, {look}, {poll.state})")
     b.horizon(then=f"; {left} or ({look} := {site}.begin(t, {look}, {poll.state}))")
 
 

@@ -333,7 +333,7 @@ def write_turns(environment: Environment, row: Row) -> Operation:
     turns = read_turns(environment, row)
 
     def write(axis: int, value: int) -> None:
-        before: int = turns(axis)  # type: ignore[assignment]
+        before: int = turns(axis)
         counts = scale_of(environment, axis).to_counts((value - before) * environment.wraps.get(axis, 0.0))
         environment.controller.define_position(axis, environment.controller.position(axis) + counts)
 

@@ -159,9 +159,9 @@ def read_question(environment: Environment, row: Row) -> Operation:
     """The wait for an answer at a terminal."""
     from motionlang.mint.runtime.input_values import wait_for_answer
 
-    def ask(time: float, number: int) -> Wait:
+    def ask(count: float, number: int) -> Wait:
         environment.acts += 1
-        return wait_for_answer(environment, time, number)
+        return wait_for_answer(environment, environment.statements.leave(count), number)
 
     return ask
 

@@ -165,7 +165,7 @@ def read_demand(environment: Environment, row: Row) -> Operation:
 def read_effort(environment: Environment, row: Row) -> Operation:
     """EFFORT: how much of what it can do the motor is asked for."""
     demand = read_demand(environment, row)
-    return lambda axis: abs(demand(axis))  # type: ignore[arg-type]
+    return lambda axis: abs(demand(axis))
 
 
 @moving

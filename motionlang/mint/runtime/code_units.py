@@ -150,9 +150,9 @@ class Code:
         places = array("q", self.places).tobytes()
         return units, self.first, self.shared, self.specs, self.costs, self.blocks, places
 
-    def link(self, namespace: dict[str, object], dt: float) -> None:
+    def link(self, namespace: dict[str, object]) -> None:
         """Put the functions, or their stand-ins, into a namespace that has everything else."""
-        values: dict[str, object] = {**dict.fromkeys(TIME, 0.0), **{f"d{n}": n * dt for n in self.costs}}
+        values: dict[str, object] = {**dict.fromkeys(TIME, 0.0), **{f"d{n}": float(n) for n in self.costs}}
         if self.first is not None:
             exec(self.first, values)
         cells = {name: _CELL(values.get(name)) for name in self.cells()}

@@ -69,13 +69,13 @@ class Environment:
         # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
         self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
-        # What the running task notes of its readings.
+        # When its statements are, and what it notes of its readings.
+        self.statements = machine.statements
         self.attention = Attention(machine.clock)
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
-        # How often the program has done something; a loop that polls does nothing. And how long it has waited, in ms.
+        # How often the program has done something; a loop that polls does nothing.
         self.acts = 0
-        self.waited = 0.0
         # How often a task has run after another one; which one ran last, and what the clock had counted by then.
         self.resumed = 0
         self.ran: MintTask | None = None
@@ -168,14 +168,14 @@ class Environment:
         return age(self.machine.model) == V4
 
     def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
-        """An operation at a time, which answers with the horizon: it may have made a nearer event."""
-        clock = self.clock
+        """An operation at a statement, which answers with the horizon: it may have made a nearer event."""
+        clock, statements, cost = self.clock, self.statements, self.statements.cost
 
-        def at(time: float, horizon: float, *arguments: object) -> float:
-            clock.now = time
+        def at(count: float, horizon: float, *arguments: object) -> float:
+            clock.now = statements.base + count * cost
             self.acts += 1
             operation(*arguments)
-            return clock.horizon if clock.horizon < horizon else horizon
+            return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
 
         return at
 
@@ -183,46 +183,45 @@ class Environment:
         self, operation: Callable[..., object], held: Callable[..., object]
     ) -> Callable[..., float]:
         """The same for what a loop that polls may write: the value that is there already does nothing."""
-        clock, attention = self.clock, self.attention
+        clock, attention, do = self.clock, self.attention, self._timed(operation)
+        statements, cost = self.statements, self.statements.cost
 
-        def at(time: float, horizon: float, *arguments: object) -> float:
-            clock.now = time
+        def at(count: float, horizon: float, *arguments: object) -> float:
             if attention.notes is None:  # nobody looks at this turn
-                self.acts += 1
-                operation(*arguments)
-                return clock.horizon if clock.horizon < horizon else horizon
-            before, made = held(*arguments), clock.made
-            operation(*arguments)
-            if clock.made != made or held(*arguments) != before:
-                self.acts += 1
-            return clock.horizon if clock.horizon < horizon else horizon
+                return do(count, horizon, *arguments)
+            clock.now = statements.base + count * cost
+            before, made, acts = held(*arguments), clock.made, self.acts
+            found = do(count, horizon, *arguments)
+            if clock.made == made and held(*arguments) == before:
+                self.acts = acts
+            return found
 
         return at
 
     def _loading(self, operation: Callable[..., object]) -> Callable[..., float | None]:
         """The same for a move, which answers with nothing, and is refused, while there is no room for it."""
-        clock = self.clock
+        clock, statements, cost = self.clock, self.statements, self.statements.cost
 
-        def at(time: float, horizon: float, *arguments: object) -> float | None:
-            clock.now = time
+        def at(count: float, horizon: float, *arguments: object) -> float | None:
+            clock.now = statements.base + count * cost
             self.acts += 1
             if operation(*arguments):
                 self._refused = operation, arguments
                 return None
-            return clock.horizon if clock.horizon < horizon else horizon
+            return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
 
         return at
 
     def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
         """Wait until there is room for the move that was refused."""
-        clock = self.clock
+        clock, statements = self.clock, self.statements
         operation, arguments = self._refused
         axes = arguments[0]
         while True:
             t, horizon = yield self.room(t, axes if isinstance(axes, tuple) else (axes,))
-            clock.now = t
+            clock.now = statements.at(t)
             if not operation(*arguments):
-                return t, clock.horizon if clock.horizon < horizon else horizon
+                return t, horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
 
     # ---------------------------------------------------------------------------------------------- time
 
@@ -285,13 +284,14 @@ class Environment:
         """`WAIT`."""
         if not 0 <= milliseconds < INFINITY:
             raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
-        self.waited += milliseconds
-        return wait_until(self.machine, t, t + milliseconds / 1000.0)
+        end = self.statements.rest(t, milliseconds / 1000.0)
+        return wait_until(self.machine, self.statements.reached, end)
 
     def tick(self, t: float) -> Wait:
         """Wait for the next tick of the profiler."""
         self.acts += 1
-        return wait_until(self.machine, t, (int(t / TICK + 1e-6) + 1) * TICK)
+        now = self.statements.leave(t)
+        return wait_until(self.machine, now, (int(now / TICK + 1e-6) + 1) * TICK)
 
     def room(self, t: float, axes: tuple[int, ...]) -> Wait:
         """A move waits for room in the buffers of all its axes."""
@@ -299,7 +299,7 @@ class Environment:
         names = ", ".join(map(str, axes))
         buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
         return Wait(
-            t,
+            self.statements.leave(t),
             lambda: all(room(axis) > 0 for axis in axes),
             lambda: INFINITY,
             f"for room in the {buffers}",
@@ -314,14 +314,14 @@ class Environment:
             self.task = task  # whose TIME the condition may read
             return ready()
 
-        return Condition(self.attention, test).wait(t, why)
+        return Condition(self.attention, test).wait(self.statements.leave(t), why)
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""
         self.acts += 1
         from motionlang.mint.runtime.input_values import wait_for_answer
 
-        return wait_for_answer(self, t)
+        return wait_for_answer(self, self.statements.leave(t))
 
     def typed(self, as_text: bool) -> object:
         """The operator's answer."""
@@ -348,7 +348,10 @@ class Environment:
     def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
         """Wait until nobody holds a semaphore."""
         return Wait(
-            t, lambda: (holder := semaphore[0]) is None or holder.done, lambda: INFINITY, "for a semaphore"
+            self.statements.leave(t),
+            lambda: (holder := semaphore[0]) is None or holder.done,
+            lambda: INFINITY,
+            "for a semaphore",
         )
 
     # ---------------------------------------------------------------------------------------------- axes
@@ -418,14 +421,14 @@ class Environment:
 
     def end_this(self, t: float) -> None:
         """The task that is running ends."""
-        raise TaskEnd(t)
+        raise TaskEnd(self.statements.leave(t))
 
     def end_main(self, t: float) -> None:
         """`End`: the parent task ends, and with it everything."""
         scheduler = self.machine.scheduler
         if scheduler is not None:
             scheduler.parent.done = True
-        raise TaskEnd(t)
+        raise TaskEnd(self.statements.leave(t))
 
     # -------------------------------------------------------------------------------------------- events
 
@@ -448,10 +451,12 @@ class Environment:
         return TROUBLE
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
-        """A guarded statement has failed; answers with the time at which the program goes on."""
+        """A guarded statement has failed; answers with the statement at which the program goes on."""
         self.acts += 1
         self.errors.failed(trouble, line)
-        return max(t, self.clock.now) + self.machine.instruction_time
+        if self.clock.now > self.statements.at(t):
+            t = self.statements.start(self.clock.now)
+        return t + 1.0
 
 
 def _nothing() -> None:

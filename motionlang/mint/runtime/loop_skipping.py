@@ -12,6 +12,7 @@ notes meanwhile.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.lang.statement_time import UNITS, units
 from motionlang.lang.task import INFINITY
 
 TYPE_CHECKING = False
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
 
     State = tuple[object, ...]
 
-# How far from a whole number of statements a turn may seem to have been, by rounding.
-_ROUNDING = 1e-3
 # So many turns at most pass unlooked at.
 MOST_ALONE = 256
 
@@ -31,12 +30,13 @@ MOST_ALONE = 256
 class Look:
     """What a turn began with: how the turn before it left things, when, and which notes there were."""
 
-    __slots__ = ("before", "first", "notes", "others", "since", "waited")
+    __slots__ = ("base", "before", "began", "first", "notes", "others", "since")
 
     before: State | None
+    began: float
     since: float
+    base: float
     others: int
-    waited: float
     notes: list[Note]
     first: int
 
@@ -51,32 +51,37 @@ class Site:
         self._skipper = environment.part(Skipper)
         self.left = 0
 
-    def turn(self, t: float, horizon: float, look: Look | None, state: State) -> tuple[float, Look, int]:
+    def turn(
+        self, t: float, horizon: float, look: Look | None, state: State
+    ) -> tuple[float, float, Look, int]:
         """The end of a turn: the end of the last one that can be no different, and how many pass unlooked at.
 
-        `state` is what every turn leaves behind, after the count of what the program did.
+        Both ends and the horizon are numbers of statements; `state` is what every turn leaves behind, after the count
+        of what the program did.
         """
         if look is None or look.before is None:
-            return t, self.begin(t, look, state), 0
+            return t, horizon, self.begin(t, look, state), 0
         if look.before == state:
             found = self._skipper.skip(t, horizon, look, state, self._asks)
             if found is not None:
                 self.left = 0
-                return found, self.begin(found, look, state), 0
+                return *found, self.begin(found[0], look, state), 0
         self._environment.task.look = None
         left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE)
         if not left:
-            return t, self.begin(t, look, state), 0
+            return t, horizon, self.begin(t, look, state), 0
         look.before = None
         self._environment.attention.notes = None
-        return t, look, left
+        return t, horizon, look, left
 
     def begin(self, t: float, look: Look | None, state: State) -> Look:
         """A turn begins that will be looked at."""
         environment = self._environment
         look = look or Look()
         look.before, look.since = state, t
-        look.others, look.waited = environment.resumed, environment.waited
+        look.began = environment.statements.at(t)
+        look.base = environment.statements.base
+        look.others = environment.resumed
         look.notes, look.first = environment.attention.begin()
         return look
 
@@ -91,33 +96,50 @@ class Skipper:
         self._task: MintTask | None = None
         self._first, self._last = 0.0, -1.0
 
-    def skip(self, t: float, horizon: float, look: Look, state: State, asks: bool) -> float | None:
-        """A turn that ends at `t` was as the one before: the end of the last one that can be no different.
+    def skip(
+        self, t: float, horizon: float, look: Look, state: State, asks: bool
+    ) -> tuple[float, float] | None:
+        """A turn that ends at `t` was as the one before: the end of the last that can be no different, and the horizon.
 
         None where it was not in everything that it read. A turn in which other tasks ran is no more than remembered.
         """
         environment, task, attention = self._environment, self._environment.task, self._environment.attention
-        level = INFINITY
+        statements = environment.statements
         if attention.notes is not look.notes:
             return None
+        now, level = statements.at(t), INFINITY
         if len(look.notes) > look.first:
-            level = attention.until(look.since, look.notes[look.first :])
-            if level <= t:
+            level = attention.until(look.began, look.notes[look.first :])
+            if level <= now:
                 return None
-        task.look, task.looked, task.level = (environment.acts, state[1:], asks), t, level
+        task.look, task.looked, task.level = (environment.acts, state[1:], asks), now, level
         if environment.resumed != look.others:
-            return t
-        since = look.since
-        if since != self._last or task is not self._task:
-            self._task, self._first = task, since
-        horizon = min(self._horizon(t, horizon), level)
-        if horizon == INFINITY:
+            return t, horizon
+        if look.began != self._last or task is not self._task:
+            self._task, self._first = task, look.began
+        until = min(self._horizon(now, statements.until), level)
+        if until == INFINITY:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
         if asks:
-            self._note_vain(horizon, level)
-        cost = self._cost(t - since, (environment.waited - look.waited) / 1000.0)
-        self._last = task.looked = t + max(0, int((horizon - t) / cost)) * cost if cost else t
-        return self._last
+            self._note_vain(until, level)
+        environment.task = task  # what others wait for may have been looked at with their eyes
+        t, horizon = self._repeated(t, horizon, look, until)
+        self._last = task.looked = statements.at(t)
+        return t, horizon
+
+    def _repeated(self, t: float, horizon: float, look: Look, until: float) -> tuple[float, float]:
+        """Where a task stands after as many turns like the last one as end by `until`, and its horizon."""
+        statements = self._environment.statements
+        if statements.base == look.base:
+            cost = t - look.since
+            return t + max(0.0, (statements.first(until) - t) // cost) * cost, horizon
+        if t != look.since or units(look.base) / UNITS != look.base:
+            return t, horizon  # it waited, but not as it did in the turn before
+        turns = int((until - statements.at(t)) / (statements.base - look.base))
+        if turns <= 0:
+            return t, horizon
+        statements.leave(t)
+        return statements.repeat(look.base, t, turns), statements.limit(statements.until)
 
     def _horizon(self, t: float, horizon: float) -> float:
         """The end of the time slice, or what lies beyond it where nobody else can run."""
@@ -136,13 +158,3 @@ class Skipper:
             task = self._task
             assert task is not None
             task.in_vain = self._first if task.in_vain is None else task.in_vain
-
-    def _cost(self, seconds: float, waited: float) -> float:
-        """What a turn takes, in whole statements and milliseconds, so that no rounding adds up over millions of turns.
-
-        0 where it was anything else.
-        """
-        instruction = self._machine.instruction_time
-        statements = (seconds - waited) / instruction
-        whole = round(statements)
-        return whole * instruction + waited if abs(statements - whole) < _ROUNDING else 0.0

@@ -58,8 +58,11 @@ class MintTask(GeneratorTask):
             horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
         attention = environment.attention
         attention.notes = self.notes
+        statements = environment.statements
         try:
-            time, wait = super().resume(now, horizon)
+            time, wait = super().resume(statements.arrive(now), statements.limit(horizon))
+            if wait is None:
+                time, self.busy = statements.leave(time), self.busy * statements.cost
             self.notes = attention.notes
             environment.ran = self
             if environment.acts != acts:  # it has done something, if not since it last looked
@@ -77,6 +80,10 @@ class MintTask(GeneratorTask):
         if self.suspended:
             self.held, wait = wait, self.never()
         return time, wait
+
+    def time_at_error(self, error: BaseException) -> float:
+        reached = super().time_at_error(error)
+        return self.environment.statements.at(reached) if reached else 0.0
 
     def never(self) -> Wait:
         """The wait of a suspended task."""

@@ -1,0 +1,81 @@
+"""Machine time in whole statements: a base plus their number times their cost, never a running sum.
+
+So it makes no difference to the last bit at how many moments between the clock was looked at, nor whether turns of a
+loop were carried out or skipped. A WAIT ends on a whole number of units, so that sums of such moments are exact, too.
+"""
+
+from __future__ import annotations
+
+from math import ceil
+
+INFINITY = float("inf")
+# 10 ps: decimal, as costs and waits are, and coarse enough that a day of them fits a float.
+UNITS = 1e11
+
+
+class StatementTime:
+    """The time of the task that runs; `base` is the machine time, s, of its statement 0, `cost` what one takes, s.
+
+    `count` is the statement at which the last task stopped, `reached` its time: whoever goes on there counts on.
+    """
+
+    __slots__ = ("base", "cost", "count", "reached", "until")
+
+    def __init__(self, cost: float) -> None:
+        self.cost = cost
+        self.base = self.count = 0.0
+        self.reached, self.until = -1.0, INFINITY
+
+    def at(self, count: float) -> float:
+        """The time of a statement."""
+        return self.base + count * self.cost
+
+    def arrive(self, now: float) -> float:
+        """A task goes on at `now`: at which statement."""
+        return self.count if now == self.reached else self.start(now)
+
+    def start(self, now: float) -> float:
+        """Count from 0 again."""
+        self.base = now
+        return 0.0
+
+    def leave(self, count: float) -> float:
+        """The running task stops at a statement: its time."""
+        self.count = count
+        self.reached = self.base + count * self.cost
+        return self.reached
+
+    def rest(self, count: float, seconds: float) -> float:
+        """The running task waits for a time: when that is over."""
+        self.leave(count)
+        return (units(self.base) + round((count * self.cost + seconds) * UNITS)) / UNITS
+
+    def limit(self, horizon: float) -> float:
+        """The first statement that is not before `horizon`, up to which the running task may go."""
+        self.until = horizon
+        return self.first(horizon)
+
+    def first(self, moment: float) -> float:
+        """The first statement that is not before a moment."""
+        if moment == INFINITY:
+            return INFINITY
+        base, cost = self.base, self.cost
+        count = float(ceil((moment - base) / cost))
+        if base + count * cost < moment:
+            return count + 1.0
+        return count - 1.0 if base + (count - 1.0) * cost >= moment else count
+
+    def repeat(self, base: float, count: float, times: float) -> float:
+        """The running task goes on as far as it has come since `base` and `count`, so many times: its statement."""
+        if base != self.base:
+            here = units(self.base)
+            self.base = (here + int(times) * (here - units(base))) / UNITS
+        self.count += times * (self.count - count)
+        self.reached = self.at(self.count)
+        return self.count
+
+
+def units(moment: float) -> int:
+    """A moment in whole units, the nearest ones where it is none."""
+    nearest = round(moment * UNITS)
+    return next((each for each in (nearest, nearest - 1, nearest + 1) if each / UNITS == moment), nearest)
