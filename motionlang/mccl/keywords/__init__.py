@@ -1,7 +1,6 @@
 """The vocabulary of MCCL: one row a mnemonic, in one module a group, and nothing that knows a mnemonic elsewhere.
 
-`TABLE` is the whole. In the rows of MCCL `index` says what the number in front of a command means: "axes",
-         one axis or
+`TABLE` is the whole. In the rows of MCCL `index` says what the number in front of a command means: "axes", one axis, or
 all of them when there is none; "axis", one axis that must be named; "none", nothing. `access` "C" takes no parameter,
 "W" takes one (0 when it is left out), "R" reports.
 """
