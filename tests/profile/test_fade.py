@@ -166,7 +166,16 @@ def test_a_move_planned_anew_in_its_middle_takes_the_time_it_had_left() -> None:
         time = random.uniform(0.01, 0.99) * whole.duration
         here = whole.at(time)
         rest = plan(
-            "scurve", here.position, target, speed, accel, decel, here.velocity, 0.0, *jerks, here.acceleration
+            "scurve",
+            here.position,
+            target,
+            speed,
+            accel,
+            decel,
+            here.velocity,
+            0.0,
+            *jerks,
+            here.acceleration,
         )
         assert rest.duration == pytest.approx(whole.duration - time, rel=1e-6, abs=1e-6)
         assert rest.extrema()[1] <= max(0.0, target) + 1e-6
