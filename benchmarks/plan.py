@@ -44,6 +44,12 @@ def jobs() -> dict[str, Callable[[float, float], object]]:
         "ratio": lambda start, target: plan_ratio(start, target, 100.0, 500.0, 500.0, 0.1),
         "parabolic": lambda start, target: plan_parabolic(start, target, 100.0, 500.0, 500.0),
         "moving_trapezoid": lambda start, target: plan_trapezoid(start, target, 100.0, 500.0, 500.0, 20.0),
+        "moving_scurve": lambda start, target: plan_jerk(
+            start, target, 100.0, 500.0, 500.0, 5000.0, 5000.0, 20.0
+        ),
+        "bent_scurve": lambda start, target: plan_jerk(
+            start, target, 100.0, 500.0, 500.0, 5000.0, 5000.0, 20.0, 200.0
+        ),
     }
     made["short_scurve"] = lambda start, _: plan_jerk(start, 10.0, 100.0, 500.0, 500.0, 5000.0, 5000.0)
     made["trapezoid_expanded"] = lambda start, target: (

@@ -61,8 +61,8 @@ def plan_jerk(
             slew = 0.0
         duration = first + slew + last
         if duration < inf:
-            ratio = rise / first if gain >= accel * rise else 0.5
-            last_ratio = fall / last if speed >= decel * fall else 0.5
+            ratio = rise / first if first and gain >= accel * rise else 0.5
+            last_ratio = fall / last if last and speed >= decel * fall else 0.5
             v = speed if distance >= 0.0 else -speed
             recipe = (v0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
             return Profile("scurve", start, target, duration, recipe)
@@ -110,7 +110,7 @@ def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:
     rise = accel / jerk
     if change >= accel * rise:
         time = change / accel + rise
-        return time, rise / time
+        return time, rise / time if time else 0.5  # too short to be told from none
     return 2.0 * sqrt(change / jerk), 0.5
 
 

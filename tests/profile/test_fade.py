@@ -179,3 +179,27 @@ def test_a_move_planned_anew_in_its_middle_takes_the_time_it_had_left() -> None:
         )
         assert rest.duration == pytest.approx(whole.duration - time, rel=1e-6, abs=1e-6)
         assert rest.extrema()[1] <= max(0.0, target) + 1e-6
+
+
+def test_figures_of_any_size_are_planned_or_refused_by_name() -> None:
+    random = Random(2)
+
+    def size() -> float:
+        return float(10.0 ** random.choice([0.0, random.uniform(-12, 12), random.uniform(-300, 300)]))
+
+    for _ in range(1000):
+        bend = random.choice([0.0, size(), -size()])
+        shape = random.choice(["trapezoid", "scurve", "parabolic", "sinusoidal"])
+        stretches = [
+            (size(), Pace(shape, size(), size(), size(), 0.1, size(), size()))
+            for _ in range(random.randint(1, 4))
+        ]
+        try:
+            made = plan("scurve", 0.0, size(), size(), size(), size(), size(), 0.0, size(), size(), bend)
+            course = plan_course(stretches, 0.0, 0.0)
+        except ValueError as refusal:
+            assert "must be" in str(refusal) or "too large" in str(refusal)
+            continue
+        assert made.duration >= 0.0
+        assert course is not None
+        assert course.duration >= 0.0
