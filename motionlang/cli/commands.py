@@ -117,7 +117,9 @@ def _add_check(commands: Commands) -> None:
         _check,
         CHECK_EPILOG,
     )
-    parser.add_argument("files", metavar="FILE", nargs="+", help="programs; - reads standard input")
+    parser.add_argument(
+        "files", metavar="FILE", nargs="+", help="programs, or folders with programs; - reads standard input"
+    )
     add_dialect(parser)
     parser.add_argument(
         "--machine",
