@@ -236,6 +236,11 @@ def _execute(
             from motionlang.remarks import tell_who_waited
 
             tell_who_waited(result, scheduler)
+        left = result.machine.never_started() if result.status == "ended" else []
+        if left:
+            from motionlang.remarks import tell_never_started
+
+            tell_never_started(result, left)
         jogging = result.machine.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))

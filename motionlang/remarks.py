@@ -7,8 +7,9 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
+    from motionlang.controller.move import Move
     from motionlang.errors import Diagnostic
     from motionlang.lang.scheduler import Scheduler, Stuck
     from motionlang.lang.task import Task
@@ -121,6 +122,29 @@ def _lost(result: Run) -> list[Diagnostic]:
             hint = f"home the other way, or let the machine file say where it is: {keys}"
             found.append(Diagnostic("never", homing.in_vain, homing.line, column, length=length, hint=hint))
     return found
+
+
+def tell_never_started(result: Run, moves: Sequence[Move]) -> None:
+    """Warn of moves that the program has loaded and, at its end, has not started: the first of each line."""
+    from motionlang.errors import Diagnostic
+
+    for move in {(each.axis, each.line): each for each in reversed(moves)}.values():
+        text = result.source.line(move.line)
+        column = len(text) - len(text.lstrip()) + 1 if text else 0
+        message = (
+            f"the program has ended, and {move.command} on axis {move.axis} was loaded and never started"
+        )
+        hint = f"GO({move.axis}) starts what is in the buffer"
+        diagnostic = Diagnostic(
+            "never-started",
+            message,
+            move.line,
+            column,
+            length=len(text.strip()),
+            hint=hint,
+            severity="warning",
+        )
+        result.diagnostics.append(diagnostic)
 
 
 def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:

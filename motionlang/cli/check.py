@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
@@ -43,10 +44,14 @@ class CheckOptions:
 
 
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
-    """Check files; diagnostics go to standard error, a line a file to standard output; 1 if any has an error."""
+    """Check files, and the programs of folders; diagnostics go to standard error, a line a file to standard output; 1 if any has an error."""
     rows: list[dict[str, object]] = []
     wrong = False
-    for file in files:
+    found_files = programs(files)
+    if not found_files:
+        sys.stderr.write(f"no programs in {', '.join(files)}\n")
+        return 1
+    for file in found_files:
         language, source, diagnostics = _check(file, options)
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file

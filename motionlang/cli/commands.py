@@ -43,6 +43,8 @@ examples:
 
 def parse(given: Sequence[str]) -> int:
     """Read a command line and run its command; argparse ends the process with 2 where it is wrong."""
+    if given and given[0] == "help":
+        given = [*given[1:2], "--help"]
     parser = build_parser(given[0] if given else "")
     if not given:
         parser.print_help(sys.stderr)
@@ -115,7 +117,9 @@ def _add_check(commands: Commands) -> None:
         _check,
         CHECK_EPILOG,
     )
-    parser.add_argument("files", metavar="FILE", nargs="+", help="programs; - reads standard input")
+    parser.add_argument(
+        "files", metavar="FILE", nargs="+", help="programs, or folders with programs; - reads standard input"
+    )
     add_dialect(parser)
     parser.add_argument(
         "--machine",
@@ -204,7 +208,10 @@ def _add_profiles(commands: Commands) -> None:
 def _add_keywords(commands: Commands) -> None:
     parser = add_command(commands, "keywords", "list the words of a language, or explain one", _keywords)
     parser.add_argument(
-        "name", metavar="NAME", nargs="?", help="the word to explain, by its name or its short form"
+        "name",
+        metavar="NAME",
+        nargs="?",
+        help="the word to explain, by its name or its short form, or the group to list",
     )
     add_dialect(parser, "one language; both without it")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")

@@ -14,6 +14,8 @@ from motionlang.views.keywords import as_dict, listing, page
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
     from motionlang.lang.keyword import Keyword
 
 SCHEMA = "motionlang.keywords/1"
@@ -21,31 +23,53 @@ PIPED_WIDTH = 160
 
 
 def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:
-    """Print the list, or the page of `name`; 1 when no language has such a word."""
+    """Print the list, the page of a word or the list of a group; 1 when no language has what is named."""
     names = dialects() if dialect_name is None else (dialect_name,)
     tables = {each: dialect(each).table() for each in names}
+    single = name is not None
     if name is None:
         found = {each: list(table) for each, table in tables.items()}
     else:
         found = {each: [row] for each, table in tables.items() if (row := table.get(name)) is not None}
         if not found:
+            single = False
+            found = _group(name, tables)
+        if not found:
             words = [
-                word for table in tables.values() for row in table for word in (row.name, row.short) if word
+                word
+                for table in tables.values()
+                for row in table
+                for word in (row.name, row.short, row.group)
+                if word
             ]
             return _unknown(name, nearest(name, words))
     if as_json:
         rows = [as_dict(row, each) for each, rows in found.items() for row in rows]
         sys.stdout.write(json.dumps({"schema": SCHEMA, "keywords": rows}, indent=1) + "\n")
     else:
-        _print(found, name is not None)
+        _print(found, single)
     return 0
+
+
+def _group(name: str, tables: Mapping[str, Iterable[Keyword]]) -> dict[str, list[Keyword]]:
+    """The words of a group, by the languages that have one of that name."""
+    found = {
+        each: [row for row in table if (row.group or row.kind).lower() == name.lower()]
+        for each, table in tables.items()
+    }
+    return {each: rows for each, rows in found.items() if rows}
 
 
 def _print(found: dict[str, list[Keyword]], single: bool) -> None:
     colour = wants_colour(sys.stdout)
-    width = width_of(sys.stdout) if is_terminal(sys.stdout) or "COLUMNS" in os.environ else PIPED_WIDTH
-    show = page if single else listing
-    parts = [show(rows, each, width=width, colour=colour) for each, rows in found.items()]
+    seen = is_terminal(sys.stdout) or "COLUMNS" in os.environ
+    width = width_of(sys.stdout) if seen else PIPED_WIDTH
+    if single:
+        parts = [page(rows, each, width=width, colour=colour) for each, rows in found.items()]
+    else:
+        parts = [
+            listing(rows, each, width=width, colour=colour, whole=not seen) for each, rows in found.items()
+        ]
     text = "\n".join(parts)
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import textwrap
 from typing import TYPE_CHECKING
 
@@ -41,8 +42,13 @@ INDEX = {
 KNOWN = "known, not simulated"
 
 
-def listing(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False) -> str:
-    """All rows, group by group, a line a word; words that are not simulated come last, several a line."""
+def listing(
+    rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: bool = False, whole: bool = False
+) -> str:
+    """All rows, group by group, a line a word; words that are not simulated come last, several a line.
+
+    A line is cut at `width`, unless it is to be `whole`: what nobody sees on a screen is searched, or read.
+    """
     simulated = [row for row in rows if row.simulated]
     known = [row.name for row in rows if not row.simulated]
     count = f"{len(simulated)} simulated, {len(known)} known"
@@ -56,7 +62,8 @@ def listing(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: 
         groups.setdefault(row.group or row.kind, []).append(row)
     for group, members in groups.items():
         lines += ["", styled(group, "bold", colour)]
-        lines += [_entry(row, name_width, short_width, width, colour) for row in members]
+        room = sys.maxsize if whole else width
+        lines += [_entry(row, name_width, short_width, room, colour) for row in members]
     if known:
         lines += ["", styled(KNOWN, "bold", colour)]
         lines += textwrap.wrap(", ".join(known), width - 2, initial_indent="  ", subsequent_indent="  ")

@@ -106,3 +106,16 @@ def test_a_board_without_tasks(cell: Cell) -> None:
     assert cell("check", "tasks.mcl").status == 0
     ran = cell("check", "tasks.mcl", "--model", "dcx-pc100")
     assert "error[model]: the DCX-PC100 modular controller has no GT" in ran.err
+
+
+def test_the_programs_of_a_folder(cell: Cell) -> None:
+    (cell.folder / "line" / "deep").mkdir(parents=True)
+    for name in ("line/b.mnt", "line/a.mcl", "line/deep/c.MNT"):
+        cell.write(name, "")
+    cell.write("line/notes.txt", "")
+    ran = cell("check", "line")
+    assert ran.out == "line/a.mcl: no mistakes\nline/b.mnt: no mistakes\nline/deep/c.MNT: no mistakes\n"
+    assert ran.status == 0
+    (cell.folder / "none").mkdir()
+    empty = cell("check", "none")
+    assert (empty.status, empty.err) == (1, "no programs in none\n")

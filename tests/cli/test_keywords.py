@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 
+import pytest
+
 from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.views.keywords import listing, page
@@ -82,3 +84,28 @@ def test_a_word_that_no_language_has(cell: Cell) -> None:
     ran = cell("keywords", "SPEEED")
     assert (ran.status, ran.out) == (1, "")
     assert ran.err == "error[unknown-word]: there is no word SPEEED\n  hint: did you mean SPEED?\n"
+
+
+def test_a_group_can_be_named(cell: Cell) -> None:
+    ran = cell("keywords", "homing", "--dialect", "mint")
+    assert ran.out.startswith("Mint · ")
+    assert "\nhoming\n" in ran.out
+    assert "HOMETYPE" in ran.out
+    assert "\n  SPEED " not in ran.out
+    groups = {row["group"] for row in json.loads(cell("keywords", "Homing", "--json").out)["keywords"]}
+    assert groups == {"homing"}
+    assert "did you mean homing?" in cell("keywords", "homming").err
+
+
+def test_nothing_is_cut_where_nobody_looks(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    longest = max((row["help"] for row in json.loads(cell("keywords", "--json").out)["keywords"]), key=len)
+    assert len(longest) > 160
+    assert longest in cell("keywords").out
+    monkeypatch.setenv("COLUMNS", "80")
+    assert longest not in cell("keywords").out
+
+
+def test_help_is_a_command_too(cell: Cell) -> None:
+    assert cell("help").out == cell("--help").out
+    assert cell("help", "check").out == cell("check", "--help").out
+    assert cell("help", "chekc").err == cell("chekc").err

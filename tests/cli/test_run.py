@@ -369,3 +369,13 @@ def test_a_setting_of_any_length_is_told(cell: Cell, value: str) -> None:
     ran = cell("run", "ballscrew.mcl", "--set", f"controller.axes={value}")
     assert ran.status in (1, 2)
     assert "controller.axes must be " in ran.err
+
+
+def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
+    cell.write("forgotten.mnt", "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\n  MOVER(0) = -10\nMOVER(1) = 3\n")
+    ran = cell("run", "forgotten.mnt", "--report", "none")
+    assert ran.status == 0
+    assert ran.err.count("warning[never-started]") == 2
+    assert "forgotten.mnt:4:3" in ran.err
+    assert "MOVER on axis 1 was loaded and never started" in ran.err
+    assert "hint: GO(1) starts what is in the buffer" in ran.err

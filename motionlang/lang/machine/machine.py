@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.io.host_memory import HostMemory
     from motionlang.controller.io.wiring import World
+    from motionlang.controller.move import Move
     from motionlang.errors import Diagnostic
     from motionlang.lang.machine.nonvolatile import NonVolatile
     from motionlang.lang.machine.operator import Operator
@@ -160,6 +161,11 @@ class Machine:
     def moving(self) -> list[int]:
         """The axes that are not idle."""
         return [] if self._controller is None else self._controller.moving()
+
+    def never_started(self) -> list[Move]:
+        """What stands in the move buffers and waits for its release."""
+        axes = () if self._controller is None else self._controller.axes.values()
+        return [move for axis in axes for move in axis.buffer if not move.released]
 
     @property
     def moves_made(self) -> int:
