@@ -22,6 +22,7 @@ class Options:
         "overrides",
         "plot",
         "points",
+        "prove",
         "rate",
         "realtime",
         "report",
@@ -47,6 +48,7 @@ class Options:
         self.overrides: dict[str, float | str] = {}
         self.nv: str | None = None
         self.cache = True
+        self.prove = False
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Options) and all(

@@ -49,7 +49,12 @@ def run_command(options: Options) -> int:
         result = run_live(lambda keyboard: _run(options, source, settings, keyboard), options.realtime)
     else:
         result = _run(options, source, settings)
+    proof = result.proof() if result.orders is not None else None
+    if proof is not None:
+        result.diagnostics += proof.violations
     _report(result, options)
+    if proof is not None and options.report == "table":
+        sys.stdout.write("\n" + "\n".join(proof.lines()) + "\n")
     status = _write_files(result, options)
     if result.diagnostics:
         from motionlang.cli.complaints import complain
@@ -107,6 +112,7 @@ def _run_unwatched(
         begun=begun,
         nv=options.nv,
         cache=options.cache,
+        prove=options.prove,
     )
 
 
