@@ -55,6 +55,7 @@ CODES: dict[str, str] = {
     "event": "The event has no handler, or does not exist, and cannot be raised.",
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
+    "proof": "The motion was not as the program ordered it, or broke a bound.",
     "interrupted": "The run was ended from the keyboard, or by a signal.",
     "crash": "motionlang itself has a mistake, which is no mistake of the program.",
     "file": "The file could not be read or written.",

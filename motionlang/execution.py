@@ -63,6 +63,7 @@ def run(
     nv: str | None = None,
     cache: bool = True,
     keep_crash: bool = False,
+    prove: bool = False,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
@@ -72,8 +73,8 @@ def run(
     names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
     `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
     with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
-    data outlives the run. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all
-    that was computed before it.
+    data outlives the run. With `prove` what `Run.proof` needs is kept. An error of motionlang's own is raised, or with
+    `keep_crash` left in `Run.crash`, beside all that was computed before it.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
@@ -93,6 +94,10 @@ def run(
         if not open_kept(result, nv):
             compiled = None
     if compiled is not None:
+        if prove:
+            from motionlang.controller.record.orders import Orders
+
+            result.orders = Orders(result.controller)
         if begun is not None:
             begun(result.machine)
         size = compiled.size

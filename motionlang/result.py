@@ -8,6 +8,8 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
+    from motionlang.controller.record.orders import Orders
+    from motionlang.controller.record.proof import Proof
     from motionlang.controller.record.trace import Trace
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
@@ -22,7 +24,17 @@ class Run:
     "interrupted" (Ctrl-C or a signal); `time` is the machine time at its end, in seconds.
     """
 
-    __slots__ = ("crash", "diagnostics", "dialect", "machine", "not_counted", "source", "status", "time")
+    __slots__ = (
+        "crash",
+        "diagnostics",
+        "dialect",
+        "machine",
+        "not_counted",
+        "orders",
+        "source",
+        "status",
+        "time",
+    )
 
     def __init__(self, source: Source, dialect: Dialect, machine: Machine) -> None:
         self.source, self.dialect, self.machine = source, dialect, machine
@@ -32,6 +44,7 @@ class Run:
         self.not_counted: list[str] = []
         # An error of motionlang's own, which ended the run.
         self.crash: Exception | None = None
+        self.orders: Orders | None = None  # of a run that is to be proved
 
     @property
     def controller(self) -> Controller:
@@ -51,6 +64,14 @@ class Run:
     def trace(self) -> Trace:
         """The motion, to be sampled at any rate."""
         return self.controller.trace
+
+    def proof(self) -> Proof:
+        """The motion held against what the program ordered; ValueError for a run without `prove`."""
+        from motionlang.controller.record.proof import prove
+
+        if self.orders is None:
+            raise ValueError("a run is proved that was made with prove=True")
+        return prove(self.controller, self.orders, self.time)
 
     @property
     def report(self) -> dict[str, object]:

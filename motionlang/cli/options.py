@@ -23,6 +23,7 @@ class Options:
         "overrides",
         "plot",
         "points",
+        "prove",
         "rate",
         "realtime",
         "report",
@@ -50,6 +51,7 @@ class Options:
         self.cache = True
         # The command line itself, to be told where it brought motionlang down.
         self.given: list[str] = []
+        self.prove = False
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Options) and all(

@@ -96,7 +96,12 @@ def _tell(result: Run, options: Options) -> int:
         result.diagnostics.append(
             _crash(result.crash, options, result.source if options.file == STDIN else None)
         )
+    proof = result.proof() if result.orders is not None and result.crash is None else None
+    if proof is not None:
+        result.diagnostics += proof.violations
     _report(result, options)
+    if proof is not None and options.report == "table":
+        sys.stdout.write("\n" + "\n".join(proof.lines()) + "\n")
     if result.diagnostics:
         from motionlang.cli.complaints import complain
 
@@ -165,6 +170,7 @@ def _run_unwatched(
         nv=options.nv,
         keep_crash=True,
         cache=options.cache,
+        prove=options.prove,
     )
 
 

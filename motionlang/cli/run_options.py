@@ -84,13 +84,18 @@ def add_run(commands: Commands) -> None:
         metavar="FILE",
         help="keep what the program declares nv, and NVLONG and NVFLOAT, in FILE from one run to the next",
     )
+    parser.add_argument(
+        "--prove",
+        action="store_true",
+        help="hold the motion against what the program ordered, and say what was proved; status 1 where it is not so",
+    )
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
     """The options of a `run` line."""
     options = Options(arguments.file)
-    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot", "nv"):
+    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot", "nv", "prove"):
         setattr(options, name, getattr(arguments, name))
     options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
     options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)

@@ -17,7 +17,9 @@ PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
 def test_program(program: Path, request: pytest.FixtureRequest) -> None:
     if request.config.getoption("--update"):
         update(str(program), run(program, cache=False))
-    assert differences(str(program), run(program, cache=False)) == []
+    result = run(program, cache=False, prove=True)
+    assert differences(str(program), result) == []
+    assert result.proof().violations == []
 
 
 def test_no_golden_file_is_left_without_its_program() -> None:

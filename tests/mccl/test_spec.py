@@ -20,7 +20,9 @@ def promised(text: str) -> list[str]:
 
 @pytest.mark.parametrize("path", SPEC, ids=lambda path: path.stem)
 def test_the_terminal_shows_what_the_page_says(path: Path) -> None:
-    assert run(path, dialect="mccl").output == promised(path.read_text())
+    result = run(path, dialect="mccl", prove=True)
+    assert result.output == promised(path.read_text())
+    assert result.proof().violations == []
 
 
 def test_every_word_of_the_table_is_on_a_page() -> None:

@@ -37,7 +37,8 @@ def page(name: str) -> Path:
 def test_the_page_shows_what_it_says(name: str) -> None:
     text = page(name).read_text(encoding="utf-8")
     settings = read_machine(Source("machine.toml", "\n".join(said(text, "'| "))))
-    result = run(page(name), machine=settings, cache=False)
+    result = run(page(name), machine=settings, cache=False, prove=True)
+    assert result.orders is None or result.proof().violations == []
     assert [f"{each.line}: {each.message}" for each in result.diagnostics] == said(text, "'? ")
     assert result.output == [line.translate(SIGNS) for line in said(text, "'>")]
     assert "'! " not in text or result.not_counted == said(text, "'! ")
