@@ -68,6 +68,7 @@ class Axis:
         "feedrate_mode",
         "followers",
         "gains",
+        "held",
         "home",
         "index",
         "index_every",
@@ -91,7 +92,6 @@ class Axis:
         "speed",
         "starts",
         "suspend_time",
-        "suspended",
         "target",
         "watches",
     )
@@ -123,7 +123,7 @@ class Axis:
         self.override = 1.0
         # Speed, acceleration and deceleration that moves loaded from now on keep, None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
-        self.suspended = False
+        self.held = 0  # the reasons for which it is suspended, bits of `triggers.conditions`
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
@@ -176,6 +176,11 @@ class Axis:
         """The time at which the present profile is done: infinite while jogging."""
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
+
+    @property
+    def suspended(self) -> bool:
+        """Whether there is a reason for it to stand and keep its moves."""
+        return self.held != 0
 
     @property
     def index_pitch(self) -> float:

@@ -7,11 +7,12 @@ its end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`)
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal, names
+from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.move import Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
+from motionlang.controller.triggers.conditions import BY_WORD, Together, refuse_motion
 from motionlang.controller.triggers.watch import arm
 from motionlang.profile import hold, plan
 
@@ -44,15 +45,7 @@ class Core(Readings):
     def movable(self, axis: int) -> Axis:
         """An axis that may move: Refusal while it is off, has an error that locks it, or its brake is set."""
         a = self.axes[axis]
-        if a.faults & a.locks:
-            what = names(a.faults)
-            raise Refusal(
-                "axis-error", f"axis {axis} has an error: {what}", "clear the error before it moves"
-            )
-        if not a.enabled:
-            raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
-        if axis in self.braked:
-            raise Refusal("brake", f"the brake of axis {axis} is set", "lift the brake before it moves")
+        refuse_motion(self, a)
         self._hold(a)
         return a
 
@@ -120,8 +113,6 @@ class Core(Readings):
     def run_profile(self, a: Axis, move: Move, profile: Profile) -> None:
         self.log_move(a, move, profile)
         self.append_profile(a, profile)
-        if a.limits:
-            self.check_limits(a)
 
     def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
         """Write a move that begins into the log; it is the axis's own from now on."""
@@ -134,12 +125,12 @@ class Core(Readings):
         self.moves.append(move)
         a.move = move
         a.target = move.target
-
-    def check_limits(self, a: Axis) -> None:
-        """A move into a limit that is active already has passed it."""
         for limit in a.limits:
-            if limit.active and self.heading(a.index) == limit.sign:
-                limit.trip()
+            limit.forget()
+
+    def together(self) -> Together:
+        """A block in which several axes are given their motion: limits act when all have it."""
+        return Together(self)
 
     def append_profile(self, a: Axis, profile: Profile) -> None:
         """Follow `profile` from now on, and be told when it is done."""
@@ -150,7 +141,7 @@ class Core(Readings):
         self.extend_track(a, profile)
 
     def extend_track(self, a: Axis, profile: Profile) -> None:
-        """The axis does `profile` from now on: its watches are solved anew and its followers told."""
+        """The axis does `profile` from now on: watches are solved anew, followers told, limits looked at."""
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
@@ -160,8 +151,12 @@ class Core(Readings):
             for watch in tuple(a.watches):
                 if watch in a.watches:  # what is passed in this very moment may end others
                     arm(a, watch, self.clock, now)
-        for follower in a.followers:
+            if a.profiles[-1] is not profile:  # what was passed has given it another one, and told of that
+                return
+        for follower in tuple(a.followers):
             follower(profile)
+        for limit in a.limits:
+            limit.look()
 
     def _arrive(self, a: Axis) -> None:
         a.arrival = None
@@ -184,7 +179,9 @@ class Core(Readings):
         """Start what the buffer holds next, as far as it is released."""
         while a.move is None and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
-            if move.action is not None and not move.action.ready(self, a, move):
+            if move.action is not None and not (
+                move.action.ready(self, a, move) and (move.action.can_stand or not a.suspended)
+            ):
                 return
             self.take_entry(a)
             try:
@@ -245,7 +242,7 @@ class Core(Readings):
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
-        a.suspended = False
+        a.held &= ~BY_WORD
         self.empty(a)
         if a.arrival is not None:
             a.arrival.cancel()

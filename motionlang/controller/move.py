@@ -66,6 +66,8 @@ class Action:
 
     __slots__ = ()
 
+    # Whether an axis that is suspended may begin it, and stand; else it waits in the buffer.
+    can_stand = True
     # Whether it begins on top of following, without waiting for that to end; then it has `begin_on_top`.
     lies_on_top = False
 
@@ -110,7 +112,7 @@ class Action:
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
         """The axis's zero is about to move, so that positions grow by `shift`."""
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest in a way of its own; False where the axis shall simply decelerate."""
         return False
 
@@ -121,6 +123,10 @@ class Action:
     def resume(self, controller: Core, a: Axis) -> None:
         """Go on after `suspend`."""
         self.replan(controller, a)
+
+    def together_with(self, a: Axis) -> tuple[Axis, ...]:
+        """The axes that move by it, and are suspended with `a`."""
+        return (a,)
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
         """The axis is about to leave the motion for another one, or is held where it is."""

@@ -48,7 +48,7 @@ VERBS: dict[str, str] = {
     "is_suspended": "Whether `suspend` holds an axis.",
     "abort": "Come to rest at once and empty the buffer.",
     "fault": "Raise a fault on an axis and act on it.",
-    "heading": "Which way an axis is moving.",
+    "together": "A block in which several axes are given their motion.",
     "clear_faults": "Forget an axis's faults.",
     "position": "The actual position of an axis: the demand, where no motor is simulated.",
     "velocity": "The actual velocity of an axis.",

@@ -40,6 +40,10 @@ class Played(Action):
         self._aim(a, path)
         return True
 
+    def waiting(self, controller: Core, profile: Profile) -> Profile:
+        """Begun while the axis is suspended: the profile, its time standing at its start."""
+        return self._made(controller, profile, halted(hold(0.0).cut(0.0), "suspend"), "suspend")
+
     def plan(self, controller: Core, a: Axis) -> Profile:
         """The way on at full pace."""
         path, place, rate = self.state(controller, a)
@@ -52,7 +56,7 @@ class Played(Action):
             pace = running(place, 1.0)
         return self._made(controller, path, _to_the_end(path, pace), path.shape)
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest on the profile, the buffer emptied; False for a fault, and where it is no path."""
         if not self.on_path or ended == "fault":
             return False

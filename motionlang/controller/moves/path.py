@@ -134,11 +134,14 @@ class PathMove(Action):
         if self.run is not None:
             self.run.more()
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         if self.run is None:
             return False
-        self.run.stop(a, ended)
+        self.run.stop(a, ended, hard)
         return True
+
+    def together_with(self, a: Axis) -> tuple[Axis, ...]:
+        return self.axes
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         if self.run is not None:
