@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.move import Move
     from motionlang.controller.servo.feedback import Feedback
+    from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
     from motionlang.controller.triggers.watch import Watch
     from motionlang.profile import Profile, State
@@ -88,6 +89,7 @@ class Axis:
         "ramp",
         "s_ramp",
         "scale",
+        "sequence",
         "shape",
         "speed",
         "starts",
@@ -140,6 +142,8 @@ class Axis:
         self.move_id = 0  # the mark of moves loaded from now on
         self.last_id = 0  # the mark of the last move that left the buffer
         self.move: Move | None = None
+        # What has the axis to itself for several motions in a row; what the buffer holds waits for its end.
+        self.sequence: Homing | None = None
         self.arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0

@@ -238,9 +238,15 @@ class AxisVerbs(Core):
         a = self.axes[axis]
         self._hold(a)
         a.held &= ~BY_WORD
+        if a.sequence is not None:
+            a.sequence.cancel()
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
-            self.empty(a)
+            self.empty(a, ended)
             halt.stop(self, a, ended, hard)
+
+    def come_to_rest(self, axis: int, ended: str = "") -> None:
+        """Decelerate to rest at the set rate and keep what the buffer holds: it is next."""
+        halt.stop(self, self.axes[axis], ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the move, and those of the buffer, until `resume` has taken every reason off."""

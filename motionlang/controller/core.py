@@ -166,6 +166,8 @@ class Core(Readings):
 
     def go_on(self, a: Axis) -> None:
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
+        if a.sequence is not None:
+            a.sequence.at_rest()
         while True:
             try:
                 self.start_next(a)
@@ -177,7 +179,7 @@ class Core(Readings):
 
     def start_next(self, a: Axis) -> None:
         """Start what the buffer holds next, as far as it is released."""
-        while a.move is None and a.buffer and a.buffer[0].released:
+        while a.move is None and a.sequence is None and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
             if move.action is not None and not (
                 move.action.ready(self, a, move) and (move.action.can_stand or not a.suspended)
@@ -200,12 +202,15 @@ class Core(Readings):
         if a.buffer_low >= 0:
             buffer.taken(self, a)
 
-    def empty(self, a: Axis) -> None:
-        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes."""
+    def empty(self, a: Axis, ended: str) -> None:
+        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; `dropped` tells."""
         entries, a.buffer = a.buffer, []
         for move in entries:
-            if move.action is not None:
-                move.action.purge(a)
+            gone = [move] if move.action is None else [move, *move.action.purge(a)]
+            for each in gone:
+                each.ended = ended
+            if move.action is None or not move.action.is_sequel:
+                self.dropped += gone
 
     def replan_move(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""
@@ -243,7 +248,9 @@ class Core(Readings):
     def freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
         a.held &= ~BY_WORD
-        self.empty(a)
+        if a.sequence is not None:
+            a.sequence.cancel()
+        self.empty(a, ended)
         if a.arrival is not None:
             a.arrival.cancel()
             a.arrival = None

@@ -75,8 +75,9 @@ class Action:
         """GO was given to the axis of the entry."""
         move.released = True
 
-    def purge(self, a: Axis) -> None:
-        """The entry was thrown out of the buffer of `a`."""
+    def purge(self, a: Axis) -> list[Move]:
+        """The entry was thrown out of the buffer of `a`: the entries of other axes that went with it."""
+        return []
 
     def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
         """The axis will be `shift` further on when it begins: whether it ends where it would have all the same."""
@@ -130,6 +131,11 @@ class Action:
 
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
         """The axis is about to leave the motion for another one, or is held where it is."""
+
+    @property
+    def is_sequel(self) -> bool:
+        """Whether no line asked for it by itself: it is the next turn of one that goes on and on."""
+        return False
 
     @property
     def resting(self) -> bool:

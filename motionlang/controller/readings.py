@@ -30,6 +30,8 @@ class Readings:
         self.clock = clock or Clock()
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.moves: list[Move] = []
+        # What was put into a buffer and thrown out of it again; `ended` says by what.
+        self.dropped: list[Move] = []
         self.inputs = Channels(self.clock)
         self.outputs = Channels(self.clock)
         self.analogue_inputs = Channels(self.clock)

@@ -43,6 +43,7 @@ VERBS: dict[str, str] = {
     "play": "Follow a ready-made profile now: a path, or the motion of a master.",
     "redirect": "Replace the rest of the present move by a ready-made profile.",
     "stop": "Decelerate to rest and empty the buffer.",
+    "come_to_rest": "Decelerate to rest and keep the buffer, which is next.",
     "suspend": "Ramp to rest and keep the moves until `resume`.",
     "resume": "Go on with what `suspend` held.",
     "is_suspended": "Whether `suspend` holds an axis.",

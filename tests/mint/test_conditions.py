@@ -212,3 +212,45 @@ def test_what_begins_while_the_axis_is_suspended_waits(load: str) -> None:
         "PRINT POS(0) > 1"
     )
     assert result.output == ["0.0000", "1"], result.diagnostics
+
+
+HOMING: dict[str, object] = {"axis.0.home_switch": [20.0, 30.0]}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "HOME(0) = 2\nMOVEA(0) = 10\nGO(0)\nPause IDLE(0)",
+        "MOVEA(0) = 10\nHOME(0) = 2\nPause IDLE(0)\nPRINT MOVEBUFFERFREE(0)\nGO(0)\nPause IDLE(0)",
+    ],
+    ids=["during", "before"],
+)
+def test_what_waits_while_an_axis_homes_is_carried_out_when_it_is_home(text: str) -> None:
+    result = mint(f"HOMESPEED(0) = 20\n{text}\nPRINT HOMESTATUS(0)", HOMING)
+    assert place(result) == (10.0, 0)
+    assert result.output[-1] == "1"
+    assert "dropped" not in result.report
+
+
+def test_what_waits_while_an_axis_follows_is_carried_out_when_it_does_no_longer() -> None:
+    """The slave is at 9.5 after 1 s, brakes over 0.25, and goes to 30."""
+    result = mint(
+        "MOVEA(0) = 30\nMASTERCHANNEL(0) = 1\nFOLLOW(0) = 1\nJOG(1) = 10\nGO(0)\nWAIT = 1000\nFOLLOW(0) = 0\n"
+        "PAUSE IDLE(0)\nSTOP(1)"
+    )
+    assert place(result) == (30.0, 0)
+    assert "dropped" not in result.report
+
+
+@pytest.mark.parametrize(
+    ("end", "reason"), [("STOP(0)", "stop"), ("CANCEL(0)", "cancel"), ("RESET(0)", "cancel")]
+)
+def test_what_a_stop_throws_out_of_the_buffers_is_told(end: str, reason: str) -> None:
+    result = mint(
+        f"MOVEBUFFERSIZE(0, 1) = 5;\nMOVER(0) = 10\nVECTORR(0, 1) = 3, 4\nMOVER(1) = 5\nHOME(0) = 2\nWAIT = 10\n{end}",
+        HOMING,
+    )
+    told = [
+        (each["axis"], each["command"], each["line"], each["reason"]) for each in result.report["dropped"]
+    ]
+    assert told == [(0, "MOVER", 3, reason), (0, "VECTORR", 4, reason), (1, "VECTORR", 4, reason)]

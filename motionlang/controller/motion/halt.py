@@ -25,7 +25,7 @@ class Stopping(Action):
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         if hard and (ended == "fault" or not self.hard):
             return False
-        controller.empty(a)
+        controller.empty(a, ended)
         return True
 
     def suspend(self, controller: Core, a: Axis) -> bool:

@@ -61,7 +61,7 @@ class Played(Action):
         if not self.on_path or ended == "fault":
             return False
         path, pace = self._on_the_way(controller, a)
-        controller.empty(a)
+        controller.empty(a, ended)
         self._follow(controller, a, path, pace, path.shape, ended)
         move = a.move
         assert move is not None

@@ -72,9 +72,9 @@ class SpeedReference(Reference):
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """After an error brake at `error_rate`, counts/s2; False where that is 0, and for other stops."""
-        if ended != "fault" or not self.error_rate:
+        if ended != "fault" or not hard or not self.error_rate:
             return False
-        controller.empty(a)
+        controller.empty(a, ended)
         profile = halt.braking(controller, a, self.error_rate)
         self.move.action = halt.Stopping(hard=True)
         controller.continue_with(a, profile, ended)

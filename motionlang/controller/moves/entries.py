@@ -152,6 +152,10 @@ class ProfileEntry(Action):
     def __init__(self, make: Make, again: Make | None) -> None:
         self.make, self.again = make, again
 
+    @property
+    def is_sequel(self) -> bool:
+        return self.again is not None and self.make is self.again
+
     def prolong(self, end: float) -> Profile | None:
         return self.make(end) if self.again is not None else None
 

@@ -117,7 +117,7 @@ class PathRun:
         controller = self._controller
         for each in self.axes:
             each.held &= ~BY_WORD
-        controller.empty(a)
+        controller.empty(a, ended)
         if self.ended and not (hard and (ended == "fault" or not self._hard)):
             return
         pace = self.here.pace(controller, self.segment)

@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Event
+    from motionlang.controller.controller import Controller
     from motionlang.controller.core import Core
 
 # What an axis does about a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only tells of it.
@@ -34,7 +35,7 @@ class Condition:
 
     __slots__ = ("_action", "_enabled", "_event", "_raised", "axis", "bit", "controller", "sign")
 
-    def __init__(self, controller: Core, axis: int, sign: int, bit: int, action: str) -> None:
+    def __init__(self, controller: Controller, axis: int, sign: int, bit: int, action: str) -> None:
         assert action in ACTIONS, action
         self.controller, self.axis, self.sign, self.bit = controller, axis, sign, bit
         self._action, self._enabled, self._raised = action, True, False

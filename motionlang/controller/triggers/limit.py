@@ -23,8 +23,6 @@ class Limit(Condition):
 
     __slots__ = ("_switch", "_watch", "physical")
 
-    controller: Controller
-
     def __init__(
         self, controller: Controller, axis: int, sign: int, bit: int, action: str, physical: bool = False
     ) -> None:
