@@ -208,7 +208,8 @@ WAYS = ("met", "already active", "turned into", "placed", "mode", "enabled", "re
 
 
 def _met(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
-    before = Free(kind, kind.moment, motor)
+    # A position reference is over within a period: its motor comes upon the place when the demand has ended.
+    before = Free(kind, kind.moment if kind.moment > 0.01 else END, motor)
     place = 0.9 * before.controller.position(0)
     c = machine(motor)
     soft(c, action, place)
