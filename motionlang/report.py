@@ -152,6 +152,11 @@ def _tail(run: Run) -> Row:
         "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
         "not_counted": list(run.not_counted),
     }
+    if run.controller.dropped:
+        tail["dropped"] = [
+            {"axis": move.axis, "command": move.command, "line": move.line, "reason": move.ended}
+            for move in run.controller.dropped
+        ]
     if run.terminals:
         tail["terminals"] = [{"name": name, "output": lines} for name, lines in sorted(run.terminals.items())]
     if others := written(run):

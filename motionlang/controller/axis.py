@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.move import Move
     from motionlang.controller.servo.feedback import Feedback
+    from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
     from motionlang.controller.triggers.watch import Watch
     from motionlang.profile import Profile, State
@@ -69,6 +70,7 @@ class Axis:
         "feedrate_mode",
         "followers",
         "gains",
+        "held",
         "home",
         "index",
         "index_every",
@@ -88,11 +90,11 @@ class Axis:
         "ramp",
         "s_ramp",
         "scale",
+        "sequence",
         "shape",
         "speed",
         "starts",
         "suspend_time",
-        "suspended",
         "target",
         "watches",
     )
@@ -124,7 +126,7 @@ class Axis:
         self.override = 1.0
         # Speed, acceleration and deceleration that moves loaded from now on keep, None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
-        self.suspended = False
+        self.held = 0  # the reasons for which it is suspended, bits of `triggers.conditions`
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.
         self.max_speed = self.max_accel = self.max_decel = INFINITY
@@ -141,6 +143,8 @@ class Axis:
         self.move_id = 0  # the mark of moves loaded from now on
         self.last_id = 0  # the mark of the last move that left the buffer
         self.move: Move | None = None
+        # What has the axis to itself for several motions in a row; what the buffer holds waits for its end.
+        self.sequence: Homing | None = None
         self.arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0
@@ -177,6 +181,11 @@ class Axis:
         """The time at which the present profile is done: infinite while jogging."""
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
+
+    @property
+    def suspended(self) -> bool:
+        """Whether there is a reason for it to stand and keep its moves."""
+        return self.held != 0
 
     @property
     def index_pitch(self) -> float:

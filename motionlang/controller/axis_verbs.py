@@ -12,12 +12,14 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import feedrate, halt
 from motionlang.controller.move import Move
 from motionlang.controller.moves import buffer
+from motionlang.controller.triggers.conditions import BY_WORD
 from motionlang.profile import hold
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from motionlang.controller.move import Action
     from motionlang.profile import Profile
 
 SETTINGS = frozenset(
@@ -134,10 +136,10 @@ class AxisVerbs(Core):
             a.move.action.shift(self, a, shift)
         a.datum += shift
         a.target += shift
-        self.extend_track(a, rest.shifted(shift))
         if a.move is not None:
             a.move.offset += shift
             a.move.target += shift
+        self.extend_track(a, rest.shifted(shift))
 
     # -------------------------------------------------------------------------------------------- moving
 
@@ -208,16 +210,28 @@ class AxisVerbs(Core):
         jog(self, self.movable(axis), velocity, command, line, rates, ends)
 
     def play(
-        self, axis: int, profile: Profile, command: str = "", line: int = 0, on_path: bool = False
+        self,
+        axis: int,
+        profile: Profile,
+        command: str = "",
+        line: int = 0,
+        on_path: bool = False,
+        action: Action | None = None,
     ) -> None:
-        """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it."""
+        """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it.
+
+        `action` says what becomes of a stop where the caller has several axes on one profile.
+        """
         from motionlang.controller.motion.profile_playback import Played
 
         a = self.movable(axis)
         move = Move(axis, command, line, profile.end)
-        move.action = Played(on_path)
+        played = Played(on_path)
+        move.action = action or played
         self.end_move(a, "retarget")
-        self.run_profile(a, move, profile)
+        self.run_profile(
+            a, move, played.waiting(self, profile) if a.suspended and action is None else profile
+        )
 
     def redirect(self, axis: int, profile: Profile, ended: str = "") -> None:
         """Replace the rest of the present move by a ready-made profile, such as a path that grew or was stopped."""
@@ -226,25 +240,34 @@ class AxisVerbs(Core):
             self.continue_with(a, profile, ended)
             a.target = a.move.target = profile.end
 
-    def stop(self, axis: int, ended: str = "stop") -> None:
-        """Decelerate to rest at the set rate (at `error_decel` for a fault) and empty the buffer."""
+    def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
+        """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the buffer."""
         a = self.axes[axis]
         self._hold(a)
-        a.suspended = False
-        if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended):
-            self.empty(a)
-            halt.stop(self, a, ended)
+        a.held &= ~BY_WORD
+        if a.sequence is not None:
+            a.sequence.cancel()
+        if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
+            self.empty(a, ended)
+            halt.stop(self, a, ended, hard)
 
-    def suspend(self, axis: int) -> None:
-        """Ramp to rest and keep the move, and those of the buffer, until `resume`."""
-        halt.suspend(self, self.axes[axis])
+    def come_to_rest(self, axis: int, ended: str = "") -> None:
+        """Decelerate to rest at the set rate and keep what the buffer holds: it is next."""
+        halt.stop(self, self.axes[axis], ended)
 
-    def resume(self, axis: int) -> None:
-        """Go on with what `suspend` held."""
-        halt.resume(self, self.axes[axis])
+    def suspend(self, axis: int, reason: int = BY_WORD) -> None:
+        """Ramp to rest and keep the move, and those of the buffer, until `resume` has taken every reason off."""
+        halt.suspend(self, self.axes[axis], reason)
+
+    def resume(self, axis: int, reason: int = BY_WORD) -> None:
+        """Take a reason to be suspended off; go on where none is left."""
+        a = self.axes[axis]
+        halt.resume(self, a, reason)
+        if not a.suspended and a.move is None and a.buffer:
+            self.start_next(a)
 
     def is_suspended(self, axis: int) -> bool:
-        """Whether `suspend` holds the axis."""
+        """Whether anything suspends the axis."""
         return self.axes[axis].suspended
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
@@ -254,12 +277,10 @@ class AxisVerbs(Core):
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
-        """Raise a fault on an axis and do what `action` (one of `limit.ACTIONS`) says about it."""
+        """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it."""
         self.axes[axis].faults |= bit
-        if action == "stop":
-            self.stop(axis)
-        elif action == "error-stop":
-            self.stop(axis, "fault")
+        if action in ("stop", "error-stop"):
+            self.stop(axis, "fault", hard=action == "error-stop")
         elif action == "abort":
             self.abort(axis, "fault")
         elif action == "off":

@@ -7,11 +7,12 @@ its end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`)
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.faults import Refusal, names
+from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.move import Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
+from motionlang.controller.triggers.conditions import BY_WORD, Together, refuse_motion
 from motionlang.controller.triggers.watch import arm
 from motionlang.profile import hold, plan
 from motionlang.profile.relief import onset
@@ -48,15 +49,7 @@ class Core(Readings):
         Refusal while it is off, has an error that locks it, its brake is set, or it is in a motion that allows no other.
         """
         a = self.axes[axis]
-        if a.faults & a.locks:
-            what = names(a.faults)
-            raise Refusal(
-                "axis-error", f"axis {axis} has an error: {what}", "clear the error before it moves"
-            )
-        if not a.enabled:
-            raise Refusal("disabled-axis", f"axis {axis} is off", "switch the axis on before it moves")
-        if axis in self.braked:
-            raise Refusal("brake", f"the brake of axis {axis} is set", "lift the brake before it moves")
+        refuse_motion(self, a)
         if a.move is not None and a.move.action is not None and a.move.action.exclusive:
             words = f"axis {axis} is in {a.move.command}, which takes no other motion"
             raise Refusal("moving", words, "stop it before another motion")
@@ -117,8 +110,6 @@ class Core(Readings):
     def run_profile(self, a: Axis, move: Move, profile: Profile) -> None:
         self.log_move(a, move, profile)
         self.append_profile(a, profile)
-        if a.limits:
-            self.check_limits(a)
 
     def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
         """Write a move that begins into the log; it is the axis's own from now on."""
@@ -131,12 +122,12 @@ class Core(Readings):
         self.moves.append(move)
         a.move = move
         a.target = move.target
-
-    def check_limits(self, a: Axis) -> None:
-        """A move into a limit that is active already has passed it."""
         for limit in a.limits:
-            if limit.active and self.heading(a.index) == limit.sign:
-                limit.trip()
+            limit.forget()
+
+    def together(self) -> Together:
+        """A block in which several axes are given their motion: limits act when all have it."""
+        return Together(self)
 
     def append_profile(self, a: Axis, profile: Profile) -> None:
         """Follow `profile` from now on, and be told when it is done."""
@@ -147,7 +138,7 @@ class Core(Readings):
         self.extend_track(a, profile)
 
     def extend_track(self, a: Axis, profile: Profile) -> None:
-        """The axis does `profile` from now on: its watches are solved anew and its followers told."""
+        """The axis does `profile` from now on: watches are solved anew, followers told, limits looked at."""
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
@@ -157,8 +148,12 @@ class Core(Readings):
             for watch in tuple(a.watches):
                 if watch in a.watches:  # what is passed in this very moment may end others
                     arm(a, watch, self.clock, now)
-        for follower in a.followers:
+            if a.profiles[-1] is not profile:  # what was passed has given it another one, and told of that
+                return
+        for follower in tuple(a.followers):
             follower(profile)
+        for limit in a.limits:
+            limit.look()
 
     def _arrive(self, a: Axis) -> None:
         a.arrival = None
@@ -168,6 +163,8 @@ class Core(Readings):
 
     def go_on(self, a: Axis) -> None:
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
+        if a.sequence is not None:
+            a.sequence.at_rest()
         while True:
             try:
                 self.start_next(a)
@@ -179,9 +176,11 @@ class Core(Readings):
 
     def start_next(self, a: Axis) -> None:
         """Start what the buffer holds next, as far as it is released."""
-        while a.move is None and a.buffer and a.buffer[0].released:
+        while a.move is None and a.sequence is None and a.buffer and a.buffer[0].released:
             move = a.buffer[0]
-            if move.action is not None and not move.action.ready(self, a, move):
+            if move.action is not None and not (
+                move.action.ready(self, a, move) and (move.action.can_stand or not a.suspended)
+            ):
                 return
             self.take_entry(a)
             try:
@@ -200,12 +199,15 @@ class Core(Readings):
         if a.buffer_low >= 0:
             buffer.taken(self, a)
 
-    def empty(self, a: Axis) -> None:
-        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes."""
+    def empty(self, a: Axis, ended: str) -> None:
+        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; `dropped` tells."""
         entries, a.buffer = a.buffer, []
         for move in entries:
-            if move.action is not None:
-                move.action.purge(a)
+            gone = [move] if move.action is None else [move, *move.action.purge(a)]
+            for each in gone:
+                each.ended = ended
+            if move.action is None or not move.action.is_sequel:
+                self.dropped += gone
 
     def replan_move(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""
@@ -242,8 +244,10 @@ class Core(Readings):
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
-        a.suspended = False
-        self.empty(a)
+        a.held &= ~BY_WORD
+        if a.sequence is not None:
+            a.sequence.cancel()
+        self.empty(a, ended)
         if a.arrival is not None:
             a.arrival.cancel()
             a.arrival = None

@@ -66,6 +66,8 @@ class Action:
 
     __slots__ = ()
 
+    # Whether an axis that is suspended may begin it, and stand; else it waits in the buffer.
+    can_stand = True
     # Whether it begins on top of following, without waiting for that to end; then it has `begin_on_top`.
     lies_on_top = False
     # Whether the axis takes no other motion before this one has been stopped.
@@ -75,8 +77,9 @@ class Action:
         """GO was given to the axis of the entry."""
         move.released = True
 
-    def purge(self, a: Axis) -> None:
-        """The entry was thrown out of the buffer of `a`."""
+    def purge(self, a: Axis) -> list[Move]:
+        """The entry was thrown out of the buffer of `a`: the entries of other axes that went with it."""
+        return []
 
     def keep_end(self, a: Axis, move: Move, shift: float) -> bool:
         """The axis will be `shift` further on when it begins: whether it ends where it would have all the same."""
@@ -112,7 +115,7 @@ class Action:
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
         """The axis's zero is about to move, so that positions grow by `shift`."""
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest in a way of its own; False where the axis shall simply decelerate."""
         return False
 
@@ -124,8 +127,17 @@ class Action:
         """Go on after `suspend`."""
         self.replan(controller, a)
 
+    def together_with(self, a: Axis) -> tuple[Axis, ...]:
+        """The axes that move by it, and are suspended with `a`."""
+        return (a,)
+
     def leave(self, controller: Core, a: Axis, ended: str) -> None:
         """The axis is about to leave the motion for another one, or is held where it is."""
+
+    @property
+    def is_sequel(self) -> bool:
+        """Whether no line asked for it by itself: it is the next turn of one that goes on and on."""
+        return False
 
     @property
     def resting(self) -> bool:

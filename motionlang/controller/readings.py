@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
     from motionlang.controller.move import Move
+    from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
 
@@ -30,6 +31,8 @@ class Readings:
         self.clock = clock or Clock()
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.moves: list[Move] = []
+        # What was put into a buffer and thrown out of it again; `ended` says by what.
+        self.dropped: list[Move] = []
         self.inputs = Channels(self.clock)
         self.outputs = Channels(self.clock)
         self.analogue_inputs = Channels(self.clock)
@@ -48,16 +51,10 @@ class Readings:
         # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis), and of
         # ("latch", number), and of ("misc", bits) for an error of the controller itself.
         self.listeners: list[Callable[[str, int], None]] = []
+        # The conditions to be looked at when all axes of a motion have it; None where they are at once.
+        self.looks_later: list[Condition] | None = None
         # Told of what goes wrong while the program does something else; answers whether that was all.
         self.handles_mishap: Callable[[Refusal], bool] | None = None
-
-    def heading(self, axis: int) -> int:
-        """+1 while the axis moves forward, -1 in reverse, 0 at rest: where the present profile is going."""
-        a = self.axes[axis]
-        if a.move is None:
-            return 0
-        velocity = a.velocity(self.clock.now) or a.profiles[-1].end_velocity or a.profiles[-1].distance
-        return (velocity > 0) - (velocity < 0)
 
     def moving(self) -> list[int]:
         """The axes that are not idle; of those that follow a master only the ones that move."""

@@ -135,6 +135,15 @@ class Formula(Profile):
                 seen.append(self.position(turn))
         return min(seen), max(seen)
 
+    def stretches(self, after: float) -> Iterator[tuple[float, float]]:
+        """When each stretch without a turn begins, from `after` on, and how far it goes; the last may have no end."""
+        for begin, finish in self._brackets(after):
+            turn = self._turn(self.velocity, self.acceleration, begin, finish)
+            for low, high in ((begin, finish),) if turn is None else ((begin, turn), (turn, finish)):
+                yield low, self.position(high) - self.position(low)
+        if self.duration == inf:
+            yield max(after, self.knots[-2]), self.end_velocity * inf if self.end_velocity else 0.0
+
     # -- other profiles made from this one
 
     def then(self, other: Profile) -> Profile:

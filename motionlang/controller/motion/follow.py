@@ -10,13 +10,15 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.move import Action, Move
-from motionlang.profile import plan_velocity, rest
+from motionlang.profile import hold, plan, plan_velocity, rest
 from motionlang.profile.chain import Chain
 from motionlang.profile.curve import relabelled
 from motionlang.profile.summed import added
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.profile import Profile
@@ -95,8 +97,6 @@ class Follow(Action):
         self.move.parts.clear()
         self.master.followers.append(self._callback)
         self.renew()
-        if self.a.limits:
-            self.controller.check_limits(self.a)
 
     def renew(self) -> None:
         """Work the slave's motion out anew from now on."""
@@ -146,7 +146,7 @@ class Follow(Action):
 
     def more(self, controller: Core, a: Axis) -> None:
         """Entries that lie on top begin while the axis goes on following, each when the one before it is done."""
-        while a.buffer and tie_of(a) is self and self.offset is None:
+        while a.buffer and tie_of(a) is self and self.offset is None and not a.suspended:
             move = next((m for m in a.buffer if m.released and m.action and m.action.lies_on_top), None)
             if move is None:
                 return
@@ -154,6 +154,10 @@ class Follow(Action):
             assert action is not None
             controller.take_entry(a, a.buffer.index(move))
             action.begin_on_top(controller, a, move)
+
+    def put_off(self, begin: Callable[[], None]) -> bool:
+        """Whether an offset has to wait, and will `begin` later: what cannot be suspended knows no wait."""
+        return False
 
     def start_offset(self, profile: Profile, entry: Move | None = None) -> None:
         """Lay an offset, which begins at 0, on top from now on; it takes the place of one under way."""
@@ -209,7 +213,7 @@ class Follow(Action):
 class Gear(Follow):
     """`ratio` times the master's motion; with `ramp` the slave ramps to that velocity at its own rates first."""
 
-    __slots__ = ("_chased_at", "_locks_at", "ramp", "ratio")
+    __slots__ = ("_chased_at", "_later", "_locks_at", "_paused", "ramp", "ratio")
 
     def __init__(
         self, controller: Core, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool
@@ -218,6 +222,9 @@ class Gear(Follow):
         self.ratio, self.ramp = ratio, ramp
         # When the slave will have, or has, the velocity that the ratio wants.
         self._locks_at = INFINITY if ramp else 0.0
+        # What the offset under way still has to do when the slave is suspended no longer, and those that wait for it.
+        self._paused = 0.0
+        self._later: list[Callable[[], None]] = []
         # The rates of the ramp to that velocity.
         self._chased_at = (0.0, 0.0)
 
@@ -232,15 +239,57 @@ class Gear(Follow):
         self.renew()
 
     def suspend(self, controller: Core, a: Axis) -> bool:
-        a.suspended = True
-        self.end_offset("stop")
-        self.offset = None
+        self._pause_offset()
         self.renew()
         return True
 
     def resume(self, controller: Core, a: Axis) -> None:
+        """Ramp to the ratio again, and do what an offset still has to; others that came meanwhile follow it."""
         self._locks_at = INFINITY
         self.renew()
+        left, self._paused = self._paused, 0.0
+        if left:
+            accel, decel = controller.rates(a, a.speed)
+            profile = plan(a.shape, 0.0, left, a.speed, accel, decel, 0.0, a.ramp, a.accel_jerk, a.decel_jerk)
+            self._log_offset(profile)
+            self.carry(profile, controller.clock.now, self.offset_entry)
+            self.renew()
+        later, self._later = self._later, []
+        for begin in later:
+            begin()
+        self.more(controller, a)
+
+    def put_off(self, begin: Callable[[], None]) -> bool:
+        """Whether an offset has to wait until the slave is suspended no longer."""
+        if self.a.suspended:
+            self._later.append(begin)
+        return self.a.suspended
+
+    def offset_left(self) -> tuple[float, float]:
+        """The same; an offset that waits while the slave is suspended stands."""
+        return (self._paused, 0.0) if self._paused else super().offset_left()
+
+    def _pause_offset(self) -> None:
+        """The offset slows down with the slave, in the same time; what it has not done then waits with it."""
+        left, velocity = self.offset_left()
+        if self.offset is None:
+            return
+        stop = halt.to_rest(self.controller, self.a)
+        share = velocity / stop.start_velocity if stop.start_velocity else 0.0
+        done = stop.scaled(self.offset.end - left, share)
+        self._log_offset(done)
+        self._paused, self.offset = left - done.distance, None
+
+    def _log_offset(self, profile: Profile) -> None:
+        """The log entry of the offset goes on with a profile, having stood where that did not follow at once."""
+        entry = self.offset_entry
+        if entry is None or entry.profile is None:
+            return
+        elapsed = self.controller.clock.now - entry.start_time
+        before = entry.profile.cut(elapsed)
+        if elapsed > before.duration:
+            before = before.then(hold(before.end).cut(elapsed - before.duration))
+        entry.profile = before.then(profile.scaled(before.end, 1.0))
 
     def base(self, coming: Profile, position: float) -> Profile:
         if self.a.suspended:

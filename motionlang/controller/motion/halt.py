@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action
+from motionlang.controller.triggers.conditions import BY_WORD
 from motionlang.profile import halted
 from motionlang.profile.relief import stop_under_way
 
@@ -15,29 +16,36 @@ if TYPE_CHECKING:
 
 
 class Stopping(Action):
-    """Coming to rest after a stop: nothing changes that any more."""
+    """Coming to rest after a stop: nothing changes that any more but a harder one."""
 
-    __slots__ = ()
+    __slots__ = ("hard",)
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
-        if ended == "fault":
+    def __init__(self, hard: bool = False) -> None:
+        self.hard = hard
+
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+        if hard and (ended == "fault" or not self.hard):
             return False
-        controller.empty(a)
+        controller.empty(a, ended)
         return True
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         return True
 
 
-def stop(controller: Core, a: Axis, ended: str) -> None:
-    """Decelerate to rest at the set rate, at `error_decel` for a fault."""
+def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
+    """Decelerate to rest at the set rate; a `hard` stop is at `error_decel`, within `max_decel` unless in a fault."""
     move = a.move
     if move is None:
         return
-    profile = braking(controller, a, a.error_decel if ended == "fault" else _decel(controller, a))
+    if hard:
+        decel = a.error_decel if ended == "fault" else min(a.error_decel, a.max_decel)
+    else:
+        decel = _decel(controller, a)
+    profile = braking(controller, a, decel)
     if move.action is not None:
         move.action.leave(controller, a, ended)
-    move.action = Stopping()
+    move.action = Stopping(hard)
     controller.continue_with(a, profile, ended)
     a.target = move.target = profile.end
 
@@ -53,9 +61,14 @@ def braking(controller: Core, a: Axis, decel: float) -> Profile:
         raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
 
 
+def to_rest(controller: Core, a: Axis) -> Profile:
+    """From the state of the axis to rest at the rate that it has set."""
+    return braking(controller, a, _decel(controller, a))
+
+
 def standing(controller: Core, a: Axis) -> Profile:
     """From the state of the axis to rest, and at rest for as long as nothing else is said."""
-    return halted(braking(controller, a, _decel(controller, a)), "suspend")
+    return halted(to_rest(controller, a), "suspend")
 
 
 def _decel(controller: Core, a: Axis) -> float:
@@ -66,28 +79,47 @@ def _decel(controller: Core, a: Axis) -> float:
     return min(decel, a.max_decel)
 
 
-def suspend(controller: Core, a: Axis) -> None:
-    """Ramp to rest and keep the moves; what is started while the axis is suspended waits too."""
-    if a.suspended:
+def suspend(controller: Core, a: Axis, reason: int) -> None:
+    """Ramp to rest and keep the moves; what is started while the axis is suspended waits too.
+
+    A word concerns all axes of a path, an input its own axis, and the path with it. What a word is refused for an
+    input tells as a mishap: its reason stays, and holds the axis when that motion is over.
+    """
+    move, sharing = a.move, _sharing(a)
+    fresh = not any(each.suspended for each in sharing)
+    for each in sharing if reason == BY_WORD else (a,):
+        each.held |= reason
+    if not fresh or move is None:
         return
-    action = a.move.action if a.move is not None else None
-    held = action is not None and action.suspend(controller, a)
-    a.suspended = True
-    if a.move is not None and not held:
+    try:
+        held = move.action is not None and move.action.suspend(controller, a)
+    except Refusal as refusal:
+        if reason == BY_WORD:
+            a.held &= ~reason
+            raise
+        controller.mishap(refusal)
+        return
+    if not held:
         controller.replan_move(a)
 
 
-def resume(controller: Core, a: Axis) -> None:
-    """Go on to where the axis was going."""
-    if not a.suspended:
+def resume(controller: Core, a: Axis, reason: int) -> None:
+    """Take a reason off; where none is left go on to where the axis was going."""
+    sharing = _sharing(a)
+    if not any(each.held & reason for each in (sharing if reason == BY_WORD else (a,))):
         return
-    a.suspended = False
-    if a.move is None:
+    for each in sharing if reason == BY_WORD else (a,):
+        each.held &= ~reason
+    if a.move is None or any(each.suspended for each in sharing):
         return
     if a.move.action is None:
         controller.replan_move(a)
     else:
         a.move.action.resume(controller, a)
+
+
+def _sharing(a: Axis) -> tuple[Axis, ...]:
+    return (a,) if a.move is None or a.move.action is None else a.move.action.together_with(a)
 
 
 def retarget(controller: Core, a: Axis, position: float, command: str, line: int) -> None:

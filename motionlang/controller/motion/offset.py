@@ -43,6 +43,8 @@ def offset(
     if tie is None:
         controller.move_by(a.index, distance, command, line)
         return
+    if tie.put_off(lambda: offset(controller, a, distance, mode, over, command, line)):
+        return
     left, velocity = tie.offset_left()
     total = left + distance
     if not total and not velocity:

@@ -45,6 +45,10 @@ class Played(Action):
         self._aim(a, path)
         return True
 
+    def waiting(self, controller: Core, profile: Profile) -> Profile:
+        """Begun while the axis is suspended: the profile, its time standing at its start."""
+        return self._made(controller, profile, halted(hold(0.0).cut(0.0), "suspend"), "suspend")
+
     def plan(self, controller: Core, a: Axis) -> Profile:
         """The way on at full pace; on a path the rest of the segment first, in the axis's `suspend_time`."""
         path, place, rate = self.state(controller, a)
@@ -60,12 +64,12 @@ class Played(Action):
             pace = running(place, 1.0)
         return self._made(controller, path, _to_the_end(path, pace), path.shape)
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """Come to rest on the profile, the buffer emptied; False for a fault, and where it is no path."""
         if not self.on_path or ended == "fault":
             return False
         path, pace = self._on_the_way(controller, a)
-        controller.empty(a)
+        controller.empty(a, ended)
         self._follow(controller, a, path, pace, path.shape, ended)
         move = a.move
         assert move is not None

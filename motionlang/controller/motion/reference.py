@@ -44,8 +44,6 @@ class Reference(Action):
         self.move.add(controller.clock.now, profile)
         a.target = self.move.target = profile.end
         controller.append_profile(a, profile)
-        if a.limits:
-            controller.check_limits(a)
 
     def replan(self, controller: Core, a: Axis) -> None:
         self.engage(controller, a, self.plan(controller, a))
@@ -72,13 +70,13 @@ class SpeedReference(Reference):
             raise Refusal("range", f"axis {a.index} cannot follow its reference: {problem}") from None
         return made if wanted else relabelled(made.cut(made.knots[-2]), made.shape)
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         """After an error brake at `error_rate`, counts/s2; False where that is 0, and for other stops."""
-        if ended != "fault" or not self.error_rate:
+        if ended != "fault" or not hard or not self.error_rate:
             return False
-        controller.empty(a)
+        controller.empty(a, ended)
         profile = halt.braking(controller, a, self.error_rate)
-        self.move.action = halt.Stopping()
+        self.move.action = halt.Stopping(hard=True)
         controller.continue_with(a, profile, ended)
         a.target = self.move.target = profile.end
         return True

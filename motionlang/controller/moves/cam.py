@@ -186,6 +186,7 @@ class Fly(Action):
     """An entry of the buffer: `distance` of the slave while the master goes `over`, both in counts."""
 
     __slots__ = ("distance", "master", "over")
+    can_stand = False
 
     def __init__(self, master: Axis, distance: float, over: float) -> None:
         self.master, self.distance, self.over = master, distance, over

@@ -57,6 +57,7 @@ class CamEntry(Action):
     """Follow a table, from where both axes are when it begins; `first` is the number of its first segment."""
 
     __slots__ = ("cyclic", "first", "master", "table")
+    can_stand = False
 
     def __init__(self, master: Axis, table: Table, cyclic: bool, first: int) -> None:
         self.master, self.table, self.cyclic, self.first = master, table, cyclic, first
@@ -151,6 +152,10 @@ class ProfileEntry(Action):
     def __init__(self, make: Make, again: Make | None) -> None:
         self.make, self.again = make, again
 
+    @property
+    def is_sequel(self) -> bool:
+        return self.again is not None and self.make is self.again
+
     def prolong(self, end: float) -> Profile | None:
         return self.make(end) if self.again is not None else None
 
@@ -162,8 +167,9 @@ class ProfileEntry(Action):
             following.action = ProfileEntry(self.again, self.again)
             following.id, following.released = move.id, True
             a.buffer.insert(0, following)
-        move.target, move.action = profile.end, Played(on_path=True)
-        controller.run_profile(a, move, profile)
+        played = Played(on_path=True)
+        move.target, move.action = profile.end, played
+        controller.run_profile(a, move, played.waiting(controller, profile) if a.suspended else profile)
 
 
 def load_profile(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:

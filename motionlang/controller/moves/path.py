@@ -97,11 +97,14 @@ class PathMove(Action):
         self.geometry = Line([way - shift if each is a else way for each, way in ways])
         return True
 
-    def purge(self, a: Axis) -> None:
+    def purge(self, a: Axis) -> list[Move]:
         """One axis's entry has been thrown away: the others go too."""
+        gone = []
         for other, move in zip(self.axes, self.moves, strict=True):
             if move in other.buffer:
                 other.buffer.remove(move)
+                gone.append(move)
+        return gone
 
     def stands_at(self, place: int) -> bool:
         """Whether it is released and number `place` in the buffer of every axis, outputs not counted."""
@@ -134,11 +137,14 @@ class PathMove(Action):
         if self.run is not None:
             self.run.more()
 
-    def stop(self, controller: Core, a: Axis, ended: str) -> bool:
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         if self.run is None:
             return False
-        self.run.stop(a, ended)
+        self.run.stop(a, ended, hard)
         return True
+
+    def together_with(self, a: Axis) -> tuple[Axis, ...]:
+        return self.axes
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         if self.run is not None:

@@ -10,6 +10,7 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.geometry import corner
+from motionlang.controller.triggers.conditions import BY_WORD
 from motionlang.profile import halted, hold
 from motionlang.profile.composed import travelled
 from motionlang.profile.lookahead import plan_course
@@ -45,6 +46,7 @@ class PathRun:
         "_blend_event",
         "_controller",
         "_event",
+        "_hard",
         "_over",
         "ahead",
         "axes",
@@ -66,6 +68,7 @@ class PathRun:
         self.goal: PathMove | None = here
         self.began = 0.0
         self.ended = ""
+        self._hard = False
         self._event: Event | None = None
         self._blend_event: Event | None = None
         self._over = False
@@ -105,18 +108,21 @@ class PathRun:
             self.replan()
         self._plan_blend()
 
-    def stop(self, a: Axis, ended: str) -> None:
-        """Come to rest on the path; the buffer of `a` is emptied."""
+    def stop(self, a: Axis, ended: str, hard: bool) -> None:
+        """Come to rest on the path; the buffer of `a` is emptied.
+
+        Whichever axis is stopped, the rates are the first one's: DECEL as the path has it, ERRORDECEL for a hard stop.
+        """
         controller = self._controller
         for each in self.axes:
-            each.suspended = False
-        controller.empty(a)
-        if self.ended and ended != "fault":
+            each.held &= ~BY_WORD
+        controller.empty(a, ended)
+        if self.ended and not (hard and (ended == "fault" or not self._hard)):
             return
         decel = None
-        if ended == "fault":
+        if hard:
             decel = self.axes[0].error_decel / abs(self.axes[0].scale.counts)
-        self.ended = ended
+        self.ended, self._hard = ended, hard
         self._cancel_blend()
         profile = self._braking(self._elapsed(), decel)
         if profile is None:
@@ -126,8 +132,6 @@ class PathRun:
 
     def suspend(self) -> None:
         """Come to rest on the path, and keep it."""
-        for a in self.axes:
-            a.suspended = True
         if self.ended:
             return
         self._cancel_blend()
@@ -137,8 +141,6 @@ class PathRun:
 
     def resume(self) -> None:
         """Go on."""
-        for a in self.axes:
-            a.suspended = False
         self.replan()
         self.more()
 
@@ -278,25 +280,24 @@ class PathRun:
         self.here.run = self
         self.began = controller.clock.now
         part = self._part()
-        for k, (a, move) in enumerate(zip(self.axes, self.here.moves, strict=True)):
-            move.target = self.segment.ends[k]
-            move.ended = self.ended
-            controller.log_move(a, move, self._of(k, part))
-            controller.extend_track(a, self._total(k, part))
-        self._await(part)
-        for a in self.axes:
-            if not self._over and a.limits:
-                controller.check_limits(a)
+        with controller.together():
+            for k, (a, move) in enumerate(zip(self.axes, self.here.moves, strict=True)):
+                move.target = self.segment.ends[k]
+                move.ended = self.ended
+                controller.log_move(a, move, self._of(k, part))
+                controller.extend_track(a, self._total(k, part))
+            self._await(part)
 
     def _change(self, profile: Profile, goal: PathMove | None) -> None:
         """Follow another profile along the path from now on."""
         controller = self._controller
         self.profile, self.goal, self.began = profile, goal, controller.clock.now
         part = self._part()
-        for k, a in enumerate(self.axes):
-            controller.amend_log(a, self._of(k, part), self.ended)
-            controller.extend_track(a, self._total(k, part))
-        self._await(part)
+        with controller.together():
+            for k, a in enumerate(self.axes):
+                controller.amend_log(a, self._of(k, part), self.ended)
+                controller.extend_track(a, self._total(k, part))
+            self._await(part)
 
     def _leads_on(self) -> bool:
         """Whether the profile goes beyond the end of this path."""

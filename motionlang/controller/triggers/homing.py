@@ -97,7 +97,8 @@ class Homing:
         self.found = False
         self.before = 0.0
         self.state = "done"
-        # Before all others, who then never see the axis at rest in between.
+        # Asked first whenever the axis comes to rest: others never see it at rest in between.
+        self._axis.sequence = self
         controller.listeners.insert(0, self._heard)
         controller.homings[axis] = self
         self._allow_limit(False)
@@ -117,6 +118,7 @@ class Homing:
             return
         self._controller.listeners.remove(self._heard)
         self._controller.homings.pop(self.axis, None)
+        self._axis.sequence = None
         self._allow_limit(True)
         self._unwatch()
         if self._ended is not None:
@@ -179,7 +181,7 @@ class Homing:
         self.found = True
         self.before = controller.position(self.axis)
         controller.define_position(self.axis, self._datum)
-        controller.stop(self.axis, "")
+        controller.come_to_rest(self.axis)
 
     def _go_to_offset(self, offset: float) -> None:
         """From where the axis has stopped to its place, at the creep speed."""
@@ -216,21 +218,19 @@ class Homing:
             self.cancel()
         elif what == self._switch:
             self._switch_changed(self._on_switch())
-        elif what == "idle":
-            self._at_rest()
 
     def _switch_changed(self, active: bool) -> None:
         if self.state == "search" and active:
             self.state = "on-switch"
-            self._controller.stop(self.axis, "")
+            self._controller.come_to_rest(self.axis)
         elif self.state == "back-off" and not active:
             if self._index:
                 self._seek_index(-self._direction, self._creep_speed)
             else:
                 self._datum_found()
 
-    def _at_rest(self) -> None:
-        """Stopped: past the switch or on it after the search, or at the end."""
+    def at_rest(self) -> None:
+        """The axis has stopped: past the switch or on it after the search, or at the end."""
         if self.state == "on-switch":
             self._back_off()  # also where the stop ran over the whole switch: it comes back over it
             return

@@ -7,6 +7,7 @@ direction changes the axes come to rest in the corner.
 from __future__ import annotations
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.move import Action
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.motion.course import Course
@@ -17,10 +18,25 @@ from motionlang.profile.relief import onset, stop_under_way
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Event
+    from motionlang.controller.core import Core
     from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.runtime.board import Board
     from motionlang.profile import Profile
+
+
+class OnContour(Action):
+    """The part of one axis in a contour: a stop of it is one of the whole, along the paths."""
+
+    __slots__ = ("_contour",)
+
+    def __init__(self, contour: Contour) -> None:
+        self._contour = contour
+
+    def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
+        return self._contour.stop(ended)
+
 
 # Paths that may wait in the queue.
 LONGEST_QUEUE = 1000
@@ -43,6 +59,11 @@ class Contour:
         self._stopping = False
         self._line = 0
         self._events: list[Event] = []
+
+    @property
+    def stopping(self) -> bool:
+        """Whether it comes to rest before its end."""
+        return self._course is not None and self._stopping
 
     @property
     def members(self) -> tuple[int, ...]:
@@ -80,28 +101,32 @@ class Contour:
             self._line = segments[0][1]
             self._run(Course([segment for segment, _ in segments]))
 
-    def stop(self) -> None:
-        """Come to rest at its deceleration, or at the end of the paths where that is nearer; forget what waits."""
+    def stop(self, ended: str = "stop") -> bool:
+        """Come to rest at its deceleration, or at the end of the paths where that is nearer; forget what waits.
+
+        False where there is nothing to stop.
+        """
         self._queue.clear()
         if self._course is None or self._path is None:
-            return
+            return False
         motion, time = self._course.segments[0].motion, self._board.controller.clock.now - self._start
         if self._path.velocity(time) == 0.0:
-            self.abort()
-            return
+            self.abort("cancel" if ended == "stop" else ended)
+            return True
         path = stop_under_way(self._path, time, motion.shape, motion.decel, motion.ramp)
         if path.end >= self._course.length * (1.0 - _SLACK):
             path = self._path.after(time)
         self._stopping = True
-        self._redirect(path, "stop")
+        self._redirect(path, ended)
+        return True
 
-    def abort(self) -> None:
+    def abort(self, ended: str = "cancel") -> None:
         """Stand still at once; what waits is forgotten."""
         self._queue.clear()
         members = self.members
         self._finish()
         for number in members:
-            self._board.controller.abort(number)
+            self._board.controller.abort(number, ended)
 
     def set_speed(self) -> None:
         """The override has changed: go on at the new vector velocity, where the shape allows it in motion."""
@@ -142,9 +167,10 @@ class Contour:
         assert path is not None
         self._course, self._path, self._start = course, path, controller.clock.now
         self._stopping = False
-        for number, profile in [(each, self._of(each)) for each in self.members]:
-            if self._course is course:  # unless an axis before it is beyond its limit, which aborts the path
-                controller.play(number, profile, "CP", self._line)
+        with controller.together():
+            for number, profile in [(each, self._of(each)) for each in self.members]:
+                if self._course is course:  # unless the start of an axis before it has ended the path
+                    controller.play(number, profile, "CP", self._line, action=OnContour(self))
         if self._course is course:
             self._announce()
 
@@ -178,9 +204,10 @@ class Contour:
     def _redirect(self, path: Profile, ended: str) -> None:
         controller = self._board.controller
         self._path, self._start = path, controller.clock.now
-        for number in self.members:
-            controller.redirect(number, self._of(number), ended)
-        self._announce()
+        with controller.together():
+            for number in self.members:
+                controller.redirect(number, self._of(number), ended)
+            self._announce()
 
     def _of(self, number: int) -> Profile:
         assert self._course is not None

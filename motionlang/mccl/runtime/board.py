@@ -144,16 +144,19 @@ class Board:
         if gear is not None:
             gear.release()
 
-    def release(self, axis: AxisState) -> None:
-        """The axis is its own again: no master, no path, no joystick, nothing looked for."""
+    def release(self, axis: AxisState, ended: str = "cancel") -> None:
+        """The axis is its own again: no master, no path, no joystick, nothing looked for.
+
+        A fault that stops smoothly leaves the path to come to rest along itself.
+        """
         seek = self.seeks.pop(axis.number, None)
         if seek is not None:
             seek.cancel()
         self.joysticks.switch_off(axis)
         self.ungear(axis)
         contour = self.contour_of(axis)
-        if contour is not None:
-            contour.abort()
+        if contour is not None and not (ended == "fault" and contour.stopping):
+            contour.abort(ended)
         self._forget_paths(axis)
 
     def _forget_paths(self, axis: AxisState) -> None:
@@ -185,7 +188,7 @@ class Board:
                 contour.rested(number)
         elif what == "fault":
             self.limits[number].happened()
-            self.release(self.axes[number])
+            self.release(self.axes[number], "fault")
         elif what == "home":
             self.home_changed(number)
 

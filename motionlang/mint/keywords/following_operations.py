@@ -28,7 +28,7 @@ def _follow(environment: Environment, axis: int, line: int) -> None:
     scale = scale_of(environment, axis)
     if not ratio:
         if controller.master_of(axis) is not None:
-            controller.stop(axis)
+            controller.come_to_rest(axis, "stop")
         return
     found = masters.of(axis)
     controller.gear(

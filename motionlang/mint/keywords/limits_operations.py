@@ -17,6 +17,7 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
 )
+from motionlang.controller.triggers.conditions import Condition
 from motionlang.controller.triggers.limit import Limit
 from motionlang.mint.keywords.defaults import MODES
 from motionlang.mint.runtime.binding import axis_of, scale_of
@@ -46,6 +47,23 @@ ERRORS: dict[str, tuple[int, ...]] = {
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
 
 
+class Undirected(Condition):
+    """An error that no direction matters to, such as an error input, for as long as it is `active`."""
+
+    __slots__ = ("_active",)
+
+    _active: bool
+
+    @property
+    def met(self) -> bool:
+        return self._active
+
+    def set_active(self, active: bool) -> None:
+        """What it goes by has changed."""
+        self._active = active
+        self.look()
+
+
 class AxisErrors:
     """The modes of every axis, its software limits, and the switches that keywords assign to it."""
 
@@ -54,6 +72,7 @@ class AxisErrors:
         self._world = environment.machine.world
         self._modes: dict[tuple[str, int], int] = {}
         self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
+        self._inputs: dict[tuple[int, int], Undirected] = {}
         self._going_off: set[int] = set()
         self._controller.listeners.append(self._heard)
 
@@ -71,6 +90,8 @@ class AxisErrors:
             for limit in self._controller.axes[axis].limits:
                 if limit.bit == bit:
                     limit.action = ACTIONS[mode]
+            if (axis, bit) in self._inputs:
+                self._inputs[axis, bit].action = ACTIONS[mode]
 
     def action(self, axis: int, bit: int) -> str:
         """What an axis does about an error."""
@@ -113,6 +134,14 @@ class AxisErrors:
         )
         limits.append(made)
         return made
+
+    def set_input(self, axis: int, bit: int, active: bool) -> None:
+        """An input of an axis that is an error in every direction has come to be so, or is so no longer."""
+        found = self._inputs.get((axis, bit))
+        if found is None:
+            found = Undirected(self._controller, axis, 0, bit, self.action(axis, bit))
+            self._inputs[axis, bit] = found
+        found.set_active(active)
 
     def is_active(self, axis: int, bit: int) -> bool:
         return any(limit.active for limit in self._controller.axes[axis].limits if limit.bit == bit)

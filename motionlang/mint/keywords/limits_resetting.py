@@ -35,12 +35,7 @@ def stop(environment: Environment, axis: int, mode: int) -> None:
     if mode == CRASH:
         controller.abort(axis, "stop")
         return
-    a = controller.axes[axis]
-    before = a.decel, a.decel_time
-    if mode == AT_ERROR_DECEL:
-        a.decel, a.decel_time = a.error_decel, None
-    controller.stop(axis)
-    a.decel, a.decel_time = before
+    controller.stop(axis, "stop", mode == AT_ERROR_DECEL)
 
 
 def reset(environment: Environment, axis: int) -> None:

@@ -6,6 +6,7 @@ An assignment is a channel, -1 for none. What an input means happens when its st
 from __future__ import annotations
 
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
+from motionlang.controller.triggers.conditions import BY_INPUT
 from motionlang.mint.keywords.axis_settings import writing
 from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.keywords.io_inputs import Inputs
@@ -72,9 +73,7 @@ class Switches:
         self._errors.limit(axis, LIMIT_REVERSE).set_active(on)
 
     def _error(self, axis: int, on: bool) -> None:
-        action = self._errors.action(axis, ERROR_INPUT)
-        if on and action != "ignore":
-            self._environment.controller.fault(axis, ERROR_INPUT, action)
+        self._errors.set_input(axis, ERROR_INPUT, on)
 
     def _stop(self, axis: int, on: bool) -> None:
         if not on:
@@ -86,7 +85,7 @@ class Switches:
 
     def _suspend(self, axis: int, on: bool) -> None:
         controller = self._environment.controller
-        (controller.suspend if on else controller.resume)(axis)
+        (controller.suspend if on else controller.resume)(axis, BY_INPUT)
 
     def _reset(self, axis: int, on: bool) -> None:
         if on:

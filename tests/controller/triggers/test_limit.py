@@ -28,7 +28,7 @@ def limited(action: str, position: float = 6.0, physical: bool = False) -> tuple
     ("action", "rest", "ended"),
     [
         ("ignore", 12.0, ""),
-        ("stop", 8.0, "stop"),
+        ("stop", 8.0, "fault"),
         ("error-stop", 7.0, "fault"),
         ("abort", 6.0, "fault"),
         ("off", 6.0, "fault"),

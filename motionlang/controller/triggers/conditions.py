@@ -1,0 +1,145 @@
+"""What holds an axis back, declared once and asked by all: conditions of its errors, and reasons to be suspended.
+
+No kind of motion knows of a limit. Every new profile of an axis passes `Core.extend_track`, which has its conditions
+looked at; a condition is looked at by itself when its state, its place, its mode or whether it is in force changes;
+and where a profile turns into one that is met, an event looks again at that very moment.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.faults import Refusal, names
+from motionlang.profile.direction import sets_off
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.clock import Event
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.core import Core
+
+# What an axis does about a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only tells of it.
+ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")
+# Why an axis is suspended: by a word of the program, by an input. It goes on when no reason is left.
+BY_WORD, BY_INPUT = 1, 2
+# Seconds by which a turn may be early: an event's time is as fine as the clock's numbers are.
+_NOW = 1e-9
+
+
+class Condition:
+    """Something that is a fault `bit` of an axis while it is `met`: the axis then does what `action` says.
+
+    `sign` is the direction that it bars, +1 or -1; a motion the other way, and an axis at rest, is none of its
+    business. 0 is a condition that no direction matters to. It acts once when it comes to hold, and again when it
+    holds anew or another motion is begun into it, not as often as it is looked at.
+    """
+
+    __slots__ = ("_action", "_enabled", "_event", "_raised", "axis", "bit", "controller", "sign")
+
+    def __init__(self, controller: Controller, axis: int, sign: int, bit: int, action: str) -> None:
+        assert action in ACTIONS, action
+        self.controller, self.axis, self.sign, self.bit = controller, axis, sign, bit
+        self._action, self._enabled, self._raised = action, True, False
+        self._event: Event | None = None
+
+    @property
+    def met(self) -> bool:
+        """Whether the switch is closed, the place is passed, the value is beyond its bounds."""
+        raise NotImplementedError
+
+    @property
+    def action(self) -> str:
+        """What the axis does; another one is in force at once."""
+        return self._action
+
+    @action.setter
+    def action(self, action: str) -> None:
+        assert action in ACTIONS, action
+        if action != self._action:
+            self._action, self._raised = action, False
+            self.look()
+
+    @property
+    def enabled(self) -> bool:
+        """Whether it is in force."""
+        return self._enabled
+
+    @enabled.setter
+    def enabled(self, enabled: bool) -> None:
+        self._enabled = enabled
+        self.look()
+
+    def look(self, towards: int = 0) -> None:
+        """Act where it has come to hold, unless several axes are just given their motion: then when all have it.
+
+        `towards` is the direction in which the axis has just come upon it.
+        """
+        if self._event is not None:
+            self._event.cancel()
+            self._event = None
+        if not self._enabled or self._action == "ignore" or not self.met:
+            self._raised = False
+            return
+        waiting = self.controller.looks_later
+        if waiting is not None:
+            waiting.append(self)
+            return
+        raised, self._raised = self._raised, self._bars(towards)
+        if self._raised and not raised:
+            self.act()
+
+    def act(self) -> None:
+        """Raise the fault."""
+        self.controller.fault(self.axis, self.bit, self._action)
+
+    def forget(self) -> None:
+        """Another motion begins: to go into what it bars is a fault again."""
+        if self.sign:
+            self._raised = False
+
+    def _bars(self, towards: int) -> bool:
+        """Whether the axis goes where it must not; an event looks again when it turns that way."""
+        if not self.sign:
+            return True
+        a, clock = self.controller.axes[self.axis], self.controller.clock
+        if a.move is None or towards == self.sign:
+            return a.move is not None
+        elapsed = clock.now - a.starts[-1]
+        found = sets_off(a.profiles[-1], self.sign, elapsed)
+        if found is None or found <= elapsed + _NOW:
+            return found is not None
+        self._event = clock.at(a.starts[-1] + found, self.look)
+        return False
+
+
+class Together:
+    """A block in which several axes are given their motion: their conditions are looked at when all have it."""
+
+    __slots__ = ("_controller", "_outer")
+
+    def __init__(self, controller: Core) -> None:
+        self._controller = controller
+        self._outer: list[Condition] | None = None
+
+    def __enter__(self) -> None:
+        self._outer = self._controller.looks_later
+        if self._outer is None:
+            self._controller.looks_later = []
+
+    def __exit__(self, kind: object, *_: object) -> None:
+        if self._outer is not None:
+            return
+        waiting, self._controller.looks_later = self._controller.looks_later or [], None
+        if kind is None:
+            for condition in dict.fromkeys(waiting):
+                condition.look()
+
+
+def refuse_motion(controller: Core, a: Axis) -> None:
+    """Refusal of a motion while the axis has an error that locks it, is off, or its brake is set."""
+    if a.faults & a.locks:
+        what = names(a.faults)
+        raise Refusal("axis-error", f"axis {a.index} has an error: {what}", "clear the error before it moves")
+    if not a.enabled:
+        raise Refusal("disabled-axis", f"axis {a.index} is off", "switch the axis on before it moves")
+    if a.index in controller.braked:
+        raise Refusal("brake", f"the brake of axis {a.index} is set", "lift the brake before it moves")

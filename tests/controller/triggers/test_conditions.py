@@ -1,0 +1,323 @@
+"""The table of what holds an axis back: every kind of motion, every way in which a limit comes to hold, every mode.
+
+The rule is worked out by hand from the same motion without a limit. At the moment at which the limit comes to hold the
+axis is at p and has the velocity v; then it rests at
+
+* p for a crash stop, with or without the drive going off;
+* p + v² / 2d for a stop at DECEL or at ERRORDECEL; on a path the same holds of the distance along it;
+* where it would have come to without the limit, where that is to be ignored or only told of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from math import cos
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, Refusal
+from motionlang.controller.triggers.conditions import ACTIONS
+from motionlang.controller.triggers.homing import Homing
+from motionlang.controller.triggers.limit import Limit
+from motionlang.lang.machine.machine import Machine
+from motionlang.profile import plan
+from motionlang.profile.reference import Slope
+
+DECEL, ERROR_DECEL = 200.0, 400.0
+END = 12.0
+MOTOR = {
+    "axis.0.plant.amplifier": "current",
+    "axis.0.servo.proportional": 0.02,
+    "axis.0.servo.derivative": 0.5,
+}
+
+
+def machine(motor: bool) -> Controller:
+    c = Machine(MOTOR if motor else {}).controller
+    for axis in (0, 1):
+        for name, value in (
+            ("speed", 50.0),
+            ("accel", 100.0),
+            ("decel", DECEL),
+            ("error_decel", ERROR_DECEL),
+        ):
+            c.configure(axis, name, value)
+        c.configure(axis, "buffer_size", 10)
+    return c
+
+
+class Kind:
+    """One kind of motion: `begin` sets it off forward, `turn` lets it go back; `moment` is a time while it is fast.
+
+    `along` is where the axis is after a distance on a path, None for what is no path.
+    """
+
+    def __init__(
+        self,
+        begin: Callable[[Controller], object],
+        turn: Callable[[Controller], object] | None,
+        moment: float = 1.0,
+        along: Callable[[float], float] | None = None,
+        renamed: bool = True,
+    ) -> None:
+        self.begin, self.turn, self.moment, self.along, self.renamed = begin, turn, moment, along, renamed
+
+
+def _buffered(c: Controller) -> None:
+    for _ in range(4):
+        c.load_by(0, 20.0)
+    c.go([0])
+
+
+def _line(c: Controller, first: int = 0) -> None:
+    if first == 0:
+        c.load_line([0, 1], [60.0, 80.0])
+    else:
+        c.load_line([1, 0], [80.0, 60.0])
+    c.go([first])
+
+
+def _several(c: Controller, blend: bool) -> None:
+    for axis in (0, 1):
+        c.configure(axis, "contour_mode", not blend)
+        c.configure(axis, "blend_mode", blend)
+        c.configure(axis, "blend_distance", 1.0)
+    c.load_line([0, 1], [60.0, 80.0])
+    c.load_line([0, 1], [90.0, 120.0])
+    c.go([0])
+
+
+def _arc(c: Controller) -> None:
+    c.load_arc([0, 1], [30.0, 0.0], 180.0, relative=True)
+    c.load_arc([0, 1], [-30.0, 0.0], 180.0, relative=True)
+    c.go([0])
+
+
+def _slave(c: Controller) -> None:
+    c.gear(0, 1, 1.0)
+    c.jog(1, 20.0)
+
+
+def _cam(c: Controller) -> None:
+    c.cam(0, 1, [0.0, 10.0, 20.0, 30.0, 60.0], [0.0, 10.0, 20.0, 10.0, 0.0], kind="cubic")
+    c.jog(1, 10.0)
+
+
+def _fly(c: Controller) -> None:
+    c.load_fly(0, 1, 100.0, 100.0)
+    c.go([0])
+    c.jog(1, 20.0)
+
+
+def _offset(c: Controller) -> None:
+    c.gear(0, 1, 1.0)
+    c.offset(0, 60.0)
+
+
+def _spline(c: Controller) -> None:
+    there = plan("trapezoid", 0.0, 40.0, 40.0, 100.0, 100.0)
+    c.play(0, there.then(plan("trapezoid", 40.0, -40.0, 40.0, 100.0, 100.0)), on_path=True)
+
+
+def _home(c: Controller) -> None:
+    Homing(c, 0, +1, 20.0, 5.0, 2.0)
+
+
+def _switch_home(c: Controller) -> None:
+    c.axes[0].home = True
+    c.tell("home", 0)
+
+
+def _speed(c: Controller, velocity: float) -> None:
+    c.refer_speed(0, velocity, (Slope(100.0, 0.0, 0.0), Slope(DECEL, 0.0, 0.0)))
+
+
+KINDS = {
+    "move": Kind(lambda c: c.move_to(0, 80.0), lambda c: c.retarget_to(0, -20.0)),
+    "buffered": Kind(_buffered, lambda c: c.retarget_to(0, -20.0), 0.3),
+    "jog": Kind(lambda c: c.jog(0, 20.0), lambda c: c.jog(0, -20.0)),
+    "path": Kind(_line, None, 1.0, lambda s: 0.6 * s, renamed=False),
+    "path of another axis": Kind(lambda c: _line(c, 1), None, 1.0, lambda s: 0.6 * s, renamed=False),
+    "contour": Kind(lambda c: _several(c, False), None, 1.0, lambda s: 0.6 * s, renamed=False),
+    "blend": Kind(lambda c: _several(c, True), None, 1.0, lambda s: 0.6 * s, renamed=False),
+    "arc": Kind(_arc, _arc, 1.0, lambda s: 30.0 * (1.0 - cos(s / 30.0)), renamed=False),
+    "slave": Kind(_slave, lambda c: c.jog(1, -20.0)),
+    "cam": Kind(_cam, _cam),
+    "fly": Kind(_fly, lambda c: c.jog(1, -20.0)),
+    "offset": Kind(_offset, lambda c: c.offset(0, -100.0)),
+    "spline": Kind(_spline, _spline),
+    "speed reference": Kind(lambda c: _speed(c, 20.0), lambda c: _speed(c, -20.0)),
+    "position reference": Kind(
+        lambda c: c.refer_position(0, 0.4), lambda c: c.refer_position(0, -0.4), 0.0005
+    ),
+    "home": Kind(_home, _switch_home),
+}
+# The kinds that turn by themselves, and those that cannot.
+BY_THEMSELVES = ("arc", "cam", "spline")
+SOFT = ("met", "placed", "renamed")
+NEVER_BACK = ("path", "path of another axis", "contour", "blend")
+
+
+def limit(c: Controller, action: str, sign: int = +1) -> Limit:
+    """A switch without a place; the soft limit has one."""
+    made = Limit(c, 0, sign, LIMIT_FORWARD if sign > 0 else LIMIT_REVERSE, action, True)
+    c.axes[0].limits.append(made)
+    return made
+
+
+def soft(c: Controller, action: str, place: float) -> Limit:
+    made = Limit(c, 0, +1, SOFT_LIMIT_FORWARD, action)
+    c.axes[0].limits.append(made)
+    made.place(place)
+    return made
+
+
+class Free:
+    """The motion without a limit up to a time: where the axis is, how fast, and how far along its path."""
+
+    def __init__(self, kind: Kind, time: float, motor: bool, turns: bool = False) -> None:
+        self.controller = c = machine(motor)
+        kind.begin(c)
+        if turns and kind.turn is not None:
+            c.clock.advance(kind.moment)
+            kind.turn(c)
+        c.clock.advance(time)
+        a = c.axes[0]
+        self.position, self.velocity = a.position(c.clock.now), a.velocity(c.clock.now)
+        run = getattr(a.move.action, "run", None) if a.move is not None else None
+        self.moves = a.move is not None
+        self.speed = c.path_speed(0)
+        self.gone = run.segment.length - c.path_remaining(0) if run is not None else 0.0
+
+
+def rest(kind: Kind, free: Free, action: str) -> float | None:
+    """Where the axis comes to rest by the rule; None where the limit changes nothing."""
+    if action in ("ignore", "event"):
+        return None
+    if action in ("abort", "off"):
+        return free.position
+    rate = DECEL if action == "stop" else ERROR_DECEL
+    if kind.along is not None and free.speed:
+        return kind.along(free.gone + free.speed**2 / (2.0 * rate))
+    return free.position + free.velocity * abs(free.velocity) / (2.0 * rate)
+
+
+WAYS = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
+
+
+def _met(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
+    # A position reference is over within a period: its motor comes upon the place when the demand has ended.
+    before = Free(kind, kind.moment if kind.moment > 0.01 else END, motor)
+    place = 0.9 * before.controller.position(0)
+    c = machine(motor)
+    soft(c, action, place)
+    probe = machine(motor)
+    passed: list[float] = []
+    kind.begin(probe)
+    probe.watch(0, place, lambda _: passed.append(probe.clock.now))
+    probe.clock.advance(END)
+    kind.begin(c)
+    return c, 0.0, Free(kind, passed[0], motor)
+
+
+def _already(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
+    c = machine(motor)
+    limit(c, action).set_active(True)
+    kind.begin(c)
+    return c, 0.0, Free(kind, 0.0, motor)
+
+
+def _turned(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
+    """The reverse limit is active all the while; the turn is where the free motion is furthest."""
+    own = name in BY_THEMSELVES
+    probe = Free(kind, END, motor, turns=not own)
+    a = probe.controller.axes[0]
+    tops = [a.position(k * 1e-4) for k in range(round(END * 1e4))]
+    top = next(k for k, (here, after) in enumerate(pairwise(tops)) if after < here)
+    free = Free(kind, top * 1e-4, motor, turns=not own)
+    # At the turn it stands, but for a reference that jumps from one velocity to another.
+    free.position, free.speed = tops[top], 0.0
+    free.velocity = a.velocity(top * 1e-4 + 1e-7) if name == "position reference" else 0.0
+    c = machine(motor)
+    limit(c, action, -1).set_active(True)
+    kind.begin(c)
+    if not own and kind.turn is not None:
+        c.clock.advance(kind.moment)
+        kind.turn(c)
+    return c, 0.0, free
+
+
+def _at_moment(kind: Kind, way: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
+    c = machine(motor)
+    if way == "placed":
+        made = soft(c, action, 1e6)
+    elif way == "renamed":
+        made = soft(c, action, 1000.0)
+    else:
+        made = limit(c, "ignore" if way == "mode" else action)
+        made.enabled = way != "enabled"
+        made.set_active(way != "input")
+    kind.begin(c)
+    c.clock.advance(kind.moment)
+    shift = 0.0
+    if way == "placed":
+        made.place(c.position(0) - 1.0)
+    elif way == "mode":
+        made.action = action
+    elif way == "enabled":
+        made.enabled = True
+    elif way == "input":
+        made.set_active(True)
+    else:
+        shift = 2000.0 - c.position(0)
+        c.define_position(0, 2000.0)
+    return c, shift, Free(kind, kind.moment, motor)
+
+
+def cells() -> list[tuple[str, str, bool]]:
+    return [(name, way, motor) for name in KINDS for way in WAYS for motor in (False, True)]
+
+
+@pytest.mark.parametrize(("name", "way", "motor"), cells())
+def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
+    kind = KINDS[name]
+    for action in ACTIONS:
+        if way == "turned into" and name in NEVER_BACK:
+            assert kind.turn is None  # straight on: there is no turn
+            continue
+        if way == "renamed" and not kind.renamed:
+            with pytest.raises(Refusal):
+                _at_moment(kind, way, action, motor)
+            continue
+        if way == "met":
+            c, shift, free = _met(kind, action, motor)
+        elif way == "already active":
+            c, shift, free = _already(kind, action, motor)
+        elif way == "turned into":
+            c, shift, free = _turned(kind, name, action, motor)
+        else:
+            c, shift, free = _at_moment(kind, way, action, motor)
+        c.clock.advance(END)
+        # A homing runs past soft limits, and to a demand that has come to its end no limit matters.
+        concerned = free.moves and not (name == "home" and way in SOFT)
+        expected = rest(kind, free, action) if concerned else None
+        a = c.axes[0]
+        if expected is None:
+            untouched = Free(kind, END, motor, turns=way == "turned into" and name not in BY_THEMSELVES)
+            assert a.position(END) - shift == pytest.approx(untouched.position, abs=1e-6), action
+        else:
+            assert a.velocity(END) == 0.0, action
+            # A motor is looked at once in a servo period.
+            slack = 2e-3 + (1e-3 * abs(free.velocity) if motor and way == "met" else 0.0)
+            assert a.position(END) - shift == pytest.approx(expected, abs=slack), action
+        assert bool(c.faults(0)) is (concerned and action != "ignore"), action
+        assert c.is_enabled(0) is not (concerned and action == "off"), action
+        if expected is not None:
+            assert c.axes[0].move is None, action
+
+
+def test_no_cell_is_left_out() -> None:
+    assert {(name, way) for name, way, _ in cells()} == {(name, way) for name in KINDS for way in WAYS}
+    assert all(kind.turn is not None or name in NEVER_BACK for name, kind in KINDS.items())
