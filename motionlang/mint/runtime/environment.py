@@ -187,9 +187,11 @@ class Environment:
         statements, cost = self.statements, self.statements.cost
 
         def at(count: float, horizon: float, *arguments: object) -> float:
-            if attention.notes is None:  # nobody looks at this turn
-                return do(count, horizon, *arguments)
             clock.now = statements.base + count * cost
+            if attention.notes is None:  # nobody looks at this turn
+                self.acts += 1
+                operation(*arguments)
+                return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
             before, made, acts = held(*arguments), clock.made, self.acts
             found = do(count, horizon, *arguments)
             if clock.made == made and held(*arguments) == before:
