@@ -30,7 +30,7 @@ def bent_approach(ramps: Ramps, start: float, target: float, speed: float, v0: f
     ahead = sign * (target - start)
     time, kind = ramps.down(after, 0.0) if after >= 0.0 else (0.0, 0.0)
     stopping = fade_distance(u, b, steps) + ramp_distance(after, time, kind, 0.0)
-    if 0.0 <= after and stopping < ahead and not is_rounding(stopping - ahead, stopping, start, target):
+    if after >= 0.0 and stopping < ahead and not is_rounding(stopping - ahead, stopping, start, target):
         return _ahead(ramps, start, target, speed, u, b, sign)
     bent = faded(start, u, b, steps, after, sign)
     if not (bent.duration < inf and abs(bent.end) < inf):
