@@ -44,7 +44,10 @@ class CheckOptions:
 
 
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
-    """Check files, and the programs of folders; diagnostics go to standard error, a line a file to standard output; 1 if any has an error."""
+    """Check files and the programs of folders; 1 if any has an error.
+
+    Diagnostics go to standard error, a line a file to standard output.
+    """
     rows: list[dict[str, object]] = []
     wrong = False
     found_files = programs(files)
