@@ -86,7 +86,7 @@ def _order(a: Axis) -> Order:
         most = tuple(each.max_speed for each in action.axes)
         return Order("path", move.line, *_bounds(master, leader), members, most, master.contour_angle)
     kind = "move" if action is None else "jog" if isinstance(action, Jog) else "stop"
-    speed, *others = _bounds(a, move)
+    speed, accel, decel, jerk = _bounds(a, move)
     if isinstance(action, Jog):
         speed = abs(action.velocity)
     elif isinstance(action, Stopping):
@@ -94,7 +94,7 @@ def _order(a: Axis) -> Order:
     elif a.suspended:
         kind = "stop"
     speed = min(speed, a.max_speed) if kind != "stop" else INFINITY
-    return Order(kind, move.line, speed, *others)
+    return Order(kind, move.line, speed, accel, decel, jerk)
 
 
 def _bounds(a: Axis, move: Move) -> tuple[float, float, float, float]:

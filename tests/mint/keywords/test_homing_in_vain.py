@@ -8,7 +8,7 @@ from motionlang import run
 from motionlang.source import Source
 
 AWAY = "axis 0 homes away from its switch and never meets it"
-SWITCH = {"axis.0.home_switch": [50.0, 60.0]}
+SWITCH: dict[str, object] = {"axis.0.home_switch": [50.0, 60.0]}
 HOME = "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_SWITCH\n"
 WAITS = {
     "a pause": "PAUSE IDLE(0)\n",
