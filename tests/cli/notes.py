@@ -1,4 +1,4 @@
-"""The pages that go through PMC's and ABB's notes: `python -m tests.cli.notes` writes what their commands print anew."""
+"""The pages on PMC's and ABB's notes: `python -m tests.cli.notes` writes what their commands print anew."""
 
 from __future__ import annotations
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang import Run, run
+from motionlang.report import moves
 from motionlang.source import Source
 
 HEAD = "SPEED(0, 1) = 50; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 200;\n"
@@ -22,7 +23,7 @@ def mint(text: str, machine: dict[str, object] | None = None, until: float = 20.
     return run(Source("t.mnt", HEAD + text + HANDLER), machine=machine or {}, until=until, cache=False)
 
 
-def place(result: Run, axis: int = 0) -> tuple[float, int]:
+def place(result: Run, axis: int = 0) -> tuple[object, int]:
     return result.controller.position(axis), result.controller.faults(axis)
 
 
@@ -156,7 +157,7 @@ def test_an_offset_that_is_suspended_goes_on_where_it_was() -> None:
     assert [float(each) for each in result.output] == pytest.approx(
         [rest, 9.0, rest + 9.0, rest + 14.0], abs=2e-3
     )
-    offsets = [each for each in result.report["moves"] if each["command"] == "OFFSET"]
+    offsets = [each for each in moves(result) if each["command"] == "OFFSET"]
     assert [each["distance"] for each in offsets] == pytest.approx([10.0, 5.0], abs=1e-6)
 
 
@@ -251,6 +252,6 @@ def test_what_a_stop_throws_out_of_the_buffers_is_told(end: str, reason: str) ->
         HOMING,
     )
     told = [
-        (each["axis"], each["command"], each["line"], each["reason"]) for each in result.report["dropped"]
+        (each["axis"], each["command"], each["line"], each["reason"]) for each in result.report["dropped"]  # type: ignore[attr-defined]
     ]
     assert told == [(0, "MOVER", 3, reason), (0, "VECTORR", 4, reason), (1, "VECTORR", 4, reason)]

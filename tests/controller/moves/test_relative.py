@@ -58,7 +58,7 @@ def test_what_waits_behind_a_path_that_another_axis_stops_counts_from_its_rest()
     until(c, 1.0)
     c.stop(1)
     until(c, 60.0)
-    assert (c.position(0), c.position(1)) == (pytest.approx(31.25), pytest.approx(35.0))
+    assert [c.position(0), c.position(1)] == pytest.approx([31.25, 35.0])
 
 
 def test_a_dwell_before_the_first_move_does_not_move_the_end() -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.report import moves
+
 from tests.mccl.conftest import Runner
 
 HEAD = "1MN,2MN,1CM1,2CM1,1VV10000,1VA100000,1VD100000,2HL2000,2LL-100,"
@@ -17,7 +19,7 @@ def test_a_soft_limit_stops_a_contour_as_its_mode_says(
     """Smoothly is at VD, along the path: 10000² / 200000 = 500 further, of which the axes do 300 and 400."""
     result = mccl(CONTOUR.format(mode))
     assert result.output == [f"01 {rest[0]}", f"02 {rest[1]}"]
-    assert [move["ended"] for move in result.report["moves"]] == ["fault", "fault"]
+    assert [move["ended"] for move in moves(result)] == ["fault", "fault"]
     assert result.controller.faults(2) == 16
 
 
@@ -44,7 +46,7 @@ def test_a_limit_put_in_force_behind_a_moving_axis_stops_it(how: str, start: str
     result = mccl(f"1MN,1SA100000,1LM4,{before},{start},WA1,{then},WA1,1TV,1TS", until=3.0)
     assert result.output[0] == "01 0", result.output
     assert result.controller.faults(1) == 16
-    assert result.report["moves"][0]["ended"] == "fault"
+    assert next(moves(result))["ended"] == "fault"
 
 
 def test_velocity_mode_that_turns_into_an_active_limit_stops_at_the_turn(mccl: Runner) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import pytest
 
 from motionlang import run
@@ -18,7 +20,7 @@ WAITS = {
 }
 
 
-def told(program: str, machine: dict[str, object], until: float = 100.0) -> tuple[str, list[str]]:
+def told(program: str, machine: Mapping[str, object], until: float = 100.0) -> tuple[str, list[str]]:
     result = run(Source("home.mnt", program), machine=machine, until=until, cache=False)
     return result.status, [f"{d.line}:{d.column} {d.severity} {d.message}" for d in result.diagnostics]
 
