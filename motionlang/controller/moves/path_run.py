@@ -210,6 +210,15 @@ class PathRun:
             before = (action, segment)  # type: ignore[assignment]
             self.ahead.append(before)
 
+    @property
+    def stops_at_corner(self) -> bool:
+        """Whether it comes to rest at the end of this path only because of the angle to the next."""
+        following, master = self._following(), self.axes[0]
+        if following is None or not master.contour_mode or self.ended or self.ahead:
+            return False
+        segment = following.lay(self.segment.ends)
+        return bool(segment.length) and corner(self.segment, segment) > master.contour_angle
+
     def _planned(self, place: float, speed: float, accel: float) -> tuple[Profile, PathMove | None]:
         """To the end of the stretch that has one pace, and as fast there as what follows allows; and the goal."""
         if self._suspended() or not self.here.pace(self._controller, self.segment).speed:

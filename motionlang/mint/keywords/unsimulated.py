@@ -26,7 +26,7 @@ KEPT_GROUP = "kept without an effect"
 # Commands without an effect on motion, inputs or outputs: the program goes on, and the report names them.
 _COMMANDS = """
 AUTOTUNEABORT BINARY CAPTURETRIGGER CLEARERRORLOG CON EDIT NEW PARAMETERSAVE PLCDEFAULT PLCTASK POPREDIRECT
-PRECISIONTABLE PROG SENTINEL VIEW
+PROG SENTINEL VIEW
 """
 # Words that move an axis, or decide what becomes of the program: the run ends where one is written or carried out, as
 # everything after it would be wrong. A setting of them that is given 0 is switched off, which needs no simulation.
