@@ -44,8 +44,8 @@ CHAPTERS = {
         "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"
         " machine/references machine/presets machine/holding correction"
     ),
-    "Units and wraps": "units machine/wraps",
-    "The move buffer": "buffer machine/buffer_entries machine/triggers",
+    "Units and wraps": "units machine/wraps machine/compensation",
+    "The move buffer": "buffer machine/buffer_status machine/buffer_entries machine/triggers",
     "Profiles": "rates machine/sramp machine/feedrate speed_in_motion",
     "Paths": "machine/paths machine/splines",
     "Gearing and cams": "machine/following machine/offsets machine/cams machine/master_encoders",

@@ -208,6 +208,15 @@ class PathRun:
             before = (action, segment)  # type: ignore[assignment]
             self.ahead.append(before)
 
+    @property
+    def stops_at_corner(self) -> bool:
+        """Whether it comes to rest at the end of this path only because of the angle to the next."""
+        following, master = self._following(), self.axes[0]
+        if following is None or not master.contour_mode or self.ended or self.ahead:
+            return False
+        segment = following.lay(self.segment.ends)
+        return bool(segment.length) and corner(self.segment, segment) > master.contour_angle
+
     def _adopt(self, time: float) -> None:
         """Plan afresh from what the present profile does at `time`; without room for that it goes on as it is."""
         rest = self.profile.after(time)

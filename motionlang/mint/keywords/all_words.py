@@ -25,7 +25,7 @@ def groups() -> tuple[ModuleType, ...]:
 
 _ORDER = """
 correction presets hold_to_analogue torque jogging drives
-axis feedrate motion buffer on_the_fly paths following table_motion state timing tasks terminal
+axis feedrate motion buffer compensation on_the_fly paths following table_motion state timing tasks terminal
 camboxes captures auxiliary_latches monitoring event_flags relays steppers
 io comms modbus remote network serial limits homing latches sensing servo functions nonvolatile encoder_wrap
 no_effect identity legacy factory_defaults units constants language

@@ -124,6 +124,24 @@ def read_last_id(environment: Environment, row: Row) -> Operation:
     return lambda axis: controller.move_id(axis_of(environment, axis))
 
 
+def read_status(environment: Environment, row: Row) -> Operation:
+    """MOVEBUFFERSTATUS: the first three bits are those of the move that is executing."""
+    controller = environment.controller
+
+    def read(axis: int) -> int:
+        a = controller.axes[axis_of(environment, axis)]
+        bits = (not a.buffer) << 3 | (controller.room(axis) <= 0) << 4
+        if a.move is None:
+            return bits
+        at_rest = a.suspended and not a.velocity(controller.clock.now)
+        run = getattr(a.move.action, "run", None)
+        contour = run is not None and run.axes[0].contour_mode
+        bits |= (a.move.speed is not None) << 0 | a.move.overridden << 1 | contour << 2 | at_rest << 5
+        return bits | (run is not None and run.stops_at_corner) << 6
+
+    return read
+
+
 def loader(environment: Environment, put: Callable[..., None]) -> Operation:
     """The operation of a move: true while the buffer of its axis is full; `put` takes axis, …, value and line."""
     room = environment.controller.room
@@ -186,6 +204,7 @@ def load_pulse(environment: Environment, row: Row) -> Operation:
 
 OPERATIONS = {
     "buffer.last_id": {"read": read_last_id},
+    "buffer.status": {"read": read_status},
     "buffer.trigger_mode": {"read": read_trigger_mode, "write": write_trigger_mode},
     "buffer.trigger": {"read": read_trigger, "write": write_trigger},
     "buffer.dwell": {"load": load_dwell},

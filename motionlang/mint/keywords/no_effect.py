@@ -12,22 +12,11 @@ from motionlang.lang.keyword import Keyword
 VERB = "no_effect.value"
 # Those of them that on a controller end what the axis was doing.
 SWITCHES = frozenset(("CONFIG",))
-_MN1270 = "Baldor MN1270"
 _TYPES = (("OFF", "no axis"), ("SERVO", "a servo"), ("STEPPER", "a stepper"), ("VIRTUAL", "a virtual axis"))
-_MODES = (
-    ("_blOFF", 0, "BACKLASHMODE: off.", "memory"),
-    ("_lsOFF", 0, "PRECISIONMODE: leadscrew compensation off.", "manual"),
-    ("_lsDUAL_TABLE", 1, "PRECISIONMODE: leadscrew compensation by two tables.", "memory"),
-)
 ROWS = (
     *(
         Keyword(f"_cf{name}", "", "constant", "R", "none", "integer", str(value), f"CONFIG: {help}.",
                 f"PRINT _cf{name}", trust="memory", group="constants")
         for value, (name, help) in enumerate(_TYPES)
-    ),
-    *(
-        Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}", source=_MN1270,
-                trust=trust, group="constants")
-        for name, value, help, trust in _MODES
     ),
 )  # fmt: skip

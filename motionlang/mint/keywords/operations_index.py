@@ -15,7 +15,8 @@ auxiliary_latches.zero_mode auxiliary_latches.zero_place
 default_axes scale accel decel accel_time decel_time profile_mode buffer_size enabled
 """,
     "buffer_operations": """
-buffer.last_id buffer.trigger_mode buffer.trigger buffer.dwell buffer.out buffer.out_bit buffer.pulse
+buffer.last_id buffer.status buffer.trigger_mode buffer.trigger buffer.dwell buffer.out buffer.out_bit
+buffer.pulse
 """,
     "camboxes_operations": """
 camboxes.box camboxes.data
@@ -26,6 +27,10 @@ captures.running captures.status captures.progress captures.point
 """,
     "comms_operations": """
 comms.modbus_parameter comms.real comms.whole
+""",
+    "compensation_operations": """
+compensation.size compensation.interval compensation.backlash_mode compensation.step
+compensation.precision_mode compensation.table
 """,
     "correction_operations": """
 correction.correction correction.time

@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.mint.keywords.compensation_operations import Compensation
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
@@ -208,6 +209,8 @@ class Encoders:
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
         self._settings: dict[tuple[str, int], float] = {}
+        # What the motors do on top of what POS shows, where the program compensates.
+        self.compensation: Compensation | None = None
 
     def setting(self, name: str, channel: int) -> float:
         return self._settings.get((name, channel), 0.0 if name in ("ENCODERWRAP", "zero") else 1.0)
@@ -218,7 +221,8 @@ class Encoders:
     def counts(self, channel: int) -> float:
         if channel in self._controller.encoders:
             return self._controller.encoder_position(channel)
-        return self._controller.position(channel) - self._controller.axes[channel].datum
+        shift = self.compensation.shift(channel) if self.compensation is not None else 0.0
+        return self._controller.position(channel) + shift - self._controller.axes[channel].datum
 
     def read(self, channel: int) -> float:
         return self.shown(channel, self.counts(channel))
@@ -239,7 +243,8 @@ class Encoders:
         """In counts a second."""
         if channel in self._controller.encoders:
             return self._controller.encoder_velocity(channel)
-        return self._controller.velocity(channel)
+        shift = self.compensation.rate(channel) if self.compensation is not None else 0.0
+        return self._controller.velocity(channel) + shift
 
     def per_unit(self, channel: int) -> float:
         """Counts in one unit of what the encoder shows."""

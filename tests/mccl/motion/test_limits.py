@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang.report import moves
-
 from tests.mccl.conftest import Runner
 
 HEAD = "1MN,2MN,1CM1,2CM1,1VV10000,1VA100000,1VD100000,2HL2000,2LL-100,"

@@ -1,0 +1,62 @@
+"""Play that the motor takes up on top of its axis's motion: how much of it, and which way the axis went last."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.axis import Axis
+
+
+class Takeup:
+    """The play of one axis, counts: it is on the side that `size` has as its sign, and taken up in `ramp` seconds.
+
+    With a `size` above zero the motor stands at the negative end: going forward it needs the whole size, going in
+    reverse nothing; below zero the other way round. Play is taken up only while the axis moves.
+    """
+
+    __slots__ = ("_axis", "_time", "heading", "ramp", "size", "taken")
+
+    def __init__(self, axis: Axis, now: float) -> None:
+        self._axis, self._time = axis, now
+        self.size = self.ramp = self.taken = 0.0
+        self.heading = 0
+
+    def advance(self, now: float, on: bool) -> float:
+        """What is taken up by now, counts."""
+        while self._time < now:
+            end, heading = self._stretch(now)
+            if heading:
+                self.heading = heading
+                if on:
+                    self._take(heading, end - self._time)
+            self._time = end
+        return self.taken
+
+    def rate(self) -> float:
+        """How fast it is being taken up, counts/s, as far as `advance` has come."""
+        left = self._goal(self.heading) - self.taken
+        if not left or not self.ramp or not self._axis.velocity(self._time):
+            return 0.0
+        return (1.0 if left > 0.0 else -1.0) * abs(self.size) / self.ramp
+
+    def _goal(self, heading: int) -> float:
+        return self.size if heading * self.size > 0.0 else 0.0
+
+    def _take(self, heading: int, time: float) -> None:
+        left = self._goal(heading) - self.taken
+        most = abs(self.size) * time / self.ramp if self.ramp else abs(left)
+        self.taken += max(-most, min(most, left))
+
+    def _stretch(self, now: float) -> tuple[float, int]:
+        """Up to when the axis goes one way, and which."""
+        a, begin = self._axis, self._time
+        k = bisect_right(a.starts, begin) - 1
+        start, profile = a.starts[k], a.profiles[k]
+        end = min(now, a.starts[k + 1]) if k + 1 < len(a.starts) else now
+        turn = profile.velocity_crossing(0.0, begin - start + 1e-9) if profile.peak_speed else None
+        if turn is not None and begin < start + turn < end:
+            end = start + turn
+        velocity = profile.velocity(0.5 * (begin + end) - start)
+        return end, (velocity > 0.0) - (velocity < 0.0)
