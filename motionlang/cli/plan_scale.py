@@ -19,9 +19,13 @@ def add_scale_arguments(parser: argparse.ArgumentParser) -> None:
         "--encoder-lines", type=float, metavar="N", help="lines of the motor's encoder a turn, for the scale"
     )
     parser.add_argument("--quadrature", type=int, metavar="N", help="counts of each line: 1, 2 or 4 (4)")
-    parser.add_argument("--gear", type=_ratio, metavar="N[:M]", help="turns of the motor a turn of the load (1)")
+    parser.add_argument(
+        "--gear", type=_ratio, metavar="N[:M]", help="turns of the motor a turn of the load (1)"
+    )
     parser.add_argument("--pitch", type=float, metavar="X", help="user units that a turn of the load is")
-    parser.add_argument("--degrees", action="store_true", help="user units are degrees: a turn of the load is 360")
+    parser.add_argument(
+        "--degrees", action="store_true", help="user units are degrees: a turn of the load is 360"
+    )
     parser.add_argument(
         "--resolution", type=float, metavar="X", help="user units between two counts of a linear encoder"
     )
@@ -50,7 +54,9 @@ def scale_of(arguments: argparse.Namespace) -> tuple[float, str]:
 
 def _rotary(arguments: argparse.Namespace) -> tuple[float, str]:
     if arguments.degrees == (arguments.pitch is not None):
-        raise ValueError("--encoder-lines needs what a turn of the load is: --pitch or --degrees, one of them")
+        raise ValueError(
+            "--encoder-lines needs what a turn of the load is: --pitch or --degrees, one of them"
+        )
     lines, gear = arguments.encoder_lines, 1.0 if arguments.gear is None else arguments.gear
     quadrature = 4 if arguments.quadrature is None else arguments.quadrature
     turn = 360.0 if arguments.degrees else arguments.pitch

@@ -87,7 +87,9 @@ def _draw(demand: Demand, path: str) -> int:
     try:
         draw_profiles(demand, path)
     except ImportError as problem:
-        told = Diagnostic("file", f"{problem.name} is not installed", hint="install motionlang with the extra plot")
+        told = Diagnostic(
+            "file", f"{problem.name} is not installed", hint="install motionlang with the extra plot"
+        )
     except OSError as problem:
         told = Diagnostic("file", f"{path}: {problem.strerror or problem}")
     else:

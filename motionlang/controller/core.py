@@ -44,7 +44,7 @@ class Core(Readings):
     def movable(self, axis: int) -> Axis:
         """An axis that may move.
 
-        Refusal while it is off, has an error that locks it, its brake is set, or it is in a motion that allows no other.
+        Refusal while it is off, has an error that locks it, its brake is set, or its motion allows no other.
         """
         a = self.axes[axis]
         if a.faults & a.locks:

@@ -1,4 +1,4 @@
-"""What a trapezoidal move can reach: the peak of one that is too short for its speed, and demands that no move meets."""
+"""What a trapezoidal move can reach: the peak of one too short for its speed, and demands that no move meets."""
 
 from __future__ import annotations
 

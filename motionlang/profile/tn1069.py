@@ -45,8 +45,8 @@ ERRATA = (
     "S_A = 2/3 T_A VEL = 21333. With the formula 40000 counts are too short for VEL = 40: "
     "the peak is sqrt(3 ACC S_TOT/8) = 38.72983346, and T_A is 774.5966692 cycles.",
     'S_V is garbled in both scans ("S_TOT - 2 S_A - S_D"); it is S_TOT - S_A - S_D.',
-    "The printed position of the sinusoidal S-curve adds its sine, VEL T_A/(2 pi) sin(pi t/T_A), to VEL t/2; it is to be "
-    "subtracted: at 0.3 T_A the print gives 7005.98 counts, the move has 533.84.",
+    "The printed position of the sinusoidal S-curve adds its sine, VEL T_A/(2 pi) sin(pi t/T_A), to VEL t/2; it is to "
+    "be subtracted: at 0.3 T_A the print gives 7005.98 counts, the move has 533.84.",
     '"V maximum velocity (counts/sec^2)" is a misprint for counts/s.',
 )
 

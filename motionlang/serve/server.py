@@ -261,7 +261,9 @@ class Server:
             for host in self.hosts:
                 why = host.waits_in_vain()
                 if why:
-                    self._complain(f"host {host.number} waits {why}, and nothing under way ends that; ESC gives it up")
+                    self._complain(
+                        f"host {host.number} waits {why}, and nothing under way ends that; ESC gives it up"
+                    )
 
     # ------------------------------------------------------------------------------------------- our errors
 

@@ -21,11 +21,15 @@ def draw_profiles(demand: Demand, path: str) -> None:
         for name, profile, colour in zip(demand.columns, profiles(demand), COLOURS, strict=True):
             span = profile.duration
             times = [-1e-9, *(span * i / POINTS for i in range(POINTS + 1)), span + 1e-9]
-            for axes, curve in zip(panels, (profile.position, profile.velocity, profile.acceleration), strict=True):
+            for axes, curve in zip(
+                panels, (profile.position, profile.velocity, profile.acceleration), strict=True
+            ):
                 axes.plot(times, [curve(t) for t in times], color=colour, linewidth=1.4, label=name)
         panels[0].legend(loc="lower right", frameon=False)
         for axes, (quantity, unit) in zip(
-            panels, (("position", "counts"), ("velocity", "counts/s"), ("acceleration", "counts/s²")), strict=True
+            panels,
+            (("position", "counts"), ("velocity", "counts/s"), ("acceleration", "counts/s²")),
+            strict=True,
         ):
             dress(axes, quantity, unit)
         panels[-1].set_xlabel("time (s)")

@@ -111,7 +111,9 @@ def test_figures_that_make_no_move(cell: Cell, line: tuple[str, ...], message: s
 
 def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> None:
     """10 at 300 with 2000: it turns round at sqrt(10 * 2000) = 141.4 after 0.0707 s; 300 needs 300^2/2000 = 45."""
-    document = json.loads(cell("plan", *"--distance 10 --speed 300 --accel 2000 --json".split()).out)
+    document = json.loads(
+        cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--json"]).out
+    )
     assert document["move"]["speed"] == pytest.approx(141.4213562)
     assert document["move"]["time"] == pytest.approx(0.1414213562)
     assert document["move"]["slew_time"] == 0.0
@@ -126,7 +128,12 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
         (move,) = ran.report["moves"]  # type: ignore[misc]
         assert move["peak_speed"] == pytest.approx(141.4213562)
         assert move["duration"] == pytest.approx(0.1414213562)
-    assert json.loads(cell("plan", *"--distance 45 --speed 300 --accel 2000 --json".split()).out)["notes"] == []
+    assert (
+        json.loads(cell("plan", *["--distance", "45", "--speed", "300", "--accel", "2000", "--json"]).out)[
+            "notes"
+        ]
+        == []
+    )
 
 
 def test_ramp_times_of_a_move_too_short_are_those_to_the_speed_asked_for(cell: Cell) -> None:
@@ -165,7 +172,10 @@ def test_counts_per_unit_from_what_the_machine_is_built_of(
             "--distance 20 --time 0.6 --speed 5",
             "speed above 33.3333 and up to 66.6667; time above 4 and up to 8; distance from 1.5 to below 3",
         ),
-        ("--distance 20 --time 0.1 --accel 100", "accel 8000 or more; time 0.894427 or more; distance 0.25 or less"),
+        (
+            "--distance 20 --time 0.1 --accel 100",
+            "accel 8000 or more; time 0.894427 or more; distance 0.25 or less",
+        ),
         ("--distance 20 --time 0.6 --speed 50 --accel 3", "accel 250"),
         ("--distance 20 --time 1 --speed 50 --accel 500 --decel 500", "distance 45; time 0.5"),
     ],

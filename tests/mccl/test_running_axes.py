@@ -23,7 +23,7 @@ def answers(text: str) -> tuple[bytes, Console]:
 def test_a_move_that_could_never_begin_is_refused(shape: str) -> None:
     """It was never answered; the axis runs on, as the remark in the telescope's source has it, until it is stopped."""
     said, console = answers(PADDLE.format(shape))
-    assert said.endswith(b"?-2\r\n>") or said.endswith(b"?-2\n>")
+    assert said.endswith((b"?-2\r\n>", b"?-2\n>"))
     assert console.machine.controller.velocity(1) > 1000
     said, console = answers(PADDLE.format(shape) + "1ST,1WS\r1MA0,1WS\r1TP\r")
     assert console.machine.controller.position(1) == 0.0

@@ -15,7 +15,8 @@ FEEDRATEMODE({a}) = {q}|FEEDRATEOVERRIDE({a}) = {m}|FEEDRATEPARAMETER({a}, {t}) 
 MAXACCEL({a}) = {p}|ACCELTIMEMAX({a}) = {p}|CONTOURMODE({a}) = {i}|CONTOURANGLE({a}) = {m}|BLENDMODE({a}) = {i}
 BLENDDISTANCE({a}) = {p}|BLEND({a})|MASTERCHANNEL({a}) = {b}|MASTERSOURCE({a}) = {t}|FOLLOW({a}) = {v}
 FOLLOWMODE({a}) = {i}|FOLLOWDENOM({a}) = {p}|MASTERDISTANCE({a}) = {v}|FLY({a}) = {v}|OFFSET({a}) = {v}
-OFFSETMODE({a}) = {q}|OFFSETDISTANCE({a}) = {v}|AUXENCODERMODE({b}) = 8 : AUXENCODERSPEED({b}) = {v}|CAMTABLE({a}, c, NULL)|CAMTABLE({a}, c, d)
+OFFSETMODE({a}) = {q}|OFFSETDISTANCE({a}) = {v}|AUXENCODERMODE({b}) = 8
+AUXENCODERSPEED({b}) = {v}|CAMTABLE({a}, c, NULL)|CAMTABLE({a}, c, d)
 CAM({a}) = {e}|CAMSTART({a}) = 2|CAMEND({a}) = {t}|CAMAMPLITUDE({a}) = {v}|CAMPHASE({a}, 1, 2, {v})
 CAMSEGMENT({a}, {i}, {t}, s)|SPLINETABLE({a}, c)|SPLINETABLE({a}, c, d, d)|SPLINE({a}) = {e}|SPLINE({a}) = 8 + {e}
 SPLINETIME({a}) = 4|SPLINESUSPENDTIME({a}) = {m}|TRIGGERMODE({a}) = {q}|TRIGGERCHANNEL({a}) = {b}

@@ -203,10 +203,10 @@ class Homing:
             self._back_off()  # also where the stop ran over the whole switch: it comes back over it
             return
         offset = self._offset
-        if self.state == "stopping" and offset is not None:
-            if self._controller.position(self.axis) - self._datum != offset:
-                self._go_to_offset(offset)
-                return
+        here = self._controller.position(self.axis) - self._datum
+        if self.state == "stopping" and offset is not None and here != offset:
+            self._go_to_offset(offset)
+            return
         self.cancel()
 
 

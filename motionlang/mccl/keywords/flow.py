@@ -46,6 +46,6 @@ ROWS = (
     _row("IC", "statement", "W", "none", "number", "if_clear",
          "If bit n of the accumulator is clear carry out the next two commands, else skip them.", "AL5,IC1,AL7,NO,TR0",
          low=0, high=31),
-    _row("NO", "statement", "C", "none", "", "nothing", "No operation; what fills up the two commands that a condition governs.",
+    _row("NO", "statement", "C", "none", "", "nothing", "No operation; it fills up the two that a condition governs.",
          "NO"),
 )  # fmt: skip

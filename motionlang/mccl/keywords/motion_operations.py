@@ -219,7 +219,9 @@ def _check_rest(task: CommandTask, command: Command, stalled: list[int]) -> None
     for number in stalled:
         if task.board.controller.idle_time(number) == INFINITY:
             words = f"{command.name} needs axis {number} at rest with its profile, and it runs on in velocity mode"
-            raise Fault(codes.INVALID, words, f"{number}ST stops it; with {number}PT it may be running", "moving")
+            raise Fault(
+                codes.INVALID, words, f"{number}ST stops it; with {number}PT it may be running", "moving"
+            )
 
 
 def _must_rest(task: CommandTask, axis: AxisState, target: float) -> bool:

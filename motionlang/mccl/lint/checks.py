@@ -1,4 +1,4 @@
-"""The linter of MCCL: commands that can never run, motors never switched on, waits for moves that never came, axes that run on."""
+"""The linter of MCCL: commands that can never run, motors never switched on, waits for what never comes."""
 
 from __future__ import annotations
 

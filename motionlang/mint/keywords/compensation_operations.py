@@ -115,7 +115,9 @@ class Compensation:
 
     def _made(self, axis: int, dual: bool) -> tuple[Leadscrew, Leadscrew]:
         if axis not in self.tables:
-            raise Refusal("range", f"axis {axis} has no precision table", f"PRECISIONTABLE({axis}, positions, NULL)")
+            raise Refusal(
+                "range", f"axis {axis} has no precision table", f"PRECISIONTABLE({axis}, positions, NULL)"
+            )
         start, step = self.setting("PRECISIONOFFSET", axis), self.setting("PRECISIONINCREMENT", axis)
         forward, reverse = self.tables[axis]
         try:

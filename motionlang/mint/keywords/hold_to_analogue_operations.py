@@ -1,8 +1,8 @@
 """HTA: an axis that is moved so that an analogue input holds its value (MN1270 p. 87 to 91).
 
 Velocity = HTAKPROP error + HTADAMPING change of the error + HTAKINT sum of the errors, once a tick of the profiler; the
-error is the value that is wanted minus the one that is measured, percent, and 0 within HTADEADBAND, which is in counts of
-the converter. The sum begins anew there and when HTAKINT is written.
+error is the value that is wanted minus the one that is measured, percent, and 0 within HTADEADBAND, which is in counts
+of the converter. The sum begins anew there and when HTAKINT is written.
 """
 
 from __future__ import annotations
@@ -110,7 +110,9 @@ class Holds:
             return
         faults = self.environment.controller.faults(axis)
         if faults:
-            raise Refusal("axis-error", f"axis {axis} has an error: {names(faults)}", "clear the error before HTA")
+            raise Refusal(
+                "axis-error", f"axis {axis} has an error: {names(faults)}", "clear the error before HTA"
+            )
         hold = Hold(self, axis, wanted)
         hold.track = self.environment.controller.track(axis, hold.decide, "HTA", line)
         self._holding[axis] = hold

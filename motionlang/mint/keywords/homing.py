@@ -43,9 +43,10 @@ ROWS = (
     _setting("HOMEOFFSET", "uu", "5", "How far from the datum the axis ends its homing.", 0.0, -8388607.0, 8388607.0),
     _setting("HOMEREFPOS", "uu", "100", "The position that the datum gets.", 0.0, -8388607.0, 8388607.0),
     Keyword("HOMEPOS", "HPS", "reading", "R", "axis", "uu", "homing.position",
-            "The position that the axis had at its datum before homing set it: POS(0) = HOMEPOS(0) afterwards counts as "
+            "The position that the axis had at its datum before homing set it: POS = HOMEPOS afterwards counts as "
             "if the axis had not been homed, and after a second homing it shows slip or lost steps.",
-            _HOMED.format("HOMEPOS"), default=0.0, low=-8388607.0, high=8388607.0, source=_MN1270, trust="manual", group="homing"),
+            _HOMED.format("HOMEPOS"), default=0.0, low=-8388607.0, high=8388607.0, source=_MN1270, trust="manual",
+            group="homing"),
     Keyword("HOMESTATUS", "", "setting", "RW", "axis", "bool", "homing.status",
             "1 when the axis has found its datum.",
             _HOMED.format("HOMESTATUS"), default=0.0, low=0, high=1, source=_LIBRARY, trust="memory", group="homing"),

@@ -6,7 +6,7 @@ from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords.defaults import MODES, STOP_INPUT_MODE
 
 _LIBRARY = "Mint type library"
-# A public EtherCAT master for the MicroFlex e190: its object 0x605A is STOPMODE (1: ERRORDECEL), 0x605B ABORTMODE (0: none).
+# A public EtherCAT master for the MicroFlex e190: 0x605A is STOPMODE (1: ERRORDECEL), 0x605B ABORTMODE (0: none).
 _E190 = "EtherCAT master for the e190"
 _CLEAR = "JOG(0) = 100\nWAIT = 100\nABORT\nPRINT AXISERROR(0)\nCANCEL(0)\nPRINT AXISERROR(0)"
 

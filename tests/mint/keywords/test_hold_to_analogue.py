@@ -126,7 +126,7 @@ def test_the_sum_begins_anew_within_the_dead_band_and_with_a_new_gain() -> None:
     assert outside.output == ["1", "1"]
 
 
-@pytest.mark.parametrize("range_, counts", [(0, 20.48), (1, 40.96)])
+@pytest.mark.parametrize(("range_", "counts"), [(0, 20.48), (1, 40.96)])
 def test_the_dead_band_is_in_counts_of_the_converter(range_: int, counts: float) -> None:
     """12 bits are -100 to 100 percent, or 0 to 100: a dead band of 50 is 2.4 or 1.2 percent."""
     text = RATES + f"ADCMODE(2) = {range_} : HTAKPROP(0) = 10 : HTADEADBAND(0) = 50\n"
