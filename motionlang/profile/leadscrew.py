@@ -7,7 +7,7 @@ from itertools import pairwise
 
 
 class Leadscrew:
-    """`actual` positions of the nut where it should be at `start`, `start + step`, …; linear between, shifted beyond."""
+    """Positions `actual` of the nut where it should be at `start`, `start + step`, …; linear between."""
 
     __slots__ = ("actual", "start", "step")
 

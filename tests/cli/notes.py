@@ -45,7 +45,7 @@ def answer(command: str) -> str:
     out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), contextlib.suppress(SystemExit):
         main(words)
-    return "".join(stream.buffer.getvalue().decode() for stream in (out, err))  # type: ignore[attr-defined]
+    return "".join(stream.buffer.getvalue().decode() for stream in (out, err))
 
 
 def rewritten(text: str) -> str:

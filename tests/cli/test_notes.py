@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.notes import PAGES, answer, blocks, numbers, worked_out
+from tests.cli.notes import PAGES, answer, numbers, worked_out
+from tests.copley.docs import blocks
 
 COMMANDS = [
     pair for page in PAGES.values() for block in blocks(page.read_text(encoding="utf-8")) for pair in block

@@ -7,6 +7,7 @@ import json
 import pytest
 
 from motionlang.execution import run
+from motionlang.report import moves
 from motionlang.source import Source
 from tests.cli.programs import Cell
 
@@ -125,7 +126,7 @@ def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> Non
     for name, program in document["programs"].items():
         assert "300" in program
         ran = run(Source(f"plan.{name}", program), dialect=name, cache=False)
-        (move,) = ran.report["moves"]  # type: ignore[misc]
+        (move,) = moves(ran)
         assert move["peak_speed"] == pytest.approx(141.4213562)
         assert move["duration"] == pytest.approx(0.1414213562)
     assert (
@@ -141,7 +142,7 @@ def test_ramp_times_of_a_move_too_short_are_those_to_the_speed_asked_for(cell: C
     document = json.loads(cell("plan", *line.split()).out)
     assert "ACCELTIME(0) = 150\nDECELTIME(0) = 300\nMOVER(0) = -10" in document["programs"]["mint"]
     ran = run(Source("plan.mnt", document["programs"]["mint"]), cache=False)
-    (move,) = ran.report["moves"]  # type: ignore[misc]
+    (move,) = moves(ran)
     assert move["peak_speed"] == pytest.approx(document["move"]["speed"])
     assert move["peak_speed"] < 300
 

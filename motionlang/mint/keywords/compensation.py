@@ -12,7 +12,8 @@ _PLAY = (
     "MOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), ENCODER(0)"
 )
 _TABLE = (
-    "Dim nut(4) As Float = 3, 0, 101, 199\nPRECISIONTABLE(0, nut, NULL)\nPRECISIONINCREMENT(0) = 100 : PRECISIONOFFSET(0) = 0\n"
+    "Dim nut(4) As Float = 3, 0, 101, 199\nPRECISIONTABLE(0, nut, NULL)\nPRECISIONINCREMENT(0) = 100\n"
+    "PRECISIONOFFSET(0) = 0\n"
     "PRECISIONMODE(0) = _lsSINGLE_TABLE\nMOVEA(0) = 101\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), ENCODER(0)"
 )
 
@@ -31,13 +32,13 @@ def _mode(name: str, value: int, help: str, trust: str) -> Keyword:
 ROWS = (
     _setting("BACKLASH", "", "uu", "size",
              "The play of the axis. Its sign is the direction in which homing took the play up: positive, the motor "
-             "needs the whole of it to go forward and nothing to go in reverse; negative, the other way round. The axis "
-             "must be idle.", _PLAY, -_LARGEST, _LARGEST),
+             "needs the whole of it to go forward and nothing to go in reverse; negative, the other way round. The "
+             "axis must be idle.", _PLAY, -_LARGEST, _LARGEST),
     _setting("BACKLASHINTERVAL", "BLI", "integer", "interval",
-             "Servo cycles of LOOPTIME over which the play is taken up, while the axis moves; 0 at once. The axis must be "
-             "idle.", _PLAY, 0, _LARGEST),
-    _setting("BACKLASHMODE", "BLM", "integer", "backlash_mode", "1: play is compensated. Not with _lsDUAL_TABLE.", _PLAY,
-             0, 1),
+             "Servo cycles of LOOPTIME over which the play is taken up, while the axis moves; 0 at once. The axis must "
+             "be idle.", _PLAY, 0, _LARGEST),
+    _setting("BACKLASHMODE", "BLM", "integer", "backlash_mode", "1: play is compensated. Not with _lsDUAL_TABLE.",
+             _PLAY, 0, 1),
     _mode("_blOFF", 0, "BACKLASHMODE: off.", "memory"),
     Keyword("PRECISIONTABLE", "", "command", "C", "axis, array, array", "", "compensation.table",
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "

@@ -8,8 +8,8 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.takeup import Takeup
 from motionlang.mint.keywords.axis_settings import reading
+from motionlang.mint.keywords.defaults import LOOP_TIME
 from motionlang.mint.keywords.sensing_operations import Encoders
-from motionlang.mint.keywords.servo_operations import LOOP_TIME
 from motionlang.mint.keywords.table_motion_cams import elements
 from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.profile.leadscrew import Leadscrew

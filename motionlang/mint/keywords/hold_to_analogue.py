@@ -25,7 +25,8 @@ ROWS = (
     Keyword("HTA", "", "setting", "RW", "axis", "%", "hold_to_analogue.hold",
             "Hold to analogue: move the axis so that the analogue input HTACHANNEL comes to this value, percent, and "
             "keeps it, at SPEED at most, until STOP or CANCEL. The axis must be idle and without error; while it holds "
-            "it takes a further HTA and no other motion. No GO is needed. It reads the value that is held, or was last.",
+            "it takes a further HTA and no other motion. No GO is needed. It reads the value that is held, or was "
+            "last.",
             "HTACHANNEL(0) = 1 : HTAKPROP(0) = 2\nHTA(0) = 25\nWAIT = 200\nPRINT VEL(0)\nSTOP(0)",
             default=0.0, low=-100.0, high=100.0, source=_MN1270, trust="manual", group="motion", effect="act"),
     _setting("HTACHANNEL", "integer", "The analogue input that HTA holds.", 0, 63),
