@@ -12,16 +12,22 @@ from motionlang.profile.limits import too_large
 from motionlang.profile.ramps import ramp_distance
 from motionlang.profile.total import total
 
+# How far from its target a plan may end, as a part of the way, before its figures count as too far apart.
+_ASTRAY = 1e-9
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.profile.approach import Ramps
     from motionlang.profile.fade import Bounds
 
 
-def bent_approach(ramps: Ramps, start: float, target: float, speed: float, v0: float, a0: float) -> Profile:
+def bent_approach(
+    ramps: Ramps, start: float, target: float, speed: float, v0: float, a0: float
+) -> Profile | None:
     """The move from `start` at velocity v0 and acceleration a0, which is not 0, to rest at `target`.
 
-    Where it cannot stop at the target, or runs the wrong way, it stops first, and then moves there from rest.
+    Where it cannot stop at the target, or runs the wrong way, it stops first, and then moves there from rest. None
+    where the figures are so many orders apart that rounding loses the target.
     """
     assert ramps.bounds is not None
     sign = copysign(1.0, v0 or a0)
@@ -46,7 +52,7 @@ def bent_approach(ramps: Ramps, start: float, target: float, speed: float, v0: f
 
 def _ahead(
     ramps: Ramps, start: float, target: float, speed: float, u: float, b: float, sign: float
-) -> Profile:
+) -> Profile | None:
     """The same where the target lies beyond the shortest stop."""
     assert ramps.bounds is not None
     size = sign * (target - start)
@@ -88,11 +94,15 @@ def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> floa
     return top if top >= eased else None
 
 
-def _arriving(bent: Profile, target: float, recipe: tuple[float, ...]) -> Profile:
-    """`bent`, and then the ramps of a recipe to `target`."""
+def _arriving(bent: Profile, target: float, recipe: tuple[float, ...]) -> Profile | None:
+    """`bent`, and then the ramps of a recipe to `target`; None where they end elsewhere."""
     time = total(recipe[1::3])
     if not time < inf:
         raise too_large()
+    ways = [ramp_distance(*recipe[i : i + 4]) for i in range(0, len(recipe) - 1, 3)]
+    way = target - bent.end
+    if abs(total(ways) - way) > _ASTRAY * max(abs(target), abs(bent.start), abs(way), *map(abs, ways)):
+        return None
     if time > 0.0:
         return bent.then(Profile("scurve", bent.end, target, time, recipe))
     bent.end = target

@@ -9,7 +9,11 @@ from motionlang.profile.bent import bent_approach
 from motionlang.profile.curve import Profile
 from motionlang.profile.fade import Bounds
 from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
+from motionlang.profile.pieces import position_in
 from motionlang.profile.ramps import FALLING, ramp_distance
+
+# Rates as far apart as this may lose the target to rounding; what is planned with them is looked at again.
+_FAR_APART = 1e9
 
 
 def plan_jerk(
@@ -71,7 +75,24 @@ def plan_jerk(
     if a0 == 0.0:
         # also where a move from rest with figures too large ends: `approach` says so
         return approach(ramps, start, target, speed, v0)
-    return bent_approach(ramps, start, target, speed, v0, a0)
+    rates = accel, decel, accel_jerk, decel_jerk
+    far_apart = max(rates) > _FAR_APART * min(rates)
+    made = bent_approach(ramps, start, target, speed, v0, a0)
+    if made is not None and not (far_apart and _is_astray(made)):
+        return made
+    eased = ease(start, v0, a0, accel_jerk if a0 * v0 >= 0.0 else decel_jerk)
+    made = eased.then(approach(ramps, eased.end, target, speed, eased.end_velocity))
+    if _is_astray(made):
+        raise too_large()
+    return made
+
+
+def _is_astray(made: Profile) -> bool:
+    """Whether the last piece of a profile ends elsewhere than the profile, by more than a ten-millionth of its way."""
+    if not made.pieces:
+        return False
+    reached = position_in(made.pieces[-1], made.knots[-1] - made.knots[-2])
+    return not abs(reached - made.end) <= 1e-7 * max(map(abs, made.extrema()))
 
 
 def _stops_within(size: float, u: float, decel: float, jerk: float, fall: float) -> bool:

@@ -117,9 +117,9 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
             ["export", "--scurve", "1000", "--time", "100.5"],
             "error[range]: point 0: the time 100.5 ms is not a whole number of milliseconds\n",
         ),
-        (["plot", "--scurve", "1e300", "--jerk", "1"], "takes more than 1000000 points"),
-        (["plot", "--scurve", "1", "--jerk", "1e300", "--accel", "1e-9"], "no move of finite figures"),
-        (["plot", "--scurve", "1", "--time", "1e-200"], "the segment time leaves no finite jerk"),
+        (["plot", "--scurve", "1e300", "--jerk", "1"], "distance must lie between"),
+        (["plot", "--scurve", "1", "--jerk", "1e300", "--accel", "1e-9"], "jerk must lie between"),
+        (["plot", "--scurve", "1", "--time", "1e-200"], "segment time must lie between"),
         (
             ["stream", "--scurve", "1000", "--jerk", "500000", "--speed", "3000", "--by", "-1"],
             "the stream failed: sub-modes 0 and -1 need one time for all segments",

@@ -106,7 +106,7 @@ def _bounds(a: Axis, move: Move) -> tuple[float, float, float, float]:
     if move.overridden:
         speed *= a.override
     accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
-    if move.ended == "fault":
+    if move.ended == "fault" or (isinstance(move.action, Stopping) and move.action.hard):
         decel = max(decel, a.error_decel)
     jerk = max(a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else INFINITY
     return speed, accel, decel, jerk

@@ -81,6 +81,7 @@ def _after(axis: _Axis, number: int, command: Command) -> Fault | None:
         axis.running = False
         if axis.shape:
             message = f"{command.text} is refused: axis {number} still runs in velocity mode"
-            hint = f"with its {axis.shape} a move begins at rest: {number}ST,{number}WS first, or {number}PT"
+            rest = f"{number}ST,{number}WS first, or {number}PT for a trapezoid"
+            hint = f"with its {axis.shape} a move begins at rest: {rest}"
             return Fault(0, message, hint, "still-running")
     return None

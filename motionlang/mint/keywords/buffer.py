@@ -41,7 +41,7 @@ ROWS = (
             "Status of the moves: bit 0 the move has a speed of its own (FEEDRATEMODE), 1 the override holds for it, "
             "2 it is run through as a contour, 3 the buffer is empty, 4 full, 5 suspended and at rest, 6 the move ends "
             "at rest because of the angle to the next.",
-            "MOVER(0) = 10\nPRINT MOVEBUFFERSTATUS(0)",
+            "MOVER(0) = 10\nPRINT MOVEBUFFERSTATUS(0)\nGO(0)",
             default=8.0, low=0, high=119, source="Baldor MN1270 p. 107", trust="manual", group="buffer"),
     Keyword("MOVEBUFFERLOW", "", "setting", "RW", "axis", "integer", "buffer_low",
             "The event MBLOW comes when an entry leaves the buffer and more places than this are free; -1 for never.",

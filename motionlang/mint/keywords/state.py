@@ -31,6 +31,6 @@ ROWS = (
             default=0.0, source=_LIBRARY, trust="memory", group="state", changes="motion"),
     Keyword("MOVEBUFFERFREE", "", "reading", "R", "axis", "integer", "room",
             "Free places in the move buffer of the axis.",
-            "MOVER(0) = 10\nPRINT MOVEBUFFERFREE(0)",
+            "MOVER(0) = 10\nPRINT MOVEBUFFERFREE(0)\nGO(0)",
             default=2.0, source="Baldor MN1270", trust="manual", group="state"),
 )  # fmt: skip

@@ -100,26 +100,23 @@ def test_what_is_ordered_has_its_name(program: str) -> None:
     assert list(proof.exceptions) == [ORDERED[program]]
 
 
-# What the planners are known to break: each goes from here when its planner is mended.
-KNOWN = {
-    # There is no forward pass over paths that are shorter than a ramp.
+# Paths of more than one pace, and a stop on one: each broke a bound once.
+PACES = (
+    # A path shorter than the ramp to its speed: 420.5 uu/s² without a forward pass.
     "FEEDRATEMODE(0) = 1 : CONTOURMODE(0) = 1 : ACCEL(0) = 90 : DECEL(0) = 60\nSPEED(0) = 29\nVECTORR(0, 1) = 1, 0\n"
-    "SPEED(0) = 30\nVECTORR(0, 1) = 100, 0\nGO(0)\nPAUSE IDLE(0)\n":
-        "3: path from 0.000000 s: the path acceleration reaches 420.5, above 90",
+    "SPEED(0) = 30\nVECTORR(0, 1) = 100, 0\nGO(0)\nPAUSE IDLE(0)\n",
     "SPEED(0) = 40 : ACCEL(0) = 300 : DECEL(0) = 500 : MAXACCEL(0) = 60 : MAXDECEL(0) = 60\n"
     "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 5\nVECTORR(0, 1) = 5, 0\nVECTORR(0, 1) = 40, 0.001\nGO(0)\n"
-    "PAUSE IDLE(0)\n":
-        "3: path from 0.000000 s: the path acceleration reaches 160, above 60",
-    # A stop on a path leaves the acceleration of an S-ramp at once.
+    "PAUSE IDLE(0)\n",
+    # A stop in the midst of an S-ramp.
     "SPEED(0) = 20 : ACCEL(0) = 50 : DECEL(0) = 50 : PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
-    "VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\nSTOP(0)\nPAUSE IDLE(0)\n":
-        "2: axis 0 at 0.350000 s: the acceleration along the path jumps by 50",
-}  # fmt: skip
+    "VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\nSTOP(0)\nPAUSE IDLE(0)\n",
+)  # fmt: skip
 
 
-@pytest.mark.parametrize("program", KNOWN)
-def test_the_list_of_what_is_known_is_exact(program: str) -> None:
-    assert found(proved(program)) == [KNOWN[program]]
+@pytest.mark.parametrize("program", PACES)
+def test_paths_of_other_paces_and_stops_on_them_keep_every_bound(program: str) -> None:
+    assert found(proved(program)) == []
 
 
 def test_a_run_that_kept_no_orders_cannot_be_proved() -> None:

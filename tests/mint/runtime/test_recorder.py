@@ -31,7 +31,7 @@ def heard(text: str, **answers: Any) -> list[tuple[Any, ...]]:
         ("SPEED = 250", [("configure", 0, "speed", 250.0)]),
         ("SPEED(0, 2) = 10;", [("configure", 0, "speed", 10.0), ("configure", 2, "speed", 10.0)]),
         ("ACCELTIME(0) = 200", [("configure", 0, "accel_time", 0.2)]),
-        ("STOP(0, 1)", [("stop", 0), ("stop", 1)]),
+        ("STOP(0, 1)", [("stop", 0, "stop", False), ("stop", 1, "stop", False)]),
         ("GO(0, 1)", [("go", (0, 1))]),
         ("CANCEL(3)", [("abort", 3), ("clear_faults", 3)]),
         ("DRIVEENABLE(2) = 0", [("disable", 2)]),
@@ -68,5 +68,5 @@ def test_readings_are_in_user_units() -> None:
 
 
 def test_conditions_ask_the_controller() -> None:
-    assert heard("If IDLE(0) Then STOP(0)", is_idle=True)[-1] == ("stop", 0)
+    assert heard("If IDLE(0) Then STOP(0)", is_idle=True)[-1] == ("stop", 0, "stop", False)
     assert heard("If IDLE(0) Then STOP(0)", is_idle=False) == [("is_idle", 0)]

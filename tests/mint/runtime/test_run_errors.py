@@ -59,7 +59,7 @@ def test_what_waits_behind_the_bad_entry_is_done() -> None:
     result = run(
         Source("a.mnt", "MOVEBUFFERSIZE(1) = 5\n" + text + "PRINT POS(1)" + HANDLER), cache=False, until=30.0
     )
-    assert result.output[-1] == "41.0000"  # where it ends was known when it was loaded
+    assert result.output[-1] == "6.0000"  # 5 from where the axis stands when it starts
 
 
 def test_ctrl_c_in_a_loop_that_only_computes_tells_how_far_it_had_come(
