@@ -144,9 +144,12 @@ def _run(
         from motionlang.cli.run_progress import watched
 
         return watched(lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun))
-    from motionlang.views.terminal import shower
+    show: Callable[[str], object] = sys.stdout.write
+    if sys.stdout.isatty():  # else it is what `shower` answers, and a script does not wait for its module
+        from motionlang.views.terminal import shower
 
-    return _run_unwatched(options, source, settings, outside, shower(sys.stdout), None)
+        show = shower(sys.stdout)
+    return _run_unwatched(options, source, settings, outside, show, None)
 
 
 def _run_unwatched(
