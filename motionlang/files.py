@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from time import monotonic, sleep
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -93,6 +94,10 @@ def _aside(target: str, mode: int) -> tuple[IO[bytes], str]:
             return os.fdopen(handle, "wb"), path
 
 
+# Seconds between two looks at a file that another program holds.
+_MOMENT = 0.02
+
+
 class InUse(Exception):
     """Another program holds the file."""
 
@@ -102,10 +107,14 @@ class Lock:
 
     __slots__ = ("_file", "_path")
 
-    def __init__(self, path: str) -> None:
-        """Hold the file; InUse where somebody does already, OSError where nothing can be written beside it."""
+    def __init__(self, path: str, patience: float = 0.0) -> None:
+        """Hold the file, `patience` seconds from now at the latest.
+
+        InUse where somebody holds it all that time, OSError where nothing can be written beside it.
+        """
         folder, name = os.path.split(os.path.realpath(path))
         self._path = os.path.join(folder, f".{name}.lock")
+        until = monotonic() + patience
         while True:
             flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0)
             self._file = os.open(self._path, flags, PRIVATE)
@@ -115,6 +124,11 @@ class Lock:
                 if os.path.exists(self._path) and os.path.samestat(os.stat(self._path), os.fstat(self._file)):
                     return
                 os.close(self._file)
+            except InUse:
+                os.close(self._file)
+                if monotonic() >= until:
+                    raise
+                sleep(_MOMENT)
             except BaseException:
                 os.close(self._file)
                 raise

@@ -14,6 +14,7 @@ from typing import IO
 import pytest
 
 import motionlang
+from motionlang import files
 from motionlang.files import InUse, Lock, replacing, same_file, unwritable
 
 PACKAGE = Path(motionlang.__file__).parent
@@ -204,3 +205,11 @@ def test_one_file_by_two_names(tmp_path: Path) -> None:
     Path(one).write_text("")
     os.symlink(one, link)
     assert same_file(one, link)
+
+
+def test_a_file_that_is_let_go_in_time_is_waited_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = str(tmp_path / "kept.json")
+    first = Lock(path)
+    monkeypatch.setattr(files, "sleep", lambda _: first.release())
+    Lock(path, 10.0).release()
+    assert list(tmp_path.iterdir()) == []

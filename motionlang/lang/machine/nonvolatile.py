@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from motionlang.files import Lock
 
 SCHEMA = "motionlang.nv/1"
+# Seconds for which a run waits for another one that holds the file: runs of a script that start at once take turns.
+PATIENCE = 10.0
 LAST_WORD = 1023
 _LOW, _HIGH = -2147483648, 2147483647
 _LARGEST_FLOAT = 3.4028235677973366e38  # from here on a number rounds to infinity in 32 bits
@@ -38,7 +40,7 @@ class NonVolatile:
         if path is not None:
             from motionlang.files import Lock
 
-            self._lock = Lock(path)
+            self._lock = Lock(path, PATIENCE)
             try:
                 self._read(path)
             except BaseException:

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import run
+from motionlang.lang.machine import nonvolatile
 from motionlang.lang.machine.machine import Machine
 from motionlang.result import Run
 from motionlang.source import Source
@@ -144,8 +145,9 @@ def test_a_place_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
     assert "cannot be read" in result.diagnostics[0].message
 
 
-def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path) -> None:
+def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It would read what the first is about to change, and one of the two would be lost."""
+    monkeypatch.setattr(nonvolatile, "PATIENCE", 0.0)
     file, link = tmp_path / "kept.json", tmp_path / "link.json"
     link.symlink_to(file)
     second: list[Run] = []
