@@ -194,12 +194,13 @@ def test_a_state_machine_polls_for_eight_hours_at_the_price_of_its_moves(
     assert count < 20 * moves
 
 
-@pytest.mark.parametrize("text", FOR_EVER.values(), ids=FOR_EVER.keys())
-def test_eight_hours_of_nothing_are_over_at_once(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    result, count = effort(text, monkeypatch)
+@pytest.mark.parametrize("name", FOR_EVER)
+def test_eight_hours_of_nothing_are_over_at_once(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tasks that wait side by side cost more than they should: 6 300 where the others stay within 5 000."""
+    result, count = effort(FOR_EVER[name], monkeypatch)
     assert not result.diagnostics
     assert result.time == pytest.approx(28_800.0, abs=0.05)
-    assert count < 8000
+    assert count < (8000 if name == "tasks that wait" else 5000)
 
 
 def test_a_loop_that_looks_for_what_cannot_happen_is_told() -> None:
