@@ -16,6 +16,7 @@ WRITERS = (
     "tests.keyword_pages",
     "tests.mint_manual",
     "tests.machine_page",
+    "tests.fidelity_page",
 )
 
 

@@ -25,6 +25,7 @@ LEVELS: dict[str, int] = {
     "remarks": 7,
     "report": 6,
     "result": 6,
+    "readings": 5,
     "mint": 5,
     "mccl": 5,
     "copley": 5,
@@ -60,7 +61,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("controller", "verbs"),
     ),
     "mint": (
-        ("models", "keywords"),
+        ("models", "keywords", "evidence"),
         ("syntax", "runtime"),
         ("operations",),
         ("resolve",),
@@ -69,7 +70,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("interactive", "lint"),
     ),
     "mccl": (
-        ("codes", "keywords"),
+        ("codes", "keywords", "evidence"),
         ("models", "syntax", "axis"),
         ("motion",),
         ("operations",),

@@ -12,6 +12,9 @@ if TYPE_CHECKING:
 
 # How the fact is known: printed in a manual, read off running code, or remembered.
 TRUST = ("manual", "code", "memory")
+# How well it is known. A sibling is another product of the same maker, or in the same style, whose rule is printed;
+# a choice has nothing to go by.
+STRENGTHS = ("manual", "code", "sibling", "memory high", "memory medium", "memory low", "choice")
 # What a statement with a word does to the axes it names. Of the first group a word has at most one, which is its role
 # in a program that is followed step by step; the others say more of it.
 ROLES = {
