@@ -35,9 +35,9 @@ KEYS = ("name", "question", "chosen", "alternatives", "why", "strength", "words"
 class Reading:
     """One question that somebody had to answer, and the answer.
 
-    `name` is that of the machine file's `[readings]`, `alternatives` are the other answers, `why` the reason for the one
-    `chosen`, `strength` one of `lang.keyword.STRENGTHS`; `words` are those whose use makes a program depend on it, in
-    the spelling of the language, and `@motor` for a machine with a simulated motor.
+    `name` is that of the machine file's `[readings]`, `alternatives` are the other answers, `why` the reason for the
+    one `chosen`, `strength` one of `lang.keyword.STRENGTHS`; `words` are those whose use makes a program depend on it,
+    in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any.
     """
 
     __slots__ = ("alternatives", "chosen", "name", "question", "strength", "why", "words")
