@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.crash import crash
 from motionlang.cli.golden import MOST_DIFFERENCES, differences, golden_files, programs, update
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
@@ -82,6 +83,8 @@ def _ran(program: str) -> Run | None:
     except ProgramError as error:
         machine = machine_of(program)
         complain(error.diagnostics, Source.read(machine) if machine else None, machine or program)
+    except Exception as error:  # a mistake of motionlang's own is no reason to leave out the programs behind it
+        complain([crash(error, (program,))], None, program)
     return None
 
 

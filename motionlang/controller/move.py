@@ -72,6 +72,8 @@ class Action:
     lies_on_top = False
     # Whether the axis takes no other motion before this one has been stopped.
     exclusive = False
+    # The limits of the axis that act on it at once, where not every setting does (`live`).
+    live_limits: tuple[str, ...] = ()
 
     def release(self, move: Move) -> None:
         """GO was given to the axis of the entry."""

@@ -21,8 +21,11 @@ if TYPE_CHECKING:
 STEPS = 24
 """Brackets between two knots: two turning points inside one of them would not be seen."""
 
-PEAK_STEPS = 5
+PEAK_STEPS = 8
 """The same where a peak is looked for: it is broad, and improved afterwards."""
+
+PEAK_SHARE = 0.9
+"""The part of the highest value on the grid that a summit beside it must have to be the highest after all."""
 
 
 class Formula(Profile):
@@ -158,15 +161,15 @@ class Formula(Profile):
 
     # -- inside
 
-    def _brackets(self, after: float, steps: int = STEPS) -> Iterator[tuple[float, float]]:
+    def _brackets(self, after: float) -> Iterator[tuple[float, float]]:
         """Stretches of time from `after` on, up to the last finite knot."""
         knots = self.knots
         for begin, finish in pairwise(knots):
             if finish <= after or finish == inf:
                 continue
-            step = (finish - begin) / steps
-            for i in range(steps):
-                low, high = begin + i * step, finish if i == steps - 1 else begin + (i + 1) * step
+            step = (finish - begin) / STEPS
+            for i in range(STEPS):
+                low, high = begin + i * step, finish if i == STEPS - 1 else begin + (i + 1) * step
                 if high > after:
                     yield max(low, after), high
 
@@ -210,13 +213,24 @@ class Formula(Profile):
         return begin + (position - here) / velocity
 
     def _peak_of(self, value: Callable[[float], float]) -> float:
-        """The largest absolute value: the best of a grid, improved between its neighbours."""
-        peak, around = abs(self.end_velocity) if value == self.velocity else 0.0, None
-        for begin, finish in self._brackets(0.0, PEAK_STEPS):
-            for t in (begin, 0.5 * (begin + finish), finish * (1.0 - 1e-15)):
-                if abs(value(t)) > peak:
-                    peak, around = abs(value(t)), (begin, finish)
-        return peak if around is None else max(peak, _best(lambda t: abs(value(t)), *around))
+        """The largest absolute value: the summits of a grid between every two knots, improved between neighbours."""
+        peak = abs(self.end_velocity) if value == self.velocity else 0.0
+        summits: list[tuple[float, float, float]] = []
+        for begin, finish in pairwise(self.knots):
+            if finish == inf:
+                continue
+            step = (finish - begin) / PEAK_STEPS
+            times = [begin, *(begin + i * step for i in range(1, PEAK_STEPS)), finish - 1e-15 * (finish - begin)]
+            sizes = [abs(value(t)) for t in times]
+            for i, size in enumerate(sizes):
+                low, high = max(i - 1, 0), min(i + 1, PEAK_STEPS)
+                if sizes[low] <= size >= sizes[high]:
+                    summits.append((size, times[low], times[high]))
+        peak = max([peak, *(size for size, _, _ in summits)])
+        for size, low, high in summits:
+            if size >= PEAK_SHARE * peak:
+                peak = max(peak, _best(lambda t: abs(value(t)), low, high))
+        return peak
 
 
 def _best(value: Callable[[float], float], low: float, high: float) -> float:

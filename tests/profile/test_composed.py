@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from motionlang.profile import Profile, plan, plan_trapezoid, plan_velocity
 from motionlang.profile.arc import arc_over, line_over, rotated
 from motionlang.profile.chain import Chain
 from motionlang.profile.composed import Composed, crossings, travelled
+from motionlang.profile.evaluate import evaluate
 from motionlang.profile.sample import sample_profile, sample_track
 from motionlang.profile.summed import Sum, added
 from motionlang.profile.table_motion import table_curve
@@ -27,6 +29,21 @@ def circle(cosine: bool = True, sweep: float = 2.0 * math.pi, shape: str = "trap
     along = plan(shape, 0.0, length, 20.0, 50.0, 50.0, ramp=0.2)
     end = 10.0 * (math.cos(sweep) if cosine else math.sin(sweep))
     return Composed(along, arc_over(length, 0.0, 10.0, 0.0, sweep, end, cosine))
+
+
+def test_the_peaks_of_arcs_on_s_ramps_are_those_of_a_dense_grid() -> None:
+    choose = random.Random(5)
+    for case in range(60):
+        radius, sweep = choose.uniform(1.0, 50.0), choose.uniform(-6.0, 6.0)
+        length = radius * abs(sweep)
+        rates = [choose.uniform(20.0, 500.0) for _ in range(2)]
+        jerks = [10.0 ** choose.uniform(2.0, 4.0) for _ in range(2)]
+        along = plan("scurve", 0.0, length, choose.uniform(5.0, 100.0), *rates, 0.0, 0.0, *jerks)
+        arc = arc_over(length, 0.0, radius, choose.uniform(-3.0, 3.0), sweep, 0.0, case % 2 == 0)
+        made = travelled(along, arc)
+        speeds = np.abs(evaluate(made, np.linspace(0.0, made.duration * (1.0 - 1e-12), 20_001), 1))
+        # A grid of 1e-4 of the motion misses a summit by less than its curvature allows.
+        assert speeds.max() * (1.0 - 1e-12) <= made.peak_speed <= speeds.max() * (1.0 + 2e-5), case
 
 
 def test_a_full_circle_by_its_figures() -> None:

@@ -48,7 +48,7 @@ def _concerns(a: Axis, name: str) -> bool:
     move = a.move
     assert move is not None
     if move.action is not None and not move.action.live:
-        return False
+        return name in move.action.live_limits
     if name == "speed":
         return move.speed is None
     return move.overridden if name == "override" else True

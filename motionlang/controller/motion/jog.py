@@ -22,6 +22,7 @@ class Jog(Action):
     """Running at a velocity, counts/s; `ends`: a velocity of 0 is the end of it."""
 
     __slots__ = ("_way", "ends", "velocity")
+    live_limits = ("max_speed", "max_accel", "max_decel")
 
     def __init__(self, velocity: float, ends: bool) -> None:
         self.velocity, self.ends = velocity, ends

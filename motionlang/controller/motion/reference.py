@@ -53,6 +53,7 @@ class SpeedReference(Reference):
     """A velocity, counts/s, reached by the slopes `up` and `down`; `error_rate` brakes after an error, 0 for none."""
 
     __slots__ = ("error_rate", "slopes", "velocity")
+    live_limits = ("max_speed",)
 
     def __init__(self, move: FollowMove, velocity: float, slopes: Slopes, error_rate: float) -> None:
         super().__init__(move)

@@ -31,6 +31,9 @@ class Triggers:
         self._modes: dict[int, int] = {}
         self._settings: dict[tuple[str, int], float] = {}
         self._watches: dict[int, tuple[Axis, Watch]] = {}
+        # The counts at which TRIGGERVALUE lies where it is a position of an axis: it keeps them whatever the scale.
+        self._places: dict[int, float] = {}
+        environment.controller.listeners.append(self._rescaled)
         environment.part(Inputs).listeners.append(self._changed)
         environment.loaded = self.loaded
 
@@ -47,7 +50,25 @@ class Triggers:
 
     def set(self, name: str, axis: int, value: float) -> None:
         self._settings[name, axis] = value
+        watched = self._watched_axis(axis)
+        if name != "TRIGGERINPUT" and watched is not None:
+            self._places[axis] = watched.scale.position_to_counts(self.setting("TRIGGERVALUE", axis))
         self._watch(axis)
+
+    def _watched_axis(self, axis: int) -> Axis | None:
+        """The axis whose position may start moves; None for an encoder."""
+        if self.setting("TRIGGERSOURCE", axis):
+            return None
+        return self._controller.axes.get(int(self.setting("TRIGGERCHANNEL", axis)))
+
+    def _rescaled(self, what: str, channel: int) -> None:
+        """TRIGGERVALUE shows its counts in the units of now."""
+        if what != "scale":
+            return
+        for axis, counts in self._places.items():
+            watched = self._watched_axis(axis)
+            if watched is not None and watched.index == channel:
+                self._settings["TRIGGERVALUE", axis] = watched.scale.position_to_user(counts)
 
     def loaded(self, axis: int) -> None:
         """Something was put into the buffer of an axis."""
@@ -59,6 +80,7 @@ class Triggers:
         self._modes.pop(axis, None)
         for name in _DEFAULTS:
             self._settings.pop((name, axis), None)
+        self._places.pop(axis, None)
         self._watch(axis)
 
     def _start(self, axis: int) -> None:

@@ -1,7 +1,7 @@
 """Cam boxes: outputs that are switched at positions of an axis or an encoder, at the very moment of each.
 
 The positions are pairs, on and off, in a table of the program whose element 1 is the count. A box goes by what the
-table, the scale and the wrap are when it is switched on.
+table, the scale and the wrap are when it is switched on: another scale leaves the counts at which it switches.
 """
 
 from __future__ import annotations
@@ -156,20 +156,12 @@ class CamBoxes:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._boxes: dict[int, CamBox] = {}
-        environment.controller.listeners.append(self._heard)
 
     def box(self, number: int) -> CamBox:
         checked(number, LAST_BOX, "cam box")
         if number not in self._boxes:
             self._boxes[number] = CamBox(self._environment, number)
         return self._boxes[number]
-
-    def _heard(self, what: str, axis: int) -> None:
-        """A new scale puts the positions elsewhere."""
-        if what == "scale":
-            for box in self._boxes.values():
-                if box.enabled and box.kind == AXIS and box.channel == axis:
-                    box.enable(True)
 
 
 # ----------------------------------------------------------------------------------------------- operations

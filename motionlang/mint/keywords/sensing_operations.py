@@ -308,14 +308,36 @@ def write_encoder_setting(environment: Environment, row: Row) -> Operation:
 # ---------------------------------------------------------------------------------------------------- wraps
 
 
+class Wraps:
+    """POSWRAP of every axis in counts: another scale shows it, as any setting that was made before, in other units."""
+
+    def __init__(self, environment: Environment) -> None:
+        self._environment = environment
+        self._counts: dict[int, float] = {}
+        environment.controller.listeners.append(self._heard)
+
+    def set(self, axis: int, value: float) -> None:
+        self._environment.wraps[axis] = value
+        self._counts[axis] = value * abs(scale_of(self._environment, axis).counts)
+
+    def _heard(self, what: str, axis: int) -> None:
+        if what == "scale" and axis in self._counts:
+            self._environment.wraps[axis] = self._counts[axis] / abs(
+                scale_of(self._environment, axis).counts
+            )
+
+
 def read_wrap(environment: Environment, row: Row) -> Operation:
     return lambda axis: environment.wraps.get(axis_of(environment, axis), 0.0)
 
 
 def write_wrap(environment: Environment, row: Row) -> Operation:
+    """POSWRAP, user units."""
+    wraps = environment.part(Wraps)
+
     def write(axis: int, value: float) -> None:
         row.check(value)
-        environment.wraps[axis_of(environment, axis)] = value
+        wraps.set(axis_of(environment, axis), value)
 
     return write
 

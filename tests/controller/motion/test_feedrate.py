@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.controller.faults import Refusal
+from motionlang.profile.reference import Slope
 from tests.controller.machines import machine, until
 
 
@@ -112,3 +113,22 @@ def test_a_live_speed_of_zero_is_refused_by_name() -> None:
     c.move_to(0, 20.0)
     with pytest.raises(Refusal, match="speed is 0"):
         c.configure(0, "speed", 0.0)
+
+
+@pytest.mark.parametrize("shape", ["trapezoid", "scurve"])
+def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: str) -> None:
+    c = machine(shape=shape, accel_jerk=1e4, decel_jerk=1e4)
+    c.jog(0, 10.0)
+    until(c, 1.0).configure(0, "max_speed", 4.0)
+    assert until(c, 2.0).velocity(0) == 4.0
+    c.configure(0, "max_speed", float("inf"))
+    assert until(c, 3.0).velocity(0) == 10.0
+    assert len(c.moves) == 1
+
+
+def test_a_limit_of_speed_acts_on_a_speed_reference() -> None:
+    c = machine()
+    c.refer_speed(0, 10.0, (Slope(100.0, 0.0, 0.0), Slope(50.0, 0.0, 0.0)))
+    until(c, 1.0).configure(0, "max_speed", 5.0)
+    assert until(c, 1.05).velocity(0) == pytest.approx(7.5)
+    assert until(c, 2.0).velocity(0) == 5.0
