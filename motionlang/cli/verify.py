@@ -83,7 +83,9 @@ def _ran(program: str) -> Run | None:
     except ProgramError as error:
         machine = machine_of(program)
         complain(error.diagnostics, Source.read(machine) if machine else None, machine or program)
-    except Exception as error:  # a mistake of motionlang's own is no reason to leave out the programs behind it
+    except (
+        Exception
+    ) as error:  # a mistake of motionlang's own is no reason to leave out the programs behind it
         complain([crash(error, (program,))], None, program)
     return None
 

@@ -220,7 +220,11 @@ class Formula(Profile):
             if finish == inf:
                 continue
             step = (finish - begin) / PEAK_STEPS
-            times = [begin, *(begin + i * step for i in range(1, PEAK_STEPS)), finish - 1e-15 * (finish - begin)]
+            times = [
+                begin,
+                *(begin + i * step for i in range(1, PEAK_STEPS)),
+                finish - 1e-15 * (finish - begin),
+            ]
             sizes = [abs(value(t)) for t in times]
             for i, size in enumerate(sizes):
                 low, high = max(i - 1, 0), min(i + 1, PEAK_STEPS)

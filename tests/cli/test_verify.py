@@ -122,7 +122,9 @@ def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_
     ran = cell("verify", ".", "--update")
     assert ran.status == 1
     assert ran.out == "./jog.mcl: written\n1 of 2 programs have their golden files\n"
-    assert "error[crash]: motionlang has made a mistake: AssertionError: somebody has thought wrong" in ran.err
+    assert (
+        "error[crash]: motionlang has made a mistake: AssertionError: somebody has thought wrong" in ran.err
+    )
     assert not (cell.folder / "ballscrew.golden.json").exists()
     kept = sorted(each.name for each in Path(tempfile.gettempdir()).glob("*/*"))
     assert kept == ["ballscrew.mcl", "crash.txt"]

@@ -322,9 +322,7 @@ class Wraps:
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._counts:
-            self._environment.wraps[axis] = self._counts[axis] / abs(
-                scale_of(self._environment, axis).counts
-            )
+            self._environment.wraps[axis] = self._counts[axis] / abs(scale_of(self._environment, axis).counts)
 
 
 def read_wrap(environment: Environment, row: Row) -> Operation:
