@@ -7,7 +7,7 @@ says where it is smooth (`knots`) and gives position, velocity and acceleration;
 from __future__ import annotations
 
 from itertools import pairwise
-from math import inf
+from math import inf, nextafter
 
 from motionlang.profile.curve import Phase, Profile, State
 from motionlang.profile.root import bracketed_root
@@ -223,13 +223,13 @@ class Formula(Profile):
             times = [
                 begin,
                 *(begin + i * step for i in range(1, PEAK_STEPS)),
-                finish - 1e-15 * (finish - begin),
+                nextafter(finish, begin),
             ]
             sizes = [abs(value(t)) for t in times]
             for i, size in enumerate(sizes):
-                low, high = max(i - 1, 0), min(i + 1, PEAK_STEPS)
-                if sizes[low] <= size >= sizes[high]:
-                    summits.append((size, times[low], times[high]))
+                before, after = max(i - 1, 0), min(i + 1, PEAK_STEPS)
+                if sizes[before] <= size >= sizes[after]:
+                    summits.append((size, times[before], times[after]))
         peak = max([peak, *(size for size, _, _ in summits)])
         for size, low, high in summits:
             if size >= PEAK_SHARE * peak:

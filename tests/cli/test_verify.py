@@ -108,14 +108,14 @@ def test_a_wrong_machine_file_beside_a_program(option: list[str], cell: Cell) ->
 def test_a_program_that_motionlang_stumbles_over_leaves_the_others_their_golden_files(
     cell: Cell, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
+    from motionlang import run
     from motionlang.cli import verify
 
-    real = verify.run
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path_factory.mktemp("bundles")))
 
     def stumbles(program: str, cache: bool) -> Run:
         assert "ballscrew" not in program, "somebody has thought wrong"
-        return real(program, cache=cache)
+        return run(program, cache=cache)
 
     monkeypatch.setattr(verify, "run", stumbles)
     (cell.folder / "wrong.mcl").unlink()

@@ -36,9 +36,13 @@ def test_the_peaks_of_arcs_on_s_ramps_are_those_of_a_dense_grid() -> None:
     for case in range(60):
         radius, sweep = choose.uniform(1.0, 50.0), choose.uniform(-6.0, 6.0)
         length = radius * abs(sweep)
-        rates = [choose.uniform(20.0, 500.0) for _ in range(2)]
-        jerks = [10.0 ** choose.uniform(2.0, 4.0) for _ in range(2)]
-        along = plan("scurve", 0.0, length, choose.uniform(5.0, 100.0), *rates, 0.0, 0.0, *jerks)
+        speed, accel, decel = (
+            choose.uniform(5.0, 100.0),
+            choose.uniform(20.0, 500.0),
+            choose.uniform(20.0, 500.0),
+        )
+        jerk = 10.0 ** choose.uniform(2.0, 4.0)
+        along = plan("scurve", 0.0, length, speed, accel, decel, accel_jerk=jerk)
         arc = arc_over(length, 0.0, radius, choose.uniform(-3.0, 3.0), sweep, 0.0, case % 2 == 0)
         made = travelled(along, arc)
         speeds = np.abs(evaluate(made, np.linspace(0.0, made.duration * (1.0 - 1e-12), 20_001), 1))
