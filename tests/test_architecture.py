@@ -5,9 +5,10 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
-import pytest
+from tests.cases import cases
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
@@ -97,10 +98,21 @@ SPEAKS_FOR_ITSELF = 6
 FILES = sorted(PACKAGE.rglob("*.py"))
 
 
+@cache
+def text_of(path: Path) -> str:
+    return path.read_text(encoding="utf-8")
+
+
+@cache
+def tree_of(path: Path) -> ast.Module:
+    return ast.parse(text_of(path))
+
+
+@cache
 def imports(path: Path) -> set[str]:
     """Every module that a file imports, anywhere in it, for types or for use."""
     found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(tree_of(path)):
         if isinstance(node, ast.Import):
             found.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -124,7 +136,7 @@ def at_run_time(path: Path) -> set[str]:
         for child in ast.iter_child_nodes(node):
             look(child)
 
-    look(ast.parse(path.read_text(encoding="utf-8")))
+    look(tree_of(path))
     return {name for name in found if name.startswith("motionlang.")}
 
 
@@ -156,7 +168,7 @@ def own_layer(path: Path) -> str:
     )
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_imports_point_down(path: Path) -> None:
     here = own_layer(path)
     if here == "":
@@ -182,7 +194,7 @@ def module_parts(name: str) -> list[str]:
     return parts[1:]
 
 
-@pytest.mark.parametrize("package", FLOORS)
+@cases("package", FLOORS)
 def test_floors_inside_a_package(package: str) -> None:
     level = {name: height for height, names in enumerate(FLOORS[package]) for name in names}
     for path in sorted((PACKAGE / package).rglob("*.py")):
@@ -212,7 +224,7 @@ def test_what_is_named_here_exists() -> None:
         assert (PACKAGE / home).exists(), home
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_heavy_libraries_stay_at_home(path: Path) -> None:
     relative = path.relative_to(PACKAGE).as_posix()
     for module in imports(path):
@@ -220,18 +232,22 @@ def test_heavy_libraries_stay_at_home(path: Path) -> None:
         assert homes is None or relative.startswith(homes), f"{relative} imports {module}"
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_files_keep_one_reason(path: Path) -> None:
-    lines = path.read_text(encoding="utf-8").count("\n")
+    lines = text_of(path).count("\n")
     generated = path.name == "tables.py"
     limit = 700 if "keywords" in path.as_posix() else 500
     assert generated or lines <= limit, f"{lines} lines"
 
 
-@pytest.mark.parametrize("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", PAGE))))
+@cache
+def roots() -> tuple[Path, ...]:
+    return (ROOT, ROOT / "tests", PACKAGE, *(path for path in PACKAGE.rglob("*") if path.is_dir()))
+
+
+@cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", PAGE))))
 def test_the_page_about_the_architecture_names_what_there_is(named: str) -> None:
-    roots = (ROOT, ROOT / "tests", PACKAGE, *(path for path in PACKAGE.rglob("*") if path.is_dir()))
-    assert any((root / named).exists() for root in roots), f"docs/architecture.md names {named}"
+    assert any((root / named).exists() for root in roots()), f"docs/architecture.md names {named}"
 
 
 def public(body: list[ast.stmt]) -> Iterator[ast.FunctionDef | ast.ClassDef]:
@@ -243,9 +259,9 @@ def public(body: list[ast.stmt]) -> Iterator[ast.FunctionDef | ast.ClassDef]:
                 yield from public(node.body)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_what_is_public_says_what_it_does(path: Path) -> None:
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = tree_of(path)
     silent = [
         node.name
         for node in public(tree.body)
@@ -280,14 +296,14 @@ def float_sums(tree: ast.AST) -> list[int]:
     return [node.lineno for node in names if node not in counting]
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
 def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
     """From Python 3.12 on it rounds floats otherwise: `profile.total`, `math.fsum` and plain additions do not."""
-    found = float_sums(ast.parse(path.read_text(encoding="utf-8")))
+    found = float_sums(tree_of(path))
     assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"
 
 
-@pytest.mark.parametrize(
+@cases(
     ("text", "lines"),
     [
         ("sum(1 << k for k in range(8))", []),

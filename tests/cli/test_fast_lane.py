@@ -11,6 +11,7 @@ import pytest
 from motionlang.cli import quick_options
 from motionlang.cli.commands import build_parser
 from motionlang.cli.run_options import run_options
+from tests.cases import cases
 
 PARTS = (
     ("pick.mnt",),
@@ -27,7 +28,7 @@ LINES = [
 ]
 
 
-@pytest.mark.parametrize("line", LINES, ids=" ".join)
+@cases("line", LINES, ids=" ".join)
 def test_both_ways_to_read_a_line_agree(line: list[str]) -> None:
     quick = quick_options(line)
     parser = build_parser()

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.cases import cases
 from tests.cli.notes import PAGES, answer, numbers, worked_out
 from tests.copley.docs import blocks
 
@@ -24,7 +25,7 @@ def test_a_command_prints_what_it_shows(
     assert shown
 
 
-@pytest.mark.parametrize(("formula", "number"), FORMULAS)
+@cases(("formula", "number"), FORMULAS)
 def test_a_formula_gives_its_number(formula: str, number: str) -> None:
     """To half a step of the last place that is printed, and what its own rounded figures leave."""
     places = len(number.partition(".")[2])

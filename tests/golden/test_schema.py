@@ -16,6 +16,7 @@ from motionlang.execution import run
 from motionlang.report import failure, text
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import cases
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 jsonschema = pytest.importorskip("jsonschema")
@@ -30,7 +31,7 @@ def check(document: str) -> None:
     jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(document))
 
 
-@pytest.mark.parametrize("program", GALLERY, ids=lambda path: str(Path(path).relative_to(ROOT / "scripts")))
+@cases("program", GALLERY, ids=lambda path: str(Path(path).relative_to(ROOT / "scripts")))
 def test_every_golden_report_keeps_to_the_schema(program: str) -> None:
     """The golden files, which another test holds to what the programs do."""
     check(Path(program).with_suffix(".golden.json").read_text(encoding="utf-8"))

@@ -15,6 +15,7 @@ from motionlang import run
 from motionlang.lang.machine.file import read_machine
 from motionlang.mint.keywords import table
 from motionlang.source import Source
+from tests.cases import cases
 from tests.mint_manual import CHAPTERS, FOLDER, INDEX, contents, heading, pages
 
 PAGES = pages()
@@ -44,7 +45,7 @@ def test_the_page_shows_what_it_says(name: str) -> None:
     assert "'! " not in text or result.not_counted == said(text, "'! ")
 
 
-@pytest.mark.parametrize("name", PAGES)
+@cases("name", PAGES)
 def test_the_page_begins_with_what_it_is_about(name: str) -> None:
     assert re.match(r"[A-Z].{20,}\.", heading(page(name).read_text(encoding="utf-8")))
 

@@ -89,12 +89,14 @@ def _language(section: Mapping[str, object], words: Mapping[str, float], model: 
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
     """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it."""
-    from motionlang.controller.servo.tuning import suggest
+    from motionlang.controller.servo.tuning import BeyondPlant, suggest
 
     while True:
         try:
             return Chosen(suggest(plant, bandwidth, loop).loop, "suggested", bandwidth)
-        except ValueError:
+        except BeyondPlant as error:
             bandwidth /= 2.0
+            while bandwidth > error.best > 0.0:
+                bandwidth /= 2.0
             if bandwidth < _LEAST_BANDWIDTH:
                 raise

@@ -11,6 +11,7 @@ axis is at p and has the velocity v; then it rests at
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from itertools import pairwise
 from math import cos
 
@@ -24,9 +25,10 @@ from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.machine.machine import Machine
 from motionlang.profile import plan
 from motionlang.profile.reference import Slope
+from tests.cases import cases
 
 DECEL, ERROR_DECEL = 200.0, 400.0
-END = 12.0
+END = 6.0
 MOTOR = {
     "axis.0.plant.amplifier": "current",
     "axis.0.servo.proportional": 0.02,
@@ -207,30 +209,42 @@ def rest(kind: Kind, free: Free, action: str) -> float | None:
 WAYS = ("met", "already active", "turned into", "placed", "mode", "enabled", "renamed", "input")
 
 
-def _met(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
+# The motion without a limit is the same whatever the limit would do: each is worked out once.
+free_at = cache(Free)
+
+
+@cache
+def _on_the_way(kind: Kind, motor: bool) -> tuple[float, Free]:
+    """A place that the motion passes, and the motion as it does."""
     # A position reference is over within a period: its motor comes upon the place when the demand has ended.
-    before = Free(kind, kind.moment if kind.moment > 0.01 else END, motor)
+    before = free_at(kind, kind.moment if kind.moment > 0.01 else END, motor)
     place = 0.9 * before.controller.position(0)
-    c = machine(motor)
-    soft(c, action, place)
     probe = machine(motor)
     passed: list[float] = []
     kind.begin(probe)
     probe.watch(0, place, lambda _: passed.append(probe.clock.now))
     probe.clock.advance(END)
+    return place, Free(kind, passed[0], motor)
+
+
+def _met(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
+    place, free = _on_the_way(kind, motor)
+    c = machine(motor)
+    soft(c, action, place)
     kind.begin(c)
-    return c, 0.0, Free(kind, passed[0], motor)
+    return c, 0.0, free
 
 
 def _already(kind: Kind, action: str, motor: bool) -> tuple[Controller, float, Free]:
     c = machine(motor)
     limit(c, action).set_active(True)
     kind.begin(c)
-    return c, 0.0, Free(kind, 0.0, motor)
+    return c, 0.0, free_at(kind, 0.0, motor)
 
 
-def _turned(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
-    """The reverse limit is active all the while; the turn is where the free motion is furthest."""
+@cache
+def _at_the_turn(kind: Kind, name: str, motor: bool) -> Free:
+    """The motion where it is furthest."""
     own = name in BY_THEMSELVES
     probe = Free(kind, END, motor, turns=not own)
     a = probe.controller.axes[0]
@@ -240,13 +254,18 @@ def _turned(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller
     # At the turn it stands, but for a reference that jumps from one velocity to another.
     free.position, free.speed = tops[top], 0.0
     free.velocity = a.velocity(top * 1e-4 + 1e-7) if name == "position reference" else 0.0
+    return free
+
+
+def _turned(kind: Kind, name: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
+    """The reverse limit is active all the while."""
     c = machine(motor)
     limit(c, action, -1).set_active(True)
     kind.begin(c)
-    if not own and kind.turn is not None:
+    if name not in BY_THEMSELVES and kind.turn is not None:
         c.clock.advance(kind.moment)
         kind.turn(c)
-    return c, 0.0, free
+    return c, 0.0, _at_the_turn(kind, name, motor)
 
 
 def _at_moment(kind: Kind, way: str, action: str, motor: bool) -> tuple[Controller, float, Free]:
@@ -273,14 +292,12 @@ def _at_moment(kind: Kind, way: str, action: str, motor: bool) -> tuple[Controll
     else:
         shift = 2000.0 - c.position(0)
         c.define_position(0, 2000.0)
-    return c, shift, Free(kind, kind.moment, motor)
+    return c, shift, free_at(kind, kind.moment, motor)
 
 
-def cells() -> list[tuple[str, str, bool]]:
-    return [(name, way, motor) for name in KINDS for way in WAYS for motor in (False, True)]
-
-
-@pytest.mark.parametrize(("name", "way", "motor"), cells())
+@pytest.mark.parametrize("motor", [False, True])
+@pytest.mark.parametrize("name", KINDS)
+@cases("way", WAYS)
 def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
     kind = KINDS[name]
     for action in ACTIONS:
@@ -305,7 +322,7 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
         expected = rest(kind, free, action) if concerned else None
         a = c.axes[0]
         if expected is None:
-            untouched = Free(kind, END, motor, turns=way == "turned into" and name not in BY_THEMSELVES)
+            untouched = free_at(kind, END, motor, turns=way == "turned into" and name not in BY_THEMSELVES)
             assert a.position(END) - shift == pytest.approx(untouched.position, abs=1e-6), action
         else:
             assert a.velocity(END) == 0.0, action
@@ -318,6 +335,5 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
             assert c.axes[0].move is None, action
 
 
-def test_no_cell_is_left_out() -> None:
-    assert {(name, way) for name, way, _ in cells()} == {(name, way) for name in KINDS for way in WAYS}
+def test_every_kind_turns_or_cannot() -> None:
     assert all(kind.turn is not None or name in NEVER_BACK for name, kind in KINDS.items())

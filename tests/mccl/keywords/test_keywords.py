@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import pytest
-
 from motionlang.lang.keyword import Keyword
 from motionlang.mccl.keywords import TABLE
 from motionlang.mccl.keywords.operations import ACTIONS, PURE
+from tests.cases import cases
 from tests.keyword_pages import machine_of
 from tests.mccl.conftest import Runner
 
@@ -14,7 +13,7 @@ SIMULATED = [row for row in TABLE if row.simulated]
 KNOWN = [row for row in TABLE if not row.simulated]
 
 
-@pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)
+@cases("row", SIMULATED, ids=lambda row: row.name)
 def test_an_example_stands_alone_and_runs_without_a_complaint(row: Keyword, mccl: Runner) -> None:
     """As it stands on the page: from power-up, on a bare machine unless the row says what the machine must have."""
     assert row.name in row.example
@@ -24,7 +23,7 @@ def test_an_example_stands_alone_and_runs_without_a_complaint(row: Keyword, mccl
     assert not any(line.startswith("?") for line in result.output)
 
 
-@pytest.mark.parametrize("row", KNOWN, ids=lambda row: row.name)
+@cases("row", KNOWN, ids=lambda row: row.name)
 def test_what_is_not_simulated_says_so(row: Keyword, mccl: Runner) -> None:
     result = mccl(f"1{row.name}1\n")
     assert [each.code for each in result.diagnostics] == ["not-simulated"]
@@ -38,7 +37,7 @@ def test_every_row_has_its_action_and_every_action_its_row() -> None:
     assert all(row.verb == "" for row in KNOWN)
 
 
-@pytest.mark.parametrize("row", list(TABLE), ids=lambda row: row.name)
+@cases("row", list(TABLE), ids=lambda row: row.name)
 def test_a_row_is_filled_in(row: Keyword) -> None:
     assert len(row.name) == 2
     assert row.name.isupper()

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import random
 
-import pytest
-
 from motionlang.lang.keyword import Keyword
 from motionlang.mccl import codes
 from motionlang.mccl.keywords import TABLE
+from tests.cases import cases
 from tests.mccl.conftest import Runner
 from tests.mccl.hosts.test_port import ask, board
 
@@ -54,7 +53,7 @@ CODES = {
 BEFORE = "MD91,MC91"
 
 
-@pytest.mark.parametrize("what", CODES)
+@cases("what", CODES)
 def test_in_a_file(what: str, mccl: Runner) -> None:
     text, code = CODES[what]
     result = mccl(f"{BEFORE}\n{text}\nTE\nAL5,TR0")
@@ -64,7 +63,7 @@ def test_in_a_file(what: str, mccl: Runner) -> None:
     assert found.line == (1 if what == "a macro that calls itself" else 2)
 
 
-@pytest.mark.parametrize("what", CODES)
+@cases("what", CODES)
 def test_at_the_port(what: str) -> None:
     text, code = CODES[what]
     console, port = board()
@@ -172,7 +171,7 @@ def test_a_macro_that_is_redefined_while_it_runs_goes_on_as_it_was(mccl: Runner)
     assert mccl("MD1,WA0.1,AL1,AR20\nGT1\nMD1,AL2,AR20\nWA0.2,TR20,MC1,TR20").output == ["1", "2"]
 
 
-@pytest.mark.parametrize("row", list(TABLE), ids=lambda row: row.name)
+@cases("row", list(TABLE), ids=lambda row: row.name)
 def test_no_number_that_is_sent_with_a_command_breaks_anything(row: Keyword, mccl: Runner) -> None:
     numbers = (
         "-1",

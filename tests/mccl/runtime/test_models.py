@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 
 from motionlang import run
@@ -9,6 +11,7 @@ from motionlang.mccl import DIALECT
 from motionlang.mccl.keywords import TABLE
 from motionlang.mccl.models import DEFAULT, MODELS
 from motionlang.source import Source
+from tests.cases import cases
 from tests.mccl.conftest import Runner
 from tests.mccl.hosts.test_port import ask, board
 
@@ -66,8 +69,7 @@ DIFFERENCES: dict[str, tuple[str, dict[str, str]]] = {
 }
 
 
-@pytest.mark.parametrize("model", ALL)
-@pytest.mark.parametrize("what", DIFFERENCES)
+@cases("what, model", product(DIFFERENCES, ALL))
 def test_models_differ(what: str, model: str, mccl: Runner) -> None:
     text, answers = DIFFERENCES[what]
     output = mccl(text, machine={"controller.model": model}, until=1.0).output

@@ -12,6 +12,7 @@ from motionlang.mint.compile import for_loops
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
+from tests.cases import cases
 from tests.mint.programs import Writer
 
 TICKS = """
@@ -62,7 +63,7 @@ def test_such_loops_are_cut() -> None:
     assert "for v_i in range(" in text
 
 
-@pytest.mark.parametrize(
+@cases(
     "loop",
     [
         "For i = 1 To 9\n  PRINT i\nNext",
@@ -77,7 +78,7 @@ def test_others_are_not(loop: str) -> None:
     assert "for v_i in range(" not in compile_module(parse(Source("a.mnt", loop))).code.text
 
 
-@pytest.mark.parametrize("seed", range(60))
+@cases("seed", range(60))
 def test_random_programs_take_the_same_time(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     source = Source("a.mnt", Writer(Random(seed)).program())
     in_chunks = run(source, cache=False)

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
-
 from motionlang import run
 from motionlang.controller.controller import SETTINGS, Controller
 from motionlang.lang.keyword import Keyword
@@ -16,6 +14,7 @@ from motionlang.mint.keywords.all_words import groups
 from motionlang.mint.keywords.vocabulary import Vocabulary
 from motionlang.mint.runtime.binding import makers
 from motionlang.source import Source
+from tests.cases import cases
 from tests.keyword_pages import shown
 
 LIBRARY = Path(indexing.__file__).with_name("type_library")
@@ -23,7 +22,7 @@ SIMULATED = [row for row in table() if row.simulated and row.example]
 OTHERS = [row for row in table() if not row.simulated]
 
 
-@pytest.mark.parametrize("row", SIMULATED, ids=lambda row: row.name)
+@cases("row", SIMULATED, ids=lambda row: row.name)
 def test_the_example_runs(row: Keyword) -> None:
     result = run(Source("example.mnt", row.example), cache=False, until=60.0)
     assert [each.message for each in result.diagnostics] == []
@@ -84,14 +83,14 @@ TRIGGERMODE VECTORA VECTORR VELDEMANDPATH
 """
 
 
-@pytest.mark.parametrize("name", MOTION.split())
+@cases("name", MOTION.split())
 def test_the_motion_set_is_simulated(name: str) -> None:
     row = table().get(name)
     assert row is not None
     assert row.simulated
 
 
-@pytest.mark.parametrize(
+@cases(
     ("short", "name"),
     [
         ("MB", "MOVEBUFFERSIZE"),
@@ -129,7 +128,7 @@ def test_a_word_that_is_not_simulated_is_never_called_unknown() -> None:
         assert "unknown-word" not in codes, row.name
 
 
-@pytest.mark.parametrize(
+@cases(
     ("written", "meant"),
     [("SPED(0) = 1", "SPEED"), ("x = POOS(0)", "POS"), ("GOO(0)", "GO"), ("ACELTIME = 5", "ACCELTIME")],
 )
@@ -148,9 +147,7 @@ def test_the_index_knows_where_every_word_stands() -> None:
 COMPILED = {("wait", "W"), ("line", "C"), ("demand", "W")}
 
 
-@pytest.mark.parametrize(
-    "row", [row for row in table() if row.kind in ("setting", "reading", "move", "command")], ids=str
-)
+@cases("row", [row for row in table() if row.kind in ("setting", "reading", "move", "command")], ids=str)
 def test_what_a_word_does_is_named_in_a_dictionary_or_is_the_controllers(row: Keyword) -> None:
     made = makers(row.verb)
     for access in row.access:

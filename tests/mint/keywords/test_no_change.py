@@ -12,6 +12,7 @@ import pytest
 from motionlang import run
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import cases
 
 RATES = "SPEED(0, 1) = 100; : ACCEL(0, 1) = 200; : DECEL(0, 1) = 300;\n"
 S_RAMP = RATES + "PROFILEMODE(0, 1) = 1; : ACCELJERK(0, 1) = 900; : DECELJERK(0, 1) = 700;\n"
@@ -84,7 +85,7 @@ def test_what_is_in_force_already_changes_nothing(case: str, ramps: str) -> None
     assert len(often.controller.moves) == len(once.controller.moves)
 
 
-@pytest.mark.parametrize(
+@cases(
     ("motion", "other"),
     [
         ("JOG(0) = 100\n", "JOG(0) = 101"),

@@ -20,6 +20,7 @@ from motionlang.mint.keywords.unsimulated import COMMAND, MOTION, VALUE
 from motionlang.repl.runner import Runner
 from motionlang.result import Run
 from motionlang.source import Source
+from tests.cases import cases
 
 MEANINGLESS = "listed by the type library without a meaning"
 OTHERS = [row for row in table() if not row.simulated]
@@ -48,7 +49,7 @@ def shown(row: Keyword) -> str:
 # --------------------------------------------------------------------------------------- every word of the lists
 
 
-@pytest.mark.parametrize("row", [row for row in OTHERS if "W" in row.access and row.verb != MOTION], ids=str)
+@cases("row", [row for row in OTHERS if "W" in row.access and row.verb != MOTION], ids=str)
 def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     read = f"PRINT {word(row)}" if "R" in row.access else ""
     result = ran(f"{word(row)} = {value(row)}", read, 'PRINT "on"')
@@ -57,14 +58,14 @@ def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     assert f"{row.name} (line 1)" in result.not_counted[0]
 
 
-@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == COMMAND], ids=str)
+@cases("row", [row for row in OTHERS if row.verb == COMMAND], ids=str)
 def test_a_command_without_an_effect_is_named(row: Keyword) -> None:
     result = ran(word(row), 'PRINT "on"')
     assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
     assert result.not_counted == [f"words that have no effect here: {row.name} (line 1)"]
 
 
-@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == MOTION], ids=str)
+@cases("row", [row for row in OTHERS if row.verb == MOTION], ids=str)
 def test_what_moves_or_decides_ends_the_run_where_it_stands(row: Keyword) -> None:
     statement = word(row) if row.access == "C" else f"{word(row)} = 1"
     result = ran('PRINT "before"', f"IF 1 THEN {statement}", 'PRINT "after"')
@@ -73,13 +74,13 @@ def test_what_moves_or_decides_ends_the_run_where_it_stands(row: Keyword) -> Non
     assert {each.code for each in result.diagnostics} == {"not-simulated"}
 
 
-@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == MOTION and "W" in row.access], ids=str)
+@cases("row", [row for row in OTHERS if row.verb == MOTION and "W" in row.access], ids=str)
 def test_what_would_move_may_be_switched_off(row: Keyword) -> None:
     result = ran(f"{word(row)} = 0", 'PRINT "on"')
     assert (result.status, result.output, result.diagnostics) == ("ended", ["on"], [])
 
 
-@pytest.mark.parametrize("row", [row for row in OTHERS if row.verb == VALUE and "R" in row.access], ids=str)
+@cases("row", [row for row in OTHERS if row.verb == VALUE and "R" in row.access], ids=str)
 def test_a_value_that_nobody_knows_ends_the_run_unless_the_machine_file_says_it(row: Keyword) -> None:
     result = ran(f"PRINT {word(row)}")
     assert result.status == "fault"

@@ -1,0 +1,50 @@
+"""`@cases`: many small cases as one test. A test of pytest's own costs more than most of what a table of cases asks.
+
+    @cases("word", WORDS)
+    def test_a_word_has_a_sentence(word): ...
+
+Every case runs, also after one has failed; the failures carry their cases. What the test takes besides, fixtures and
+other parameters, it gets as ever, once for all cases. For cases that need a fixture of their own, or a second or more,
+pytest's `parametrize` is right.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import pytest
+
+# What `pytest.raises` raises where nothing was raised is no Exception.
+FAILURES = (Exception, pytest.fail.Exception)
+
+
+def cases(
+    names: str | tuple[str, ...], table: Iterable[Any], ids: Callable[[Any], object] | None = None
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """A test over the rows of `table`, as `parametrize` takes them; `ids` spells the parts of a row in a failure."""
+    wanted = [each.strip() for each in names.split(",")] if isinstance(names, str) else list(names)
+    rows = [row if len(wanted) > 1 else (row,) for row in table]
+    spell = ids or repr
+
+    def decorate(test: Callable[..., None]) -> Callable[..., None]:
+        def run(**given: Any) -> None:
+            failures: list[BaseException] = []
+            for row in rows:
+                try:
+                    test(**dict(zip(wanted, row, strict=True)), **given)
+                except FAILURES as error:
+                    error.add_note(f"case {', '.join(str(spell(part)) for part in row)}")
+                    failures.append(error)
+            if len(failures) == 1:
+                raise failures[0]
+            if failures:
+                raise BaseExceptionGroup(f"{len(failures)} of {len(rows)} cases failed", failures)
+
+        run.__name__, run.__doc__, run.__module__ = test.__name__, test.__doc__, test.__module__
+        left = [p for name, p in inspect.signature(test).parameters.items() if name not in wanted]
+        run.__signature__ = inspect.Signature(left)  # type: ignore[attr-defined]
+        return run
+
+    return decorate
