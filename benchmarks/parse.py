@@ -1,10 +1,13 @@
-"""How fast Mint is parsed: `name value unit` lines, every ratio measured within this one run.
+"""How fast both languages are parsed: `name value unit` lines, every ratio measured within this one run.
 
     python benchmarks/parse.py [BYTES]
 
 The text is a program of about a megabyte, made twice with the same statements: in Mint and in Python, so that
 CPython's own `ast.parse` is a fair yardstick. Lark parses the same text with the same grammar, once as it is
 shipped (its contextual lexer, the collector on) and once with the collector off. Times are processor times.
+
+Of MCCL no two commands are the same text: each is cut out and taken to its parts, and then looked up and its number
+checked, too, which Lark does not do.
 """
 
 from __future__ import annotations
@@ -17,6 +20,8 @@ from parse_program import program
 from timing import seconds
 
 from motionlang.lang.parsing.generate import build_lark
+from motionlang.mccl.resolve.decode import COMMANDS
+from motionlang.mccl.syntax.parser import parts, pieces
 from motionlang.mint.syntax.parser import parse
 from motionlang.mint.syntax.tables import TABLES
 from motionlang.source import Source
@@ -49,7 +54,34 @@ def main(arguments: list[str]) -> int:
     print(f"parse_vs_ast_parse {median(ratios['ast']):.2f} x_faster")
     print(f"parse_vs_lark_as_shipped {median(ratios['lark']):.1f} x_faster")
     print(f"parse_vs_lark_gc_off {median(ratios['lark_gc_off']):.1f} x_faster")
+    mccl(4000)
     return 0
+
+
+def mccl(count: int) -> None:
+    """The same of a file of `count` lines of MCCL with six commands each."""
+    lines = [
+        f'{k % 8 + 1}MR{k},AL@{k % 256},1MA{k * 0.25:g},LU"STATUS{k}",2SV{k + 7},WA0.{k}'
+        for k in range(count)
+    ]
+    text = "\n".join(lines)
+    lark = build_lark("mccl.lark", lexer="contextual", keep_all_tokens=False, maybe_placeholders=False)
+
+    def parsed() -> object:
+        return [[parts(piece) for piece in pieces(line)] for line in text.split("\n")]
+
+    def known() -> object:
+        COMMANDS.clear()
+        return [[COMMANDS[piece] for piece in pieces(line)] for line in text.split("\n")]
+
+    rounds = [
+        (seconds(lambda: lark.parse(text), True), seconds(parsed, True), seconds(known, True))
+        for _ in range(ROUNDS)
+    ]
+    size = 6 * count
+    print(f"mccl_parse {median(mine for _, mine, _ in rounds) / size * 1e6:.2f} us_per_command")
+    print(f"mccl_parse_vs_lark_as_shipped {median(lark / mine for lark, mine, _ in rounds):.1f} x_faster")
+    print(f"mccl_known_vs_lark_as_shipped {median(lark / mine for lark, _, mine in rounds):.1f} x_faster")
 
 
 if __name__ == "__main__":

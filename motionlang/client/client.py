@@ -146,7 +146,7 @@ class Client:
 
     def download(self, text: str, timeout: float | None = None) -> list[str]:
         """Send the lines of a file without its comments; all that they were answered."""
-        from motionlang.mccl.syntax.split import without_comment
+        from motionlang.mccl.syntax.parser import without_comment
 
         answer: list[str] = []
         for number, line in enumerate(text.splitlines(), 1):

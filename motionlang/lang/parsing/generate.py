@@ -1,8 +1,8 @@
 """From a `.lark` grammar to the tables that `motionlang.lang.parsing.parser` runs; done once, when a grammar changes.
 
-`python -m motionlang.lang.parsing.generate` writes `motionlang/mint/syntax/tables.py`. A test compares the two, so
-that they cannot drift apart. Lark makes the LALR(1) table; `states` writes its states, `rules` its reducers, and here
-are the terminals.
+`python -m motionlang.lang.parsing.generate` writes `syntax/tables.py` of each dialect. A test compares them with their
+grammars, so that they cannot drift apart. Lark makes the LALR(1) table; `states` writes its states, `rules` its
+reducers, `flat` the pattern of a rule that needs no table, and here are the terminals.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from importlib import import_module
 from lark import Lark
 
 from motionlang.files import replacing
+from motionlang.lang.parsing.flat import Flat
 from motionlang.lang.parsing.rules import Rules
 from motionlang.lang.parsing.states import States
 
@@ -45,8 +46,47 @@ def build_lark(name: str, lexer: str = "basic", **options: Any) -> Lark:
         )
 
 
-def generate(name: str, package: str, actions: dict[str, str]) -> str:
-    """The text of the tables module of a grammar and its actions, for `motionlang.<package>`."""
+def generate(package: str) -> str:
+    """The text of the tables module of a dialect's grammar, for `motionlang.<package>`."""
+    actions = import_module(f"motionlang.{package}.syntax.actions")  # a layer above: known by name only
+    if hasattr(actions, "ACTIONS"):
+        return _with_reducers(f"{package}.lark", package, actions.ACTIONS)
+    return _with_pattern(f"{package}.lark", actions.RULE, actions.KEPT, actions.PIECE)
+
+
+def _heading(name: str) -> list[str]:
+    return [
+        f'"""The tables of grammars/{name}; written by `python -m motionlang.lang.parsing.generate`, not by hand."""\n',
+        "# ruff: noqa\n# mypy: ignore-errors\n# fmt: off\n",
+    ]
+
+
+def _with_pattern(name: str, rule: str, kept: tuple[str, ...], piece: str) -> str:
+    """For a grammar with a rule that one pattern matches: that, and the table for what it does not match.
+
+    PIECE cuts a line into what should match it, group 1, and at the end of the line finds nothing.
+    """
+    lark = build_lark(name, lexer="contextual")
+    flat = Flat(lark, rule, kept)
+    states = States(lark.parser.parser._parse_table, Rules(None))
+    cut = f"(?:{flat.between})*+(?:({piece})|$)"
+    terminals = {str(each.name): each.pattern.to_regexp() for each in lark.terminals}
+    parts = [
+        *_heading(name),
+        "import re\n",
+        "from motionlang.lang.parsing.parser import Automaton\n",
+        f"PIECE = re.compile({cut!r}, re.ASCII)\n",
+        f"{rule.upper()} = re.compile({flat.pattern!r}, re.ASCII)\n",
+        f"TERMINALS = {_wrapped(terminals)}\n",
+        "RULES = (\n" + "".join(f"    {each},\n" for each in states.rules.rows) + ")\n",
+        "ROWS = (\n" + "".join(f"    {each!r},\n" for each in states.rows) + ")\n",
+        f"AUTOMATON = Automaton(TERMINALS, RULES, ROWS, {states.finish})",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _with_reducers(name: str, package: str, actions: dict[str, str]) -> str:
+    """For a grammar whose whole text is run through the table, with an action for each alternative."""
     lark = build_lark(name)
     table = lark.parser.parser._parse_table
     rules = Rules(actions, import_module(f"motionlang.{package}.syntax.nodes"))
@@ -54,8 +94,7 @@ def generate(name: str, package: str, actions: dict[str, str]) -> str:
     literals, classes = _terminals(lark)
     token, continued = _token_patterns(lark, literals, classes)
     parts = [
-        f'"""The tables of grammars/{name}; written by `python -m motionlang.lang.parsing.generate`, not by hand."""\n',
-        "# ruff: noqa\n# mypy: ignore-errors\n# fmt: off\n",
+        *_heading(name),
         "from motionlang.lang.parsing.parser import Tables, new",
         f"from motionlang.{package}.syntax.build import *",
         f"from motionlang.{package}.syntax.nodes import *\n",
@@ -122,11 +161,8 @@ def main() -> int:
     """Write the tables of every dialect that says, in an `actions` module, what its grammar builds."""
     for file in sorted(glob(os.path.join(ROOT, "*", "syntax", "actions.py"))):
         package = os.path.basename(os.path.dirname(os.path.dirname(file)))
-        actions = import_module(
-            f"motionlang.{package}.syntax.actions"
-        ).ACTIONS  # a layer above: known by name only
         with replacing(os.path.join(ROOT, package, "syntax", "tables.py")) as tables:
-            tables.write(generate(f"{package}.lark", package, actions).encode())
+            tables.write(generate(package).encode())
     return 0
 
 

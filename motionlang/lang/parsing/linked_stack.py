@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from motionlang.lang.parsing.parser import Tables
+    from motionlang.lang.parsing.parser import Automaton
 
 
 class Cell:
@@ -33,7 +33,7 @@ class Cell:
             cell = cell.below
 
 
-def empty(tables: Tables) -> Cell:
+def empty(tables: Automaton) -> Cell:
     """The stack before the first token."""
     return Cell(tables.start, None, "", 0)
 
@@ -70,6 +70,6 @@ def feed_all(top: Cell, kinds: tuple[str, ...], at: int) -> Cell | None:
     return top
 
 
-def expected(tables: Tables, top: Cell) -> set[str]:
+def expected(tables: Automaton, top: Cell) -> set[str]:
     """The kinds of token that may come next."""
     return {kind for kind in tables.kinds if feed(top, kind, 0)[1]}

@@ -43,7 +43,7 @@ class State(dict[str, "State | Action"]):
 
     __slots__ = ("default", "number", "row", "tables")
 
-    def __init__(self, tables: Tables, number: int, row: str) -> None:
+    def __init__(self, tables: Automaton, number: int, row: str) -> None:
         self.tables, self.number, self.row = tables, number, row
         self.default: Rule | None = None
 
@@ -148,8 +148,19 @@ class Kinds(dict[str, str]):
             self.clear()
 
 
-class Tables:
-    """A grammar at work."""
+class Automaton:
+    """The LALR(1) table of a grammar: its states, and the kinds of token that they tell apart."""
+
+    def __init__(self, kinds: Iterable[str], rules: Iterable[Rule], rows: Iterable[str], finish: int) -> None:
+        self.kinds = {*kinds, END}
+        self.rules = tuple(rules)
+        self.states = [State(self, number, row) for number, row in enumerate(rows)]
+        self.start, self.finish = self.states[0], self.states[finish]
+        self.finish[END] = self.finish  # the end of the text is shifted like any token
+
+
+class Tables(Automaton):
+    """A grammar at work: the table, what cuts a text into tokens, and what the rules make of them."""
 
     def __init__(
         self,
@@ -161,13 +172,9 @@ class Tables:
         rows: Iterable[str],
         finish: int,
     ) -> None:
+        super().__init__({*literals.values(), *classes}, rules, rows, finish)
         self.token, self.continued = token, continued
         self.kind_of = Kinds(literals, classes)
-        self.kinds = {*literals.values(), *classes, END}
-        self.rules = tuple(rules)
-        self.states = [State(self, number, row) for number, row in enumerate(rows)]
-        self.start, self.finish = self.states[0], self.states[finish]
-        self.finish[END] = self.finish  # the end of the text is shifted like any token
 
     def continues(self, text: str) -> bool:
         """May the text have lines that go on in the next one? The pattern that knows of them is slower."""

@@ -13,11 +13,13 @@ if TYPE_CHECKING:
 
 
 class Rules:
-    """Numbers the rules in the order in which they are met, and writes their reducers."""
+    """Numbers the rules in the order in which they are met, and writes their reducers, where there are actions."""
 
-    def __init__(self, actions: dict[str, str], nodes: ModuleType) -> None:
+    def __init__(self, actions: dict[str, str] | None, nodes: ModuleType | None = None) -> None:
         self.actions = actions
-        self._nodes = {name: cls for name, cls in vars(nodes).items() if isinstance(cls, type)}
+        self._nodes = (
+            {name: cls for name, cls in vars(nodes).items() if isinstance(cls, type)} if nodes else {}
+        )
         self.rows: list[str] = []
         self.functions: list[str] = []
         self._numbers: dict[Any, int] = {}
@@ -37,7 +39,7 @@ class Rules:
     def _reducer(self, rule: Any) -> str:
         """The name of the function that does a rule's action, written once for every shape of it."""
         length = len(rule.expansion)
-        if self.identity(rule):
+        if self.actions is None or self.identity(rule):
             return "None"
         alias = rule.alias or rule.options.template_source or rule.origin.name
         lines = self._body(self._expression(rule, alias), length)
@@ -59,6 +61,7 @@ class Rules:
         if alias == "more":
             last = max(i for i, symbol in enumerate(rule.expansion) if not symbol.is_term)
             return f"+ v{last}"
+        assert self.actions is not None
         return re.sub(r"\bv(\d+)", lambda found: places[int(found[1])], self.actions[alias])
 
     def _body(self, expression: str, length: int) -> list[str]:

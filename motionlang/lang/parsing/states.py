@@ -23,7 +23,7 @@ class States:
 
     def __init__(self, table: Any, rules: Rules) -> None:
         self._states = table.states
-        self._rules = rules
+        self.rules = rules
         self._through = self._renaming()
         self._numbers: dict[int, int] = {}
         self.rows: list[str] = []
@@ -46,7 +46,7 @@ class States:
             rules = {rule for kind, rule in actions.values() if kind is not Shift}
             if len(rules) == 1 and all(kind is not Shift for kind, _ in actions.values()):
                 rule = rules.pop()
-                if self._rules.identity(rule):
+                if self.rules.identity(rule):
                     found[state] = rule.origin.name
         return found
 
@@ -60,9 +60,9 @@ class States:
                     target = actions[self._through[target]][1]
                 entries.setdefault(str(self._number(target)), []).append(symbol)
             elif target is not default:
-                entries.setdefault(f"r{self._rules.number(target)}", []).append(symbol)
+                entries.setdefault(f"r{self.rules.number(target)}", []).append(symbol)
         row = [f"{target}={','.join(symbols)}" for target, symbols in entries.items()]
-        return " ".join([*row, f"d{self._rules.number(default)}"] if default else row)
+        return " ".join([*row, f"d{self.rules.number(default)}"] if default else row)
 
     def _default(self, actions: dict[str, tuple[Any, Any]]) -> Any:
         """The rule most kinds reduce by; among equals, the first by its symbols."""

@@ -13,7 +13,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.resolve.line import line_of, too_long
 from motionlang.mccl.runtime.task import CommandTask
-from motionlang.mccl.syntax.split import LONGEST
+from motionlang.mccl.syntax.parser import LONGEST
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

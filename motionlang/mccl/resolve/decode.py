@@ -1,4 +1,4 @@
-"""From the text of one command to a `Command`, remembered: programs repeat themselves.
+"""From a command as it is written to a `Command`, remembered: programs repeat themselves.
 
 Form: `[axis] MNEMONIC [parameter]`, the mnemonic two letters in either case, the parameter a whole number, a real
 number, `@n` (the content of register n) or a text in quotes.
@@ -11,33 +11,54 @@ from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import TABLE
 from motionlang.mccl.keywords.operations import ACTIONS, PURE, not_simulated
 from motionlang.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
+from motionlang.mccl.syntax.tables import COMMAND
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
     from motionlang.mccl.runtime.task import Action, CommandTask
 
-_DIGITS = frozenset("0123456789")
-_LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz")
-_NUMERIC = frozenset("0123456789+-.eE")
+_DIGITS = "0123456789"
 _ROWS = {row.name: row for row in TABLE}
 # A number beyond this is a mistake, also where a command has no range of its own.
 _LARGEST = 1e15
 # Enough for any program; a served board is sent other texts every day, and must not keep them all.
 _MEMO_SIZE = 20_000
 
-_memo: dict[str, Command] = {}
+_words: dict[str, Word] = {}
 
 
-def decode(text: str) -> Command:
-    """The command of a piece of text; never fails, a wrong one is a command that raises its fault when it runs."""
-    command = _memo.get(text)
-    if command is None:
-        command = _decoded(text)
-        if len(_memo) >= _MEMO_SIZE:
-            _memo.clear()
-        _memo[text] = command
-    return command
+class Word:
+    """A mnemonic and the axis before it, looked up: the row, what it does, and the numbers that it takes.
+
+    `row` is None, and `fault` says why, where there is no such command.
+    """
+
+    __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
+
+    def __init__(self, text: str) -> None:
+        self.name = text[-2:].upper()
+        self.axis = int(text[:-2][:9] or 0)
+        row = self.row = _ROWS.get(self.name)
+        self.fault: Fault | None = None
+        self.without: Fault | None = None  # what is wrong with it where it has no parameter
+        self.takes_text = self.pure = False
+        self.low, self.high = -_LARGEST, _LARGEST
+        self.action: Action = not_simulated
+        if row is None:
+            self.fault = _unknown(text[-2:])
+            return
+        self.takes_text, self.pure = row.unit == "text" and row.access == "W", row.verb in PURE
+        if row.low is not None:
+            self.low = max(row.low, -_LARGEST)
+        if row.high is not None:
+            self.high = min(row.high, _LARGEST)
+        if row.simulated:
+            self.action = ACTIONS[row.verb]
+        if self.takes_text:
+            self.without = _wants_text(row)
+        elif row.simulated and not self.low <= 0 <= self.high:
+            self.without = out_of_range(0, row)
 
 
 def problem(command: Command) -> Fault | None:
@@ -56,95 +77,107 @@ class _Wrong:
         raise Fault(self.fault.code, self.fault.message, self.fault.hint, self.fault.kind)
 
 
-def _decoded(text: str) -> Command:
-    count = 0
-    while count < len(text) and text[count] in _DIGITS:
-        count += 1
-    name = text[count : count + 2].upper()
-    axis = int(text[:count][:9] or 0)
-    row: Keyword | None = None
-    kind = NONE
-    value: float | int | str = 0
-    action: Action
-    try:
-        row = _row_of(text, count, name)
-        kind, value = _parameter(text[count + 2 :], row)
-        action = ACTIONS[row.verb] if row.simulated else not_simulated
-    except Fault as fault:
-        action = _Wrong(fault.with_traceback(None))
-    return Command(text, name, row, axis, kind, value, action, row is not None and row.verb in PURE)
+class Commands(dict[str, Command]):
+    """From the text of a command to what it is; a wrong one is a command that raises its fault when it runs."""
+
+    __slots__ = ()
+
+    def __missing__(self, text: str) -> Command:
+        if len(self) >= _MEMO_SIZE:
+            self.clear()
+            _words.clear()
+        match = COMMAND.fullmatch(text)
+        command = self[text] = _no_command(text) if match is None else _decoded(text, *match.groups())
+        return command
 
 
-def _row_of(text: str, count: int, name: str) -> Keyword:
-    row = _ROWS.get(name)
-    if row is not None:
-        return row
-    if len(name) < 2 or name[0] not in _LETTERS or name[1] not in _LETTERS:
-        wrong = "a number alone is no command" if count == len(text) else f"{text} is no command"
-        raise Fault(
-            codes.FORMAT, wrong, "a command is [axis] two letters [parameter], such as 1MR1000", "syntax"
-        )
+COMMANDS = Commands()
+
+
+def _decoded(
+    text: str, written: str, whole: str | None, real: str | None, register: str | None, quoted: str | None
+) -> Command:
+    word = _words.get(written)
+    if word is None:
+        word = _words[written] = Word(written)
+    kind = NUMBER
+    value: float | int | str
+    fault = word.fault
+    if whole or real:
+        value = int(whole) if whole else float(real)  # type: ignore[arg-type]
+        if not word.low <= value <= word.high or word.takes_text:
+            fault = fault or _misfit(word, value)
+    elif register:
+        kind, value = REGISTER, int(register[1:])
+    elif quoted:
+        kind, value = TEXT, quoted[1:-1]
+        if not word.takes_text:
+            fault = fault or _no_text(word)
+    else:
+        kind, value = NONE, 0
+        fault = fault or word.without
+    if fault is None:
+        return Command(text, word.name, word.row, word.axis, kind, value, word.action, word.pure)
+    return _wrong(text, word, fault)
+
+
+def _wrong(text: str, word: Word, fault: Fault) -> Command:
+    """A command that raises its fault; it keeps no parameter."""
+    return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
+
+
+def _no_command(text: str) -> Command:
+    """The command of a text that does not have the form of one."""
+    from motionlang.mccl.syntax.mistakes import stuck
+
+    end, expected = stuck(text)
+    if "MNEMONIC" in expected:
+        wrong = "a number alone is no command" if not text.strip(_DIGITS) else f"{text} is no command"
+        hint = "a command is [axis] two letters [parameter], such as 1MR1000"
+        fault = Fault(codes.FORMAT, wrong, hint, "syntax")
+        digits = len(text) - len(text.lstrip(_DIGITS))
+        name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
+        return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
+    word = Word(text[:end])
+    if word.row is None:
+        fault = _unknown(text[end - 2 :].rstrip("0123456789.+-"))
+    else:
+        fault = _no_parameter(text[end:], word.row)
+    return _wrong(text, word, fault)
+
+
+def _unknown(word: str) -> Fault:
     from motionlang.mccl.resolve.nearest import hint
 
-    word = text[count:].rstrip("0123456789.+-")
-    raise Fault(
-        codes.UNRECOGNISED,
-        f"there is no command {word if len(word) > 2 else name}",
-        hint(word),
-        "unknown-word",
-    )
+    name = word if len(word) > 2 else word.upper()
+    return Fault(codes.UNRECOGNISED, f"there is no command {name}", hint(word), "unknown-word")
 
 
-def _parameter(rest: str, row: Keyword) -> tuple[int, float | int | str]:
-    if not rest:
-        return NONE, _left_out(row)
-    first = rest[0]
-    if first == "@":
-        if len(rest) < 2 or not _DIGITS.issuperset(rest[1:]) or len(rest) > 10:
-            raise Fault(
-                codes.FORMAT, f"{row.name} wants a register number after @", "such as MR@10", "syntax"
-            )
-        return REGISTER, int(rest[1:])
-    if first == '"':
-        return TEXT, _text(rest, row)
+def _no_parameter(rest: str, row: Keyword) -> Fault:
+    """What stands behind the mnemonic is no parameter at all."""
+    if rest[0] == "@":
+        return Fault(codes.FORMAT, f"{row.name} wants a register number after @", "such as MR@10", "syntax")
+    if rest[0] == '"':
+        return Fault(codes.FORMAT, f"the text after {row.name} has no end", 'a text ends with "', "syntax")
     if row.unit == "text" and row.access == "W":
-        raise Fault(
-            codes.FORMAT, f'{row.name} wants a text in quotes, such as {row.name}"STATUS"', "", "values"
-        )
-    return NUMBER, checked(_number(rest, row), row)
+        return _wants_text(row)
+    hint = "commands are separated by commas" if any(c.isascii() and c.isalpha() for c in rest) else ""
+    return Fault(codes.FORMAT, f"{rest} is not a number", hint, "syntax")
 
 
-def _left_out(row: Keyword) -> int:
-    """A parameter that is left out is 0, where the command accepts that."""
-    if row.unit == "text" and row.access == "W":
-        raise Fault(
-            codes.FORMAT, f'{row.name} wants a text in quotes, such as {row.name}"STATUS"', "", "values"
-        )
-    if row.simulated:
-        checked(0, row)
-    return 0
+def _misfit(word: Word, value: float) -> Fault:
+    """The command takes no such number."""
+    assert word.row is not None
+    return _wants_text(word.row) if word.takes_text else out_of_range(value, word.row)
 
 
-def _text(rest: str, row: Keyword) -> str:
-    if len(rest) < 2 or rest.find('"', 1) != len(rest) - 1:
-        raise Fault(codes.FORMAT, f"the text after {row.name} has no end", 'a text ends with "', "syntax")
-    if row.unit != "text" or row.access != "W":
-        raise Fault(codes.FORMAT, f"{row.name} takes no text", row.help, "values")
-    return rest[1:-1]
+def _wants_text(row: Keyword) -> Fault:
+    return Fault(codes.FORMAT, f'{row.name} wants a text in quotes, such as {row.name}"STATUS"', "", "values")
 
 
-def _number(rest: str, row: Keyword) -> float | int:
-    if _NUMERIC.issuperset(rest):
-        try:
-            return int(rest) if len(rest) < 20 else float(rest)
-        except ValueError:
-            pass
-        try:
-            return float(rest)
-        except ValueError:
-            pass
-    hint = "commands are separated by commas" if any(c in _LETTERS for c in rest) else ""
-    raise Fault(codes.FORMAT, f"{rest} is not a number", hint, "syntax")
+def _no_text(word: Word) -> Fault:
+    assert word.row is not None
+    return Fault(codes.FORMAT, f"{word.name} takes no text", word.row.help, "values")
 
 
 def checked(value: float | int, row: Keyword) -> float | int:

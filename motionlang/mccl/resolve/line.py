@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.resolve.decode import decode
-from motionlang.mccl.syntax.split import LONGEST, pieces, without_comment
+from motionlang.mccl.resolve.decode import COMMANDS
+from motionlang.mccl.syntax.parser import LONGEST, pieces, spans, without_comment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,22 +14,43 @@ if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
 
 
-class Line:
-    """`commands`, where each stands in the text (`places`), and the `number` of the source line.
+# Enough for any host and most programs; see `decode` for the commands.
+_MEMO_SIZE = 5_000
 
-    `origin` is that text: a macro outlives the one it came with.
+
+class Line:
+    """`commands`, and the `number` of the source line.
+
+    `origin` is the text that it came with, in which it begins at `start` and which a macro outlives; `places` is where
+    each command stands in that. Of a macro the commands are those from number `first` of the line on.
     """
 
-    __slots__ = ("commands", "number", "origin", "places")
+    __slots__ = ("_places", "commands", "first", "number", "origin", "start")
 
     def __init__(
-        self, commands: tuple[Command, ...], places: tuple[int, ...], number: int, origin: str
+        self, commands: tuple[Command, ...], number: int, origin: str, start: int, first: int = 0
     ) -> None:
-        self.commands, self.places, self.number, self.origin = commands, places, number, origin
+        self.commands, self.number, self.origin, self.start, self.first = (
+            commands,
+            number,
+            origin,
+            start,
+            first,
+        )
+        self._places: tuple[int, ...] | None = None
+
+    @property
+    def places(self) -> tuple[int, ...]:
+        """Where each command stands in `origin`, worked out when somebody asks."""
+        if self._places is None:
+            end = self.origin.find("\n", self.start)
+            text = self.origin[self.start : end if end >= 0 else None]
+            self._places = tuple([self.start + at for at, _ in spans(text)][self.first :])
+        return self._places
 
     def rest(self, first: int) -> Line:
         """The line from command `first` on."""
-        return Line(self.commands[first:], self.places[first:], self.number, self.origin)
+        return Line(self.commands[first:], self.number, self.origin, self.start, self.first + first)
 
     @property
     def text(self) -> str:
@@ -47,18 +68,29 @@ def too_long(length: int) -> Fault:
     )
 
 
+class Lines(dict[str, "tuple[Command, ...]"]):
+    """From the text of a line to its commands, remembered: hosts ask the same all day. Fault when it is too long."""
+
+    __slots__ = ()
+
+    def __missing__(self, text: str) -> tuple[Command, ...]:
+        if len(text) > LONGEST:
+            sent = without_comment(text)
+            if len(sent.strip()) > LONGEST:
+                raise too_long(len(sent))
+        if len(self) >= _MEMO_SIZE:
+            self.clear()
+        found = self[text] = tuple(map(COMMANDS.__getitem__, pieces(text)))
+        return found
+
+
+_LINES = Lines()
+
+
 def line_of(text: str, start: int = 0, number: int = 1, origin: str | None = None) -> Line | None:
     """The commands of one line of text, None where it has none; Fault when it is too long."""
-    whole = text if origin is None else origin
-    text = without_comment(text)
-    size = len(text)
-    if size > LONGEST and len(text.strip()) > LONGEST:
-        raise too_long(size)
-    found = pieces(text)
-    if not found:
-        return None
-    commands = tuple([decode(piece) for piece, _ in found])
-    return Line(commands, tuple([start + at for _, at in found]), number, whole)
+    found = _LINES[text]
+    return Line(found, number, text if origin is None else origin, start) if found else None
 
 
 def lines_of(text: str) -> Iterator[Line | tuple[Fault, int, int]]:

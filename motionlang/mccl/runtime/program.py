@@ -9,6 +9,7 @@ from motionlang.mccl.models import written_for
 from motionlang.mccl.resolve.line import Line, lines_of
 from motionlang.mccl.runtime.board import Board
 from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mccl.syntax.parser import spans
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.source import Source
 
-_SEPARATORS = ", \t\n;"
 INFINITY = float("inf")
 
 
@@ -113,8 +113,5 @@ def locate(source: Source, at: int) -> tuple[int, int, int]:
     text = source.line(line)
     if column == 1 and len(text) > 255:
         return line, 1, min(len(text), 80)
-    end, quoted = column - 1, False
-    while end < len(text) and (quoted or text[end] not in _SEPARATORS):
-        quoted ^= text[end] == '"'
-        end += 1
-    return line, column, max(1, end - column + 1)
+    end = next((last for first, last in spans(text) if first == column - 1), column)
+    return line, column, end - column + 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl.keywords import TABLE
-from motionlang.mccl.syntax.split import without_comment
+from motionlang.mccl.syntax.parser import spans, without_comment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,23 +27,17 @@ def tokens(text: str) -> Iterator[tuple[str, str, int]]:
 
 
 def _line(code: str, start: int) -> Iterator[tuple[str, str, int]]:
-    at = 0
-    while at < len(code):
-        end = _command_end(code, at)
-        if end > at:
-            yield from _command(code[at:end], start + at)
-            at = end
-        if at < len(code):
-            yield "separator", code[at], start + at
-            at += 1
+    end = 0
+    for first, last in spans(code):
+        yield from _separators(code[end:first], start + end)
+        yield from _command(code[first:last], start + first)
+        end = last
+    yield from _separators(code[end:], start + end)
 
 
-def _command_end(code: str, at: int) -> int:
-    quoted = False
-    while at < len(code) and (quoted or code[at] not in ", \t"):
-        quoted ^= code[at] == '"'
-        at += 1
-    return at
+def _separators(text: str, start: int) -> Iterator[tuple[str, str, int]]:
+    for at, each in enumerate(text, start):
+        yield "separator", each, at
 
 
 def _command(text: str, start: int) -> Iterator[tuple[str, str, int]]:

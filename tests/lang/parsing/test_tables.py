@@ -6,6 +6,7 @@ import logging
 import re
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import lark
@@ -15,6 +16,7 @@ from hypothesis import strategies as st
 
 from motionlang.lang.parsing import generate
 from motionlang.lang.parsing.parser import Stuck, TooDeep
+from motionlang.mccl.syntax import tables as mccl_tables
 from motionlang.mint.syntax import build, nodes
 from motionlang.mint.syntax import tables as mint_tables
 from motionlang.mint.syntax.actions import ACTIONS
@@ -25,16 +27,18 @@ SCRIPTS = Path(__file__).parents[3] / "scripts" / "mint"
 NAMES = {**vars(build), **vars(nodes)}
 
 
-def test_the_tables_are_those_of_the_grammar() -> None:
-    path = Path(mint_tables.__file__)
-    assert path.read_text() == generate.generate("mint.lark", "mint", ACTIONS), "run python -m tests.derived"
+@pytest.mark.parametrize("tables", [mint_tables, mccl_tables])
+def test_the_tables_are_those_of_the_grammar(tables: ModuleType) -> None:
+    path = Path(str(tables.__file__))
+    assert path.read_text() == generate.generate(path.parents[1].name), "run python -m tests.derived"
 
 
-def test_the_grammar_has_no_conflict(caplog: pytest.LogCaptureFixture) -> None:
+@pytest.mark.parametrize("name", ["mint.lark", "mccl.lark"])
+def test_the_grammar_has_no_conflict(name: str, caplog: pytest.LogCaptureFixture) -> None:
     lark.logger.setLevel(logging.DEBUG)
     lark.logger.propagate = True
     try:
-        generate.build_lark("mint.lark", debug=True)
+        generate.build_lark(name, "contextual", debug=True)
     finally:
         lark.logger.setLevel(logging.CRITICAL)
     assert "conflict" not in caplog.text.lower()

@@ -1,0 +1,73 @@
+"""What a message says was expected, against Lark: its sets on every prefix of the texts whose mistakes are tested."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import lark
+from lark.parsers.lalr_interactive_parser import InteractiveParser
+
+from motionlang.lang.parsing.generate import build_lark
+from motionlang.lang.parsing.linked_stack import empty, expected, feed
+from motionlang.lang.parsing.parser import BAD, END
+from motionlang.mccl.syntax.mistakes import stuck
+from motionlang.mccl.syntax.parser import parts, pieces
+from motionlang.mccl.syntax.tables import AUTOMATON
+from motionlang.mint.syntax.tables import TABLES
+
+TESTS = Path(__file__).parents[2]
+
+
+def mint_texts() -> list[str]:
+    """Programs with mistakes: a file each, and what stands between the lines of dashes."""
+    files = sorted((TESTS / "errors" / "mint").glob("*.mnt"))
+    many = (TESTS / "mint" / "syntax" / "parser_errors.txt").read_text().split("\n----\n")
+    return [*(file.read_text() for file in files), *many]
+
+
+class Accepted:
+    """What Lark accepts, which depends on the states it is in and is asked once for each stack of them."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[int, ...], set[str]] = {}
+
+    def __call__(self, parser: InteractiveParser) -> set[str]:
+        stack = tuple(parser.parser_state.state_stack)
+        if stack not in self._known:
+            self._known[stack] = set(parser.accepts())  # type: ignore[no-untyped-call]
+        return self._known[stack]
+
+
+def test_mint_expects_what_lark_accepts() -> None:
+    judge, accepted, seen = build_lark("mint.lark"), Accepted(), 0
+    own = cache(lambda top: expected(TABLES, top))
+    for text in mint_texts():
+        parser, top = judge.parse_interactive(""), empty(TABLES)
+        for at, piece in enumerate(TABLES.texts(text)):
+            assert own(top) == accepted(parser), (text, piece)
+            seen += 1
+            kind = TABLES.kind_of[piece]
+            if kind in own(top) - {END, BAD}:  # what does not fit is left out
+                parser.feed_token(lark.Token(kind, piece))
+                top = feed(top, kind, at)[0]
+    assert seen > 1000
+
+
+def test_mccl_expects_what_lark_accepts() -> None:
+    judge, accepted, seen = build_lark("mccl.lark", lexer="contextual"), Accepted(), 0
+    for file in sorted((TESTS / "errors" / "mccl").glob("*.mcl")):
+        for line in file.read_text().splitlines():
+            parser, top = judge.parse_interactive(line), empty(AUTOMATON)
+            try:
+                for token in parser.iter_parse():  # which feeds it when the next one is asked for
+                    assert expected(AUTOMATON, top) == accepted(parser), (line, token)
+                    top = feed(top, token.type, 0)[0]
+                    seen += 1
+            except lark.exceptions.UnexpectedInput:
+                wrong = next(piece for piece in pieces(line) if parts(piece) is None)
+                # By itself it begins where the line does; there a separator may stand before a command, too.
+                around = {"_SEPARATOR", "_NEWLINE", END}
+                assert stuck(wrong)[1] | around == accepted(parser) | around, line
+            assert expected(AUTOMATON, top) == accepted(parser), line
+    assert seen > 100
