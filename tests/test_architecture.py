@@ -59,6 +59,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("moves", "readings"),
         ("core",),
         ("axis_verbs", "record"),
+        ("readers",),
         ("controller", "verbs"),
     ),
     "mint": (
@@ -182,6 +183,117 @@ def test_imports_point_down(path: Path) -> None:
         assert here == there or LEVELS[there] < LEVELS[here] or {here, there} in BESIDE, (
             f"{here} imports {module}, which lies above it or beside it"
         )
+
+
+# What changes a list, a set or a dictionary.
+CHANGES = frozenset(
+    ("append", "extend", "insert", "remove", "pop", "clear", "update", "setdefault", "add", "discard")
+)
+# What may be found by these of an axis or a controller is still a part of it.
+VIEWS = frozenset(("items", "values", "encoder"))
+CONTROLLERS = frozenset(("controller", "_controller"))
+OF_THE_CONTROLLER = frozenset(("Axis", "Controller", "Core", "Feedback", "Limit", "Move", "Scale"))
+
+
+def is_of_controller(node: ast.AST, names: set[str]) -> bool:
+    """Whether an expression is the controller, an axis, or a part of one; `names` are names that stand for such."""
+    while True:
+        if isinstance(node, ast.Name):
+            return node.id in names or node.id in CONTROLLERS
+        if isinstance(node, ast.Attribute) and node.attr in CONTROLLERS:
+            return True
+        if isinstance(node, ast.IfExp):
+            return is_of_controller(node.body, names) or is_of_controller(node.orelse, names)
+        if isinstance(node, ast.Attribute | ast.Subscript):
+            node = node.value
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in VIEWS:
+            node = node.func.value
+        else:
+            return isinstance(node, ast.Call) and ast.unparse(node.func) == "scale_of"
+
+
+def bindings(function: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
+    """What is given a name in a function, and what it is given it for."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.For | ast.comprehension):
+            yield node.target, node.iter
+        elif isinstance(node, ast.Assign):
+            for target in node.targets:
+                if isinstance(target, ast.Tuple) and isinstance(node.value, ast.Tuple):
+                    yield from zip(target.elts, node.value.elts, strict=False)
+                else:
+                    yield target, node.value
+
+
+def reaches_into_the_controller(tree: ast.AST) -> Iterator[str]:
+    """What a module writes into an axis or the controller, and what it uses of their private parts.
+
+    To be heard of, `listeners`, is for everybody.
+    """
+    for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.Lambda)):
+        arguments = [*function.args.args, *function.args.kwonlyargs]
+        names = {
+            a.arg
+            for a in arguments
+            if a.annotation and ast.unparse(a.annotation).split(" |")[0] in OF_THE_CONTROLLER
+        }
+        for _ in range(3):
+            for target, given in bindings(function):
+                if is_of_controller(given, names):
+                    parts = target.elts if isinstance(target, ast.Tuple) else [target]
+                    names.update(each.id for each in parts if isinstance(each, ast.Name))
+        for node in ast.walk(function):
+            found = False
+            if isinstance(node, ast.Attribute | ast.Subscript):
+                private = (
+                    isinstance(node, ast.Attribute)
+                    and node.attr.startswith("_")
+                    and not node.attr.endswith("__")
+                )
+                found = (private or not isinstance(node.ctx, ast.Load)) and is_of_controller(
+                    node.value, names
+                )
+            elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+                of = node.func.value
+                if node.func.attr in CHANGES and isinstance(of, ast.Attribute | ast.Subscript):
+                    found = "listeners" not in ast.unparse(of) and is_of_controller(of.value, names)
+            elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                found = node.func.id in ("setattr", "delattr") and is_of_controller(node.args[0], names)
+            if found:
+                yield f"{node.lineno}: {ast.unparse(node)}"  # type: ignore[attr-defined]
+
+
+def test_no_dialect_reaches_into_the_controller() -> None:
+    """A language changes an axis by verbs alone (`controller/verbs.py`); what it reads is bound to one."""
+    found = {
+        f"{path.relative_to(PACKAGE).as_posix()}:{each}"
+        for package in ("mint", "mccl", "copley", "lang", "serve", "repl")
+        for path in sorted((PACKAGE / package).rglob("*.py"))
+        for each in reaches_into_the_controller(ast.parse(path.read_text(encoding="utf-8")))
+        if not each.endswith("clock.now")
+    }
+    assert found == set()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "controller.axes[axis].home = on",
+        "a = self._controller.axes[axis]; a.speed += 1",
+        "for number, a in controller.axes.items(): a.locks = 3",
+        "a, now = board.controller.axes[axis], 0; a.limits.append(limit)",
+        "scale_of(environment, axis).speed = value",
+        "setattr(environment.controller.axes[axis], name, value)",
+        "axis = controller.axes[1]; x = axis._accel_jerk",
+        "del controller.moves[:5]",
+        "controller._arrive(1)",
+    ],
+)
+def test_what_reaches_into_the_controller_is_seen(text: str) -> None:
+    assert list(reaches_into_the_controller(ast.parse(f"def f():\n {text}")))
+    assert not list(
+        reaches_into_the_controller(ast.parse("def f():\n controller.stop(controller.axes[0].index)"))
+    )
 
 
 def module_parts(name: str) -> list[str]:

@@ -76,6 +76,7 @@ class Axis:
         "index_every",
         "index_origin",
         "last_id",
+        "lent",
         "limits",
         "locks",
         "max_accel",
@@ -126,6 +127,8 @@ class Axis:
         self.override = 1.0
         # Speed, acceleration and deceleration that moves loaded from now on keep, None for those of the axis.
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
+        # Its own rates, and the times for them, while others are lent to it.
+        self.lent: dict[str, float | None] = {}
         self.held = 0  # the reasons for which it is suspended, bits of `triggers.conditions`
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.

@@ -91,6 +91,51 @@ class AxisVerbs(Core):
         self.axes[axis].scale.set(counts, rate, zero)
         self.tell("scale", axis)
 
+    def set_units(self, axis: int, speed: float | None, acceleration: float | None) -> None:
+        """Set the counts in the units of speeds and of accelerations; None for those of positions."""
+        self.axes[axis].scale.set_units(speed, acceleration)
+
+    def set_time_unit(self, axis: int, seconds: float) -> None:
+        """Set the seconds in the unit of time."""
+        self.axes[axis].scale.set_rate(seconds)
+
+    def lend_rates(self, axis: int, accel: float | None, decel: float | None) -> None:
+        """Other rates than the axis's own, None for those, until `return_rates`."""
+        a = self.axes[axis]
+        for name, rate in (("accel", accel), ("decel", decel)):
+            if rate is not None:
+                for each in (name, f"{name}_time"):
+                    a.lent.setdefault(each, getattr(a, each))
+                self.configure(axis, name, rate)
+
+    def return_rates(self, axis: int) -> None:
+        """The axis's own rates are in force again, for what begins from now on."""
+        a = self.axes[axis]
+        for name, value in a.lent.items():
+            setattr(a, name, value)
+        a.lent.clear()
+
+    # ------------------------------------------------------------------------------ switches and limits
+
+    def set_home_switch(self, axis: int, on: bool) -> None:
+        """Somebody closes or opens the home switch of an axis."""
+        self.axes[axis].home = on
+        self.tell("home", axis)
+
+    def set_limit_action(self, axis: int, bit: int, action: str) -> None:
+        """Say what an axis does at its limits that raise the fault `bit`."""
+        for limit in self.axes[axis].limits:
+            if limit.bit == bit:
+                limit.action = action
+
+    def lock(self, axis: int, faults: int) -> None:
+        """Say with which faults an axis takes no motion."""
+        self.axes[axis].locks = faults
+
+    def set_brake(self, axis: int, on: bool) -> None:
+        """Somebody sets or lifts the brake of an axis, of which its drive knows nothing."""
+        (self.braked.add if on else self.braked.discard)(axis)
+
     # ---------------------------------------------------------------------------------------- on and off
 
     def enable(self, axis: int) -> None:

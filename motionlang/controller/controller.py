@@ -6,9 +6,11 @@ once and of what goes on beside motion. Each is a thin door to the module of its
 
 from __future__ import annotations
 
+from motionlang.controller import readers
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.core import MAX_MOVES
 from motionlang.controller.faults import Refusal
+from motionlang.controller.readers import UNHEARD, Hearing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,8 +19,11 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.motion.sampled_velocity import Track
     from motionlang.controller.moves.entries import Make, Table
+    from motionlang.controller.readers import Reader, Writer
     from motionlang.controller.record.trace import Trace
     from motionlang.controller.triggers.latch import Compare, Latch
+    from motionlang.controller.triggers.limit import Limit
+    from motionlang.profile import Profile
     from motionlang.profile.reference import Slope
 
 
@@ -27,6 +32,55 @@ class Controller(AxisVerbs):
 
     Where nothing else is said positions and distances are counts, times seconds, and what cannot be done is a Refusal.
     """
+
+    # ----------------------------------------------------------------------------------- bound to an axis
+
+    def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
+        """What reads a setting, or asks a verb that takes an axis, again and again; it answers in `unit`.
+
+        "place" is the unit of positions, "" that of counts and of what has none. `hearing` is told of each reading.
+        """
+        return readers.reader(self, name, axis, unit, hearing)
+
+    def writer(self, name: str, axis: int, unit: str = "") -> Writer:
+        """What sets one of `SETTINGS` again and again, to values in `unit`."""
+        return readers.writer(self, name, axis, unit)
+
+    # ------------------------------------------------------------------------------- hearing of an axis
+
+    def follow_profiles(self, axis: int, call: Callable[[Profile], None]) -> Callable[[], None]:
+        """Call `call(profile)` with each profile that an axis begins; what is answered ends that."""
+        followers = self.axes[axis].followers
+        followers.append(call)
+        return lambda: followers.remove(call)
+
+    def warn_of_error(self, axis: int, limit: float, call: Callable[[], None]) -> None:
+        """Call `call()` when the following error of a simulated motor has passed `limit`; infinite: never."""
+        feedback = self.axes[axis].feedback
+        if feedback is not None:
+            feedback.warned = call
+            feedback.set_warn_limit(limit)
+
+    def take_mishaps(self, handles: Callable[[Refusal], bool]) -> None:
+        """Have `handles(refusal)` hear of what goes wrong between statements; it answers whether that was all."""
+        self.handles_mishap = handles
+
+    def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
+        """A further limit of an axis at the end `sign` of its travel, with no position yet; `bit` is its fault."""
+        from motionlang.controller.triggers.limit import Limit
+
+        limit = Limit(self, axis, sign, bit, action, physical)
+        self.axes[axis].limits.append(limit)
+        return limit
+
+    def forget_history(self, most: int) -> None:
+        """Drop all but the last `most` moves and changes of channels, and ten times as many profiles."""
+        del self.moves[:-most]
+        for axis in self.axes.values():
+            del axis.starts[: -10 * most]
+            del axis.profiles[: -10 * most]
+        for channels in (self.inputs, self.outputs, self.analogue_inputs, self.analogue_outputs):
+            del channels.changes[:-most]
 
     # --------------------------------------------------------------------------------------------- paths
 
@@ -297,6 +351,12 @@ class Controller(AxisVerbs):
         return Compare(self, axis, output, low, high)
 
     # --------------------------------------------------------------------------------------- simulated motors
+
+    def set_servo_model(self, axis: int, model: str) -> None:
+        """Say by which of `gains.MODELS` the gains of a simulated motor are meant."""
+        feedback = self.axes[axis].feedback
+        if feedback is not None:
+            feedback.model = model
 
     def set_gain(self, axis: int, word: str, value: float) -> None:
         """Set a gain of the servo loop by the word of its language; a simulated motor's loop has it at once."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 # Power of the length in a quantity of each unit; everything else passes the door unchanged.
-_LENGTHS = {"uu": 0, "uu/s": 1, "uu/s2": 2, "uu/s3": 3}
+POWERS = {"uu": 0, "uu/s": 1, "uu/s2": 2, "uu/s3": 3}
 
 
 class Scale:
@@ -13,35 +13,44 @@ class Scale:
     accelerations and jerks: `speed` and `acceleration`, None where they go by `counts`.
     """
 
-    __slots__ = ("acceleration", "counts", "rate", "speed", "zero")
+    __slots__ = ("acceleration", "counts", "factors", "rate", "speed", "zero")
 
     def __init__(self, counts: float = 1.0, rate: float = 1.0, zero: float = 0.0) -> None:
+        # By the power of the length: what a value in counts and seconds is multiplied and then divided by.
+        self.factors: list[tuple[float, float]] = []
         self.set(counts, rate, zero)
 
     def set(self, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
         """One unit of length for everything."""
         self.counts, self.rate, self.zero = counts, rate, zero
-        self.speed: float | None = None
-        self.acceleration: float | None = None
+        self.set_units(None, None)
+
+    def set_rate(self, rate: float) -> None:
+        """Another unit of time."""
+        self.rate = rate
+        self.set_units(self.speed, self.acceleration)
+
+    def set_units(self, speed: float | None, acceleration: float | None) -> None:
+        """Counts in the units of speeds, and of accelerations and jerks; None for those of positions."""
+        self.speed, self.acceleration = speed, acceleration
+        per_unit = [self.counts if own is None else own for own in (None, speed, acceleration, acceleration)]
+        self.factors[:] = [(self.rate**power, each) for power, each in enumerate(per_unit)]
 
     def to_counts(self, value_uu: float, unit: str = "uu") -> float:
         """A value in a user unit, in counts and seconds; `zero` is not a matter of lengths but of positions."""
-        power = _LENGTHS.get(unit)
+        power = POWERS.get(unit)
         if power is None:
             return value_uu
-        return value_uu * self.per_unit(power) / self.rate**power
+        rate, per_unit = self.factors[power]
+        return value_uu * per_unit / rate
 
     def to_user(self, value: float, unit: str = "uu") -> float:
         """A value in counts and seconds, in a user unit."""
-        power = _LENGTHS.get(unit)
+        power = POWERS.get(unit)
         if power is None:
             return value
-        return value * self.rate**power / self.per_unit(power)
-
-    def per_unit(self, power: int) -> float:
-        """Counts in the unit of length of positions (0), speeds (1), accelerations (2) or jerks (3)."""
-        own = self.speed if power == 1 else self.acceleration if power else None
-        return self.counts if own is None else own
+        rate, per_unit = self.factors[power]
+        return value * rate / per_unit
 
     def position_to_counts(self, position_uu: float) -> float:
         return position_uu * self.counts + self.zero

@@ -5,18 +5,40 @@ Lengths are counts, times are seconds, axes are numbered as the dialect numbers 
 
 from __future__ import annotations
 
+from motionlang.controller import readers
 from motionlang.controller.axis import Axis
+from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.clock import Clock
+from motionlang.controller.readers import UNHEARD, Hearing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from motionlang.controller.readers import Reader, Writer
+    from motionlang.controller.triggers.limit import Limit
+
 # verb -> what it does. Every verb is a method of `Controller`; the dialects call no other.
 VERBS: dict[str, str] = {
     "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
+    "lend_rates": "Other rates than an axis's own, for a while.",
+    "return_rates": "An axis's own rates are in force again.",
+    "set_home_switch": "Close or open the home switch of an axis.",
+    "add_limit": "A further limit of an axis's travel.",
+    "set_limit_action": "Say what an axis does at a limit.",
+    "lock": "Say with which faults an axis takes no motion.",
+    "set_brake": "Set or lift the brake of an axis by hand.",
+    "follow_profiles": "Be told of each profile that an axis begins.",
+    "warn_of_error": "Be told when a following error has passed a limit.",
+    "forget_history": "Drop what nobody will ask for.",
+    "take_mishaps": "Be told of what goes wrong between statements.",
+    "set_servo_model": "Say whose gains those of a servo loop are.",
     "restore": "Give all settings of an axis their values at power-up.",
     "setting": "Read a setting back.",
+    "reader": "A reading of an axis, to be called again and again, in its unit.",
+    "writer": "What sets a setting of an axis, to be called again and again.",
+    "set_units": "Set the units of speeds and of accelerations of an axis.",
+    "set_time_unit": "Set the seconds in the unit of time of an axis.",
     "set_scale": "Set the counts per user unit (and the time base) of an axis.",
     "enable": "Switch an axis on, at the position where it stands.",
     "disable": "Switch an axis off: motion ends at once, the buffer is emptied.",
@@ -144,6 +166,26 @@ class Recorder:
         """Written down, and in force: it is the door that everything else passes."""
         self.calls.append(("set_scale", axis, counts, rate, zero))
         self.axes[axis].scale.set(counts, rate, zero)
+
+    def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
+        """A limit that nothing ever passes."""
+        from motionlang.controller.triggers.limit import Limit
+
+        return Limit(self, axis, sign, bit, action, physical)  # type: ignore[arg-type]
+
+    def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
+        """Every reading is written down."""
+        a = self.axes[axis]
+        if name in SETTINGS:
+            return readers.setting(lambda _: self.setting(axis, name), a, unit)
+        if unit == readers.PLACE:
+            return lambda *level: a.scale.position_to_user(getattr(self, name)(axis))
+        return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, hearing)
+
+    def writer(self, name: str, axis: int, unit: str = "") -> Writer:
+        """Every setting is written down, in counts."""
+        scale = self.axes[axis].scale
+        return lambda value: self.configure(axis, name, scale.to_counts(value, unit))
 
     def __getattr__(self, verb: str) -> Any:
         if verb not in VERBS:

@@ -173,6 +173,19 @@ class Profile:
             return self.end_velocity
         return velocity_in(*self._locate(time)) if time > 0.0 else self.start_velocity
 
+    def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
+        """From when to when the cubic holds that the profile is on at `time`, and its coefficients from its begin on.
+
+        None where it is none: outside the profile, in a half wave of a sine, and of a `Formula`.
+        """
+        if not self.pieced or not 0.0 <= time < self.duration:
+            return None
+        knots, pieces, _ = self.curve
+        i = self._index(time)
+        c0, c1, c2, c3, amplitude, _, _ = pieces[i]
+        until = knots[i + 1] if i + 2 < len(knots) else self.duration
+        return None if amplitude else (knots[i], until, (c0, c1, c2, c3))
+
     def acceleration(self, time: float) -> float:
         """Acceleration at `time`; at a knot that of the piece that begins there, 0 after the end."""
         if time >= self.duration or time < 0.0:

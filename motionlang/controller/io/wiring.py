@@ -121,8 +121,7 @@ class World:
 
     def _home_change(self, axis: int, channel: object) -> Callable[[bool], None]:
         def change(inside: bool) -> None:
-            self._controller.axes[axis].home = inside
-            self._controller.tell("home", axis)
+            self._controller.set_home_switch(axis, inside)
             if channel is not None:
                 self._controller.inputs[channel] = int(inside)  # type: ignore[index]
 

@@ -139,8 +139,7 @@ class AxisState:
     def apply_units(self) -> None:
         """Let the user units take effect."""
         units, scale = self.units, self.scale
-        scale.counts, scale.rate = units.counts, units.rate
-        scale.zero = (units.offset + units.zero) * units.counts
+        scale.set(units.counts, units.rate, (units.offset + units.zero) * units.counts)
         self.constant = units.constant
         self.scaled = scale.counts != 1.0 or scale.rate != 1.0 or scale.zero != 0.0
 

@@ -131,9 +131,7 @@ class Limits:
 
     def _new(self, sign: int, bit: int, physical: bool = False) -> Limit:
         controller, number = self._board.controller, self._axis.number
-        limit = Limit(controller, number, sign, bit, "off", physical)
-        controller.axes[number].limits.append(limit)
-        return limit
+        return controller.add_limit(number, sign, bit, "off", physical)
 
 
 class Inputs:

@@ -39,7 +39,7 @@ def power_up(board: Board, axis: AxisState) -> None:
     number, controller = axis.number, board.controller
     if controller.axes[number].feedback is None:
         return
-    controller.axes[number].feedback.model = "dcx" if board.model.whole_gains else "multiflex"  # type: ignore[union-attr]
+    controller.set_servo_model(number, "dcx" if board.model.whole_gains else "multiflex")
     tune(board, axis)
     limit_error(board, axis)
     settle(board, axis)

@@ -131,20 +131,16 @@ class Console:
     def _forget(self) -> None:
         """Drop history that nobody will ask for: a served board may run for days."""
         controller = self.machine.controller
-        if len(controller.moves) > 2 * MEMORY:
-            del controller.moves[:-MEMORY]
-        for axis in controller.axes.values():
-            if len(axis.starts) > 20 * MEMORY:
-                del axis.starts[: -10 * MEMORY]
-                del axis.profiles[: -10 * MEMORY]
-        for channels in (
+        channels = (
             controller.inputs,
             controller.outputs,
             controller.analogue_inputs,
             controller.analogue_outputs,
-        ):
-            if len(channels.changes) > 2 * MEMORY:
-                del channels.changes[:-MEMORY]
+        )
+        kept = [len(controller.moves), *(len(each.changes) for each in channels)]
+        kept += [len(axis.starts) // 10 for axis in controller.axes.values()]
+        if max(kept) > 2 * MEMORY:
+            controller.forget_history(MEMORY)
 
 
 class _Gate(Task):

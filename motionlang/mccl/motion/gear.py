@@ -17,12 +17,12 @@ class Gear:
     The slave is at once as fast as the ratio says: gearing knows no ramps.
     """
 
-    __slots__ = ("_board", "_line", "_slave", "master")
+    __slots__ = ("_board", "_let_go", "_line", "_slave", "master")
 
     def __init__(self, board: Board, slave: AxisState, master: int, line: int) -> None:
         self._board, self._slave, self.master, self._line = board, slave, master, line
         slave.master = master
-        board.controller.axes[master].followers.append(self._follow)
+        self._let_go = board.controller.follow_profiles(master, self._follow)
         self.couple()
 
     def couple(self) -> None:
@@ -34,7 +34,7 @@ class Gear:
 
     def release(self) -> None:
         """The slave is its own again; what it was doing it goes on doing to the end of the master's move."""
-        self._board.controller.axes[self.master].followers.remove(self._follow)
+        self._let_go()
         self._slave.master = None
 
     def _follow(self, profile: Profile) -> None:

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from motionlang.mint.syntax import nodes
 
 Spec = tuple[object, ...]
+# In the place of an axis: whichever one the program names.
+EACH = "each"
 Line = tuple[str, int]
 
 
@@ -105,7 +107,7 @@ class Whole:
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
-        self._operations: dict[tuple[str, Keyword], str] = {}
+        self._operations: dict[tuple[str, Keyword, int | str | None], str] = {}
         self.costs: set[int] = set()
         # What loops that poll may write over and over.
         self.rewritten: set[Keyword] = set()
@@ -125,19 +127,35 @@ class Whole:
     def described(self) -> list[Spec]:
         """What the `kN` are, now that it is known which of them loops that poll use."""
         if self.rewritten:
-            for row in self.rewritten:
-                name = self._operations.get(("write", row))
-                if name is not None:
-                    number = list(self.spec_names.values()).index(name)
+            numbers = {name: number for number, name in enumerate(self.spec_names.values())}
+            for (how, row, _), name in self._operations.items():
+                if how == "write" and row in self.rewritten:
+                    number = numbers[name]
                     self.specs[number] = ("rewrite", *self.specs[number][1:])
         return self.specs
 
     def operation(self, how: str, row: Keyword) -> str:
         """The name of a keyword's operation: "read", "write", "load" or "do"."""
-        name = self._operations.get((how, row))
+        return self._operation(how, row, None)
+
+    def called(self, how: str, row: Keyword, where: list[str]) -> tuple[str, list[str]]:
+        """What is called to read or write a keyword at `where`, as text, and what it is then given of that.
+
+        What is read or written of an axis is bound to it by its number, or by a text that finds it in the run.
+        """
+        if row.index not in ("axis", "axes") or not row.simulated:
+            return self._operation(how, row, None), where
+        axis, *rest = where
+        if axis.isdecimal():
+            return self._operation(how, row, int(axis)), rest
+        return f"{self._operation(how, row, EACH)}[{axis}]", rest
+
+    def _operation(self, how: str, row: Keyword, axis: int | str | None) -> str:
+        name = self._operations.get((how, row, axis))
         if name is None:
-            name = self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high)
-            self._operations[how, row] = name
+            of = () if axis is None else (axis,)
+            name = self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high, *of)
+            self._operations[how, row, axis] = name
         return name
 
 

@@ -58,22 +58,25 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     unsimulated_use.warn(b, node, row)
     b.observes = True
     if row.name == "IDLE" and _default_axes(b, node, row):
-        operation, axes = b.whole.operation("read", row), b.whole.use("env", "default_axes")
-        return Value(f"int(all(map({operation}, {axes}())))", INTEGER, intervals.BOOL)
+        idle, _ = b.whole.called("read", row, ["axis"])
+        axes = b.whole.use("env", "default_axes")
+        return Value(f"int(all([{idle}() for axis in {axes}()]))", INTEGER, intervals.BOOL)
     if _default_axes(b, node, row):
         arguments = [f"{b.whole.use('env', 'default_axes')}()[0]"]
     else:
         arguments = indices(b, node, row, single=True)
     arguments += unsimulated_use.place(b, node, row)
+    operation, arguments = b.whole.called("read", row, arguments)
+    text = f"{operation}({', '.join(arguments)})"
     if row.unit == "text":
-        return Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", STRING, intervals.ANY)
+        return Value(text, STRING, intervals.ANY)
     kind = type_of(row.unit)
     range_ = (
         intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
     )
-    found = Value(f"{b.whole.operation('read', row)}({', '.join(arguments)})", kind, range_)
+    found = Value(text, kind, range_)
     if row.solved:
-        found.solved = b.whole.operation("read", row), arguments
+        found.solved = operation, arguments
     return found
 
 
@@ -367,7 +370,10 @@ def load(b: Body, row: Keyword, arguments: list[str]) -> None:
 
 def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
     """Call an operation at the present time; it answers with the horizon, which it may have brought nearer."""
-    b.emit(f"H = {b.whole.operation(how, row)}({', '.join([b.now(), 'H', *arguments])})")
+    operation = b.whole.operation(how, row)
+    if how == "write":
+        operation, arguments = b.whole.called(how, row, arguments)
+    b.emit(f"H = {operation}({', '.join([b.now(), 'H', *arguments])})")
 
 
 # ------------------------------------------------------------------------------------------------- commands

@@ -208,8 +208,7 @@ class Capture:
             if a.datum != noted[-1][1]:
                 noted.append((clock.now, a.datum))
 
-        a.followers.append(follow)
-        self._notes.append(lambda: a.followers.remove(follow))
+        self._notes.append(self._environment.controller.follow_profiles(axis, follow))
         return noted
 
     # ------------------------------------------------------------------------------------------- its results

@@ -34,21 +34,22 @@ class TimeScales:
     """The seconds in the unit of time of every axis, through whatever changes its other factors."""
 
     def __init__(self, environment: Environment) -> None:
-        self._axes = environment.controller.axes
+        self._controller = environment.controller
         self._seconds: dict[int, float] = {}
         environment.controller.listeners.append(self._heard)
 
     def set(self, axis: int, seconds: float) -> None:
-        self._seconds[axis] = self._axes[axis].scale.rate = seconds
+        self._seconds[axis] = seconds
+        self._controller.set_time_unit(axis, seconds)
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
         self._seconds.pop(axis, None)
-        self._axes[axis].scale.rate = 1.0
+        self._controller.set_time_unit(axis, 1.0)
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._seconds:
-            self._axes[axis].scale.rate = self._seconds[axis]
+            self._controller.set_time_unit(axis, self._seconds[axis])
 
 
 def write_time(environment: Environment, row: Row) -> Operation:

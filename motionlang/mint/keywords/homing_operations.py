@@ -26,7 +26,6 @@ class Homes:
         self._environment = environment
         self._settings: dict[tuple[str, int], float] = {}
         self._active: dict[int, Homing] = {}
-        self._borrowed: dict[int, dict[str, float | None]] = {}
         self.types: dict[int, int] = {}
         self.found: dict[int, bool] = {}
         # Where the datum was found, as the axis counted until then.
@@ -91,17 +90,11 @@ class Homes:
 
     def _borrow(self, axis: int) -> None:
         """HOMEACCEL and HOMEDECEL stand in for ACCEL and DECEL for as long as the homing lasts."""
-        controller = self._environment.controller
-        for name, rate in (("HOMEACCEL", "accel"), ("HOMEDECEL", "decel")):
-            if (name, axis) in self._settings:
-                kept = self._borrowed.setdefault(axis, {})
-                for each in (rate, f"{rate}_time"):
-                    kept[each] = controller.setting(axis, each)  # type: ignore[assignment]
-                controller.configure(axis, rate, self._settings[name, axis])
+        accel, decel = (self._settings.get((name, axis)) for name in ("HOMEACCEL", "HOMEDECEL"))
+        self._environment.controller.lend_rates(axis, accel, decel)
 
     def _give_back(self, axis: int) -> None:
-        for name, value in self._borrowed.pop(axis, {}).items():
-            setattr(self._environment.controller.axes[axis], name, value)
+        self._environment.controller.return_rates(axis)
 
     def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
         """Whether the machine has all that is looked for; says beforehand what it lacks."""

@@ -87,9 +87,7 @@ class AxisErrors:
         for bit in ERRORS[name]:
             if self._world is not None:
                 self._world.actions[axis, bit] = ACTIONS[mode]
-            for limit in self._controller.axes[axis].limits:
-                if limit.bit == bit:
-                    limit.action = ACTIONS[mode]
+            self._controller.set_limit_action(axis, bit, ACTIONS[mode])
             if (axis, bit) in self._inputs:
                 self._inputs[axis, bit].action = ACTIONS[mode]
 
@@ -120,20 +118,11 @@ class AxisErrors:
 
     def limit(self, axis: int, bit: int) -> Limit:
         """The limit of an axis for an error: the machine's own switch, or one that is made now."""
-        limits = self._controller.axes[axis].limits
-        for limit in limits:
+        for limit in self._controller.axes[axis].limits:
             if limit.bit == bit:
                 return limit
-        made = Limit(
-            self._controller,
-            axis,
-            SIGNS[bit],
-            bit,
-            self.action(axis, bit),
-            bit in (LIMIT_FORWARD, LIMIT_REVERSE),
-        )
-        limits.append(made)
-        return made
+        physical = bit in (LIMIT_FORWARD, LIMIT_REVERSE)
+        return self._controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
 
     def set_input(self, axis: int, bit: int, active: bool) -> None:
         """An input of an axis that is an error in every direction has come to be so, or is so no longer."""

@@ -94,8 +94,7 @@ class Switches:
     def _home(self, axis: int, on: bool) -> None:
         controller = self._environment.controller
         if self._environment.machine.settings.get(f"axis.{axis}.home_switch") is None:
-            controller.axes[axis].home = on
-            controller.tell("home", axis)
+            controller.set_home_switch(axis, on)
 
 
 _MEANINGS: dict[str, Callable[[Switches, int, bool], None]] = {

@@ -153,10 +153,7 @@ class Warnings:
             self._watch(axis, float("inf"))
 
     def _watch(self, axis: int, level: float) -> None:
-        feedback = self._controller.axes[axis].feedback
-        if feedback is not None:
-            feedback.warned = lambda: self._warn(axis)
-            feedback.set_warn_limit(level)
+        self._controller.warn_of_error(axis, level, lambda: self._warn(axis))
 
     def _warn(self, axis: int) -> None:
         if not self.disabled.get(axis, 0) & FOLLOWING_WARNING:

@@ -145,14 +145,14 @@ class Brake:
             self._due.cancel()
             self._due = None
         self.engaged = engaged
-        self._controller.braked.discard(self.axis)
+        self._controller.set_brake(self.axis, False)
         self._show()
 
     def engage_by_hand(self, engaged: bool) -> None:
         """The same by MOTORBRAKE: the drive does not know of it, and must not move the motor."""
         self.engage(engaged)
         if engaged:
-            self._controller.braked.add(self.axis)
+            self._controller.set_brake(self.axis, True)
 
     def follow_drive(self) -> None:
         """The drive was switched: the brake follows, so many milliseconds later."""
@@ -185,7 +185,7 @@ class Brakes:
     def default(self, axis: int) -> None:
         """DEFAULT."""
         self._brakes.pop(axis, None)
-        self._environment.controller.braked.discard(axis)
+        self._environment.controller.set_brake(axis, False)
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "switched" and axis in self._brakes:

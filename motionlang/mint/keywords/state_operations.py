@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import scale_of
-from motionlang.mint.runtime.changes import Changes, comparable, note
+from motionlang.mint.runtime.binding import by_axis, scale_of
+from motionlang.mint.runtime.changes import Changes, comparable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,23 +16,27 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
 
 
-def read_is_idle(environment: Environment, row: Row) -> Operation:
+@by_axis
+def read_is_idle(environment: Environment, row: Row, axis: int) -> Operation:
     """IDLE and POSACHIEVED: at rest, and settled where the program asks for that too."""
-    is_idle = environment.controller.is_idle
-
-    def read(axis: int) -> int:
-        scale_of(environment, axis)
-        return int(is_idle(axis) and (environment.settled is None or environment.settled(axis)))
-
-    return read
+    is_idle = environment.controller.reader("is_idle", axis)
+    return lambda: int(is_idle() and (environment.settled is None or environment.settled(axis)))
 
 
-def read_position(environment: Environment, row: Row) -> Operation:
-    return _wrapped(environment, environment.controller.position, environment.part(Changes).position)
+@by_axis
+def read_position(environment: Environment, row: Row, axis: int) -> Operation:
+    """POS, within the turn where the axis has one."""
+    changes = environment.part(Changes)
+    hearing = changes.hearing(axis, changes.position, environment.wraps)
+    return environment.controller.reader("position", axis, "place", hearing)
 
 
-def read_demand(environment: Environment, row: Row) -> Operation:
-    return _wrapped(environment, environment.controller.demand, environment.part(Changes).demand)
+@by_axis
+def read_demand(environment: Environment, row: Row, axis: int) -> Operation:
+    """POSDEMAND, within the turn where the axis has one."""
+    changes = environment.part(Changes)
+    hearing = changes.hearing(axis, changes.demand, environment.wraps)
+    return environment.controller.reader("demand", axis, "place", hearing)
 
 
 def read_remaining(environment: Environment, row: Row) -> Operation:
@@ -43,22 +47,6 @@ def read_remaining(environment: Environment, row: Row) -> Operation:
         return scale_of(environment, axis).to_user(float(remaining(axis)), row.unit)
 
     return comparable(environment, read, environment.part(Changes).remaining)
-
-
-def _wrapped(
-    environment: Environment, position: Callable[[int], float], until: Callable[[int, float], float]
-) -> Operation:
-    """Reads a position in user units, within the turn where the axis has one; may be told what it is compared with."""
-    wraps, attention, moving = environment.wraps, environment.attention, environment.part(Changes).moving
-
-    def read(axis: int, level: float | None = None) -> float:
-        if attention.notes is not None:
-            note(attention, moving, until, axis, level)
-        found = scale_of(environment, axis).position_to_user(position(axis))
-        wrap = wraps.get(axis)
-        return found % wrap if wrap else found
-
-    return read
 
 
 def write_position(environment: Environment, row: Row) -> Operation:

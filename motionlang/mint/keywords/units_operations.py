@@ -17,7 +17,7 @@ POSITION, SPEED, ACCELERATION = range(3)
 
 
 def _read(environment: Environment, power: int) -> Operation:
-    return lambda axis: float(scale_of(environment, axis).per_unit(power))
+    return lambda axis: float(scale_of(environment, axis).factors[power][1])
 
 
 def read_position(environment: Environment, row: Row) -> Operation:
@@ -40,23 +40,29 @@ def write_position(environment: Environment, row: Row) -> Operation:
         scale = scale_of(environment, axis)
         speed, acceleration = scale.speed, scale.acceleration
         environment.controller.set_scale(axis, value)
-        scale.speed, scale.acceleration = speed, acceleration
+        environment.controller.set_units(axis, speed, acceleration)
 
     return write
 
 
 def write_speed(environment: Environment, row: Row) -> Operation:
+    """VELSCALEFACTOR, counts in the unit of length of speeds."""
+
     def write(axis: int, value: float) -> None:
         row.check(value)
-        scale_of(environment, axis).speed = value
+        scale = scale_of(environment, axis)
+        environment.controller.set_units(axis, value, scale.acceleration)
 
     return write
 
 
 def write_acceleration(environment: Environment, row: Row) -> Operation:
+    """ACCELSCALEFACTOR, counts in the unit of length of accelerations and jerks."""
+
     def write(axis: int, value: float) -> None:
         row.check(value)
-        scale_of(environment, axis).acceleration = value
+        scale = scale_of(environment, axis)
+        environment.controller.set_units(axis, scale.speed, value)
 
     return write
 

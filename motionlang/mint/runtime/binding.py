@@ -5,15 +5,23 @@ dictionary `OPERATIONS` of a module beside the rows, which names what makes the 
 written or put into the move buffer ("load"), and of a command ("do"). `operations_index` says which module that is;
 only programs that use it import it. What the maker returns is called with the indices, then the value, then (moves,
 commands of axes, the whole group "motion") the line of the statement. One for "load" answers true while there is no
-room and the statement must wait.
+room and the statement must wait. What is read or written of an axis is bound to it when the program starts, or when
+it first names the axis (`bind_to_axis`); a maker with `by_axis` above it makes what is bound, as the controller's
+readers and writers are.
 """
 
 from __future__ import annotations
 
 from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Refusal
+from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords.operations_index import VERBS
 from motionlang.mint.runtime.changes import Changes, repeatable
+
+try:  # what functools adds to it is not needed, and every run would wait for it
+    from _functools import partial  # type: ignore[import-not-found]
+except ImportError:
+    from functools import partial
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,6 +33,8 @@ if TYPE_CHECKING:
     Operation = Callable[..., object]
     Maker = Callable[["Environment", "Row"], Operation]
 
+# Units of what is whole.
+_WHOLE = ("integer", "bool", "bits")
 _MODULES = {verb: name for name, verbs in VERBS.items() for verb in verbs.split()}
 
 
@@ -46,16 +56,36 @@ class Row:
             raise Refusal("range", f"{self.name} cannot be {value:g}", limits)
 
 
+class Each(dict[int, "Operation"]):
+    """What a keyword does on each axis, made when an axis is first named."""
+
+    def __init__(self, make: Callable[[int], Operation]) -> None:
+        self._make = make
+
+    def __missing__(self, axis: int) -> Operation:
+        made = self[axis] = self._make(axis)
+        return made
+
+
+def by_axis(make: Callable[[Environment, Row, int], Operation]) -> Maker:
+    """A maker of what is bound to an axis, as which it is kept and called."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        each = Each(lambda axis: make(environment, row, axis_of(environment, axis)))
+        return lambda axis, *more: each[axis](*more)
+
+    made.by_axis = make  # type: ignore[attr-defined]
+    return made
+
+
 def bind(environment: Environment, how: str, row: Row) -> Operation:
     """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
-    maker = makers(row.verb).get(how)
-    if maker is None:
-        if row.verb in SETTINGS:
-            maker = _read_setting if how == "read" else _write_setting
-        else:
-            assert how == "read", (how, row.verb)
-            maker = _reading
-    return maker(environment, row)
+    return _maker(how, row)(environment, row)
+
+
+def bind_to_axis(environment: Environment, how: str, row: Row) -> Callable[[int], Operation]:
+    """What makes the operation of a keyword on an axis; it is called without the number of the axis."""
+    return _to_axis(environment, row, _maker(how, row))
 
 
 def held(environment: Environment, row: Row) -> Operation:
@@ -69,6 +99,43 @@ def held(environment: Environment, row: Row) -> Operation:
     read = bind(environment, "read", row)
     count = 0 if row.index == "none" else row.index.count(",") + 1
     return lambda *given: read(*given[:count])
+
+
+def held_by_axis(environment: Environment, row: Row) -> Callable[[int], Operation]:
+    """The same of a keyword on an axis."""
+    maker = makers(row.verb).get("held")
+    if maker is not None:
+        return _to_axis(environment, row, maker)
+    to_axis = bind_to_axis(environment, "read", row)
+
+    def bound(axis: int) -> Operation:
+        read = to_axis(axis)
+        return lambda *given: read()
+
+    return bound
+
+
+def _to_axis(environment: Environment, row: Row, maker: Maker) -> Callable[[int], Operation]:
+    make = getattr(maker, "by_axis", None)
+    if make is not None:
+        return lambda axis: make(environment, row, axis_of(environment, axis))
+    operation = maker(environment, row)
+    return lambda axis: partial(operation, axis)
+
+
+def _maker(how: str, row: Row) -> Maker:
+    maker = makers(row.verb).get(how)
+    if maker is not None:
+        return maker
+    if row.verb in SETTINGS:
+        return _read_setting if how == "read" else _write_setting
+    assert how == "read", (how, row.verb)
+    return _reading
+
+
+def is_repeatable(row: Row) -> bool:
+    """Whether writing to a keyword what it has already does nothing."""
+    return hasattr(_maker("write", row), "repeatable")
 
 
 def makers(verb: str) -> Mapping[str, Maker]:
@@ -105,46 +172,34 @@ def no_axis(environment: Environment, axis: int) -> Refusal:
 
 
 @repeatable
-def _write_setting(environment: Environment, row: Row) -> Operation:
-    configure, name, unit = environment.controller.configure, row.verb, row.unit
+@by_axis
+def _write_setting(environment: Environment, row: Row, axis: int) -> Operation:
+    write = environment.controller.writer(row.verb, axis, row.unit)
+    low = -INFINITY if row.low is None else row.low
+    high = INFINITY if row.high is None else row.high
+    in_ms = row.unit == "ms"
 
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        scale = scale_of(environment, axis)
-        configure(axis, name, value / 1000.0 if unit == "ms" else scale.to_counts(value, unit))
+    def checked(value: float) -> None:
+        if not low <= value <= high:
+            row.check(value)
+        write(value / 1000.0 if in_ms else value)
 
-    return write
-
-
-def _read_setting(environment: Environment, row: Row) -> Operation:
-    setting, name, unit = environment.controller.setting, row.verb, row.unit
-
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        value: float = setting(axis, name)  # type: ignore[assignment]
-        if unit in ("integer", "bool"):
-            return int(value)
-        return scale.to_user(float(value), unit)
-
-    return read
+    return checked
 
 
-def _reading(environment: Environment, row: Row) -> Operation:
+@by_axis
+def _read_setting(environment: Environment, row: Row, axis: int) -> Operation:
+    if row.unit in _WHOLE:
+        setting = environment.controller.reader(row.verb, axis)
+        return lambda: int(setting())
+    return environment.controller.reader(row.verb, axis, row.unit)
+
+
+@by_axis
+def _reading(environment: Environment, row: Row, axis: int) -> Operation:
     """A verb of the controller that takes an axis and answers in counts."""
-    verb, unit = getattr(environment.controller, row.verb), row.unit
-    if unit in ("integer", "bool", "bits"):
-
-        def whole(axis: int) -> int:
-            scale_of(environment, axis)
-            return int(verb(axis))
-
-        return whole
-    attention, moving = environment.attention, environment.part(Changes).moving
-
-    def read(axis: int) -> float:
-        if attention.notes is not None:
-            attention.note(moving)
-        scale = scale_of(environment, axis)
-        return scale.to_user(float(verb(axis)), unit)
-
-    return read
+    if row.unit in _WHOLE:
+        verb = environment.controller.reader(row.verb, axis)
+        return lambda: int(verb())
+    hearing = environment.part(Changes).hearing(axis)
+    return environment.controller.reader(row.verb, axis, row.unit, hearing)

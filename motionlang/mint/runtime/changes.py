@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from motionlang.controller.readers import Hearing
 from motionlang.lang.task import INFINITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from typing import Any
 
     from motionlang.lang.attention import Attention
@@ -53,13 +54,8 @@ def always(make: Maker) -> Maker:
 
 def repeatable(make: Maker) -> Maker:
     """A writing that does nothing where it writes what is there already, as reading the word tells."""
-
-    def made(environment: Environment, row: Row) -> Callable[..., Any]:
-        write = make(environment, row)
-        write.repeatable = True  # type: ignore[attr-defined]
-        return write
-
-    return made
+    make.repeatable = True  # type: ignore[attr-defined]
+    return make
 
 
 def comparable(
@@ -97,6 +93,20 @@ class Changes:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._controller, self._clock = environment.controller, environment.clock
+
+    def hearing(
+        self, axis: int, until: Callable[..., float] | None = None, wraps: Mapping[int, float] | None = None
+    ) -> Hearing:
+        """Who hears of a reading of an axis; `until` says when it passes the level that it is compared with."""
+        attention, moving = self._environment.attention, self.moving
+
+        def note(level: float | None) -> None:
+            if level is None or until is None:
+                attention.note(moving)
+            else:
+                attention.note(until, axis, level)
+
+        return Hearing(attention, note, wraps)
 
     def moving(self) -> float:
         """What may change while any axis moves."""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Steps
+    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
 
@@ -30,9 +31,9 @@ def _mint_ways(controller: Controller) -> None:
     """The settings of Mint's axes, and an axis with an error takes no motion."""
     from motionlang.controller.faults import ALL
 
-    for axis, a in controller.axes.items():
+    for axis in controller.axes:
         mint_settings(controller, axis)
-        a.locks = ALL
+        controller.lock(axis, ALL)
 
 
 def mint_settings(controller: Controller, axis: int) -> None:
@@ -152,15 +153,31 @@ class Environment:
             from motionlang.mint.runtime import formats
 
             return formats.USING[str(details[0])]
-        from motionlang.mint.runtime.binding import Row, bind, held
+        from motionlang.mint.runtime import binding
 
-        row = Row(*details)  # type: ignore[arg-type]
-        operation = bind(self, "write" if how == "rewrite" else how, row)
+        row = binding.Row(*details[:6])  # type: ignore[arg-type]
+        if len(details) > 6:
+            return self._on_axes(how, row, details[6])
+        operation = binding.bind(self, "write" if how == "rewrite" else how, row)
         if how == "load":
             return self._loading(operation)
-        if how == "rewrite" and hasattr(operation, "repeatable"):
-            return self._rewritten(operation, held(self, row))
+        if how == "rewrite" and binding.is_repeatable(row):
+            return self._rewritten(operation, binding.held(self, row))
         return operation if how == "read" else self._timed(operation)
+
+    def _on_axes(self, how: str, row: Row, axis: object) -> object:
+        """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
+        from motionlang.mint.runtime import binding
+
+        if how == "read":
+            bound: Callable[[int], Callable[..., object]] = binding.bind_to_axis(self, "read", row)
+        elif how == "rewrite" and binding.is_repeatable(row):
+            write, held = binding.bind_to_axis(self, "write", row), binding.held_by_axis(self, row)
+            bound = lambda axis: self._rewritten(write(axis), held(axis))  # noqa: E731
+        else:
+            write = binding.bind_to_axis(self, "write" if how == "rewrite" else how, row)
+            bound = lambda axis: self._timed(write(axis))  # noqa: E731
+        return bound(axis) if isinstance(axis, int) else binding.Each(bound)
 
     def _is_older(self) -> bool:
         from motionlang.mint.models import V4, age

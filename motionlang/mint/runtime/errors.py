@@ -87,7 +87,7 @@ class Errors:
         # Whether an error calls no ONERROR, where a program says so.
         self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._heard)
-        environment.controller.handles_mishap = self._mishap
+        environment.controller.take_mishaps(self._mishap)
 
     # ----------------------------------------------------------------------------------------- noting
 

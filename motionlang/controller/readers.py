@@ -1,0 +1,207 @@
+"""Readers and writers bound to an axis: made once, at the start of a program, and called over and over.
+
+A reader answers in the unit that it was made for. One of what changes by itself takes a `Hearing`: while anybody asks
+for what is read, it is told of each reading, with the level that the reading is compared with where the caller says so.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.axis_verbs import SETTINGS
+from motionlang.controller.motion import feedrate
+from motionlang.controller.scale import POWERS
+
+try:  # what operator and functools add to these is not needed, and every run would wait for it
+    from _operator import attrgetter
+except ImportError:
+    from operator import attrgetter
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from typing import Any, Protocol
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.axis_verbs import AxisVerbs
+    from motionlang.controller.scale import Scale
+    from motionlang.profile import Profile
+
+    Reader = Callable[..., Any]
+    Writer = Callable[[Any], object]
+
+    class Asked(Protocol):
+        """Whoever asks for what is read: `notes` is None while nobody does."""
+
+        notes: list[Any] | None
+
+
+# The unit of a place on the axis, which counts from its zero.
+PLACE = "place"
+
+
+class Hearing:
+    """Who hears of a reading while `asked.notes` is not None: `note(level)`; and where the reading wraps, by axis."""
+
+    __slots__ = ("asked", "note", "wraps")
+
+    def __init__(
+        self,
+        asked: Asked,
+        note: Callable[[float | None], object],
+        wraps: Mapping[int, float] | None = None,
+    ) -> None:
+        self.asked, self.note, self.wraps = asked, note, {} if wraps is None else wraps
+
+
+class _Nobody:
+    """Nobody asks."""
+
+    notes: list[Any] | None = None
+
+
+UNHEARD = Hearing(_Nobody(), lambda level: None)
+
+
+def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
+    """The reader of a setting of `SETTINGS` or of a verb that takes an axis; KeyError for an axis that there is not."""
+    a = controller.axes[axis]
+    if name in SETTINGS:
+        return setting(attrgetter(name), a, unit)
+    written_out = _WRITTEN_OUT.get((name, unit))
+    if written_out is not None:
+        return written_out(controller, a, hearing)
+    verb = getattr(controller, name)
+    return converted(lambda: verb(axis), a.scale, unit, hearing)
+
+
+def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
+    """What `get` finds on an axis, in `unit`; with no unit, as it is."""
+    power = POWERS.get(unit)
+    if power is None:
+        return (lambda: float(get(of))) if unit else lambda: get(of)
+    factors: list[tuple[float, float]] = of.scale.factors  # type: ignore[attr-defined]
+
+    def read() -> float:
+        rate, per_unit = factors[power]
+        return float(get(of)) * rate / per_unit
+
+    return read
+
+
+def converted(read: Callable[[], Any], scale: Scale, unit: str, hearing: Hearing) -> Reader:
+    """Any reading, in `unit`; with no unit, as it is."""
+    if not unit and hearing is UNHEARD:
+        return read
+    power, factors = POWERS.get(unit), scale.factors
+    asked, note = hearing.asked, hearing.note
+
+    def heard(level: float | None = None) -> Any:
+        if asked.notes is not None:
+            note(level)
+        if power is None:
+            return float(read()) if unit else read()
+        rate, per_unit = factors[power]
+        return float(read()) * rate / per_unit
+
+    return heard
+
+
+def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Writer:
+    """What `configure` does to one of `SETTINGS`, bound to an axis, of a value in `unit`."""
+    a, configure = controller.axes[axis], controller.configure
+    live, time = name in feedrate.LIVE, f"{name}_time" if name in ("accel", "decel") else ""
+    power, factors = POWERS.get(unit), a.scale.factors
+
+    def write(value: Any) -> None:
+        if power is not None:
+            rate, per_unit = factors[power]
+            value = value * per_unit / rate
+        if live and a.move is not None:
+            configure(axis, name, value)
+            return
+        setattr(a, name, value)
+        if time:
+            setattr(a, time, None)
+
+    return write
+
+
+def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = True) -> Reader:
+    """The position; the piece of the profile that the axis is on is kept, as loops that poll ask for nothing else."""
+    clock, scale, profiles = controller.clock, a.scale, a.profiles
+    asked, note, wraps, axis = hearing.asked, hearing.note, hearing.wraps, a.index
+    begun = since = c0 = c1 = c2 = c3 = 0.0
+    until = -1.0
+    profile: Profile | None = None
+
+    def read(level: float | None = None) -> float:
+        nonlocal begun, since, until, profile, c0, c1, c2, c3
+        if asked.notes is not None:
+            note(level)
+        if actual and a.feedback is not None:
+            found = a.feedback.position
+        else:
+            time = clock.now - begun
+            if since < time < until and profiles[-1] is profile:
+                x = time - since
+                found = ((c3 * x + c2) * x + c1) * x + c0
+            else:
+                found = a.position(clock.now)
+                profile, begun, since, until, (c0, c1, c2, c3) = _piece(a, clock.now)
+        found = (found - scale.zero) / scale.counts
+        if wraps:
+            wrap = wraps.get(axis)
+            return found % wrap if wrap else found
+        return found
+
+    return read
+
+
+def _velocity(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = True) -> Reader:
+    """The velocity, from the piece of the profile that is kept."""
+    clock, factors, profiles = controller.clock, a.scale.factors, a.profiles
+    asked, note = hearing.asked, hearing.note
+    begun = since = c1 = twice_c2 = thrice_c3 = 0.0
+    until = -1.0
+    profile: Profile | None = None
+
+    def read(level: float | None = None) -> float:
+        nonlocal begun, since, until, profile, c1, twice_c2, thrice_c3
+        if asked.notes is not None:
+            note(level)
+        if actual and a.feedback is not None:
+            found = a.feedback.velocity
+        else:
+            time = clock.now - begun
+            if since < time < until and profiles[-1] is profile:
+                x = time - since
+                found = (thrice_c3 * x + twice_c2) * x + c1 if twice_c2 or thrice_c3 else c1
+            else:
+                found = a.velocity(clock.now)
+                profile, begun, since, until, (_, c1, c2, c3) = _piece(a, clock.now)
+                twice_c2, thrice_c3 = 2.0 * c2, 3.0 * c3
+        rate, per_unit = factors[1]
+        return found * rate / per_unit
+
+    return read
+
+
+def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[float, ...]]:
+    """The profile that an axis is on, its begin, from when to when (s after it) one cubic holds, and that cubic.
+
+    What is no cubic holds for no time at all.
+    """
+    profile, begun = a.profiles[-1], a.starts[-1]
+    return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))
+
+
+def _is_idle(controller: AxisVerbs, a: Axis, hearing: Hearing) -> Reader:
+    return lambda: a.move is None
+
+
+_WRITTEN_OUT: dict[tuple[str, str], Callable[..., Reader]] = {
+    ("position", PLACE): _position,
+    ("demand", PLACE): lambda controller, a, hearing: _position(controller, a, hearing, False),
+    ("velocity", "uu/s"): _velocity,
+    ("demand_velocity", "uu/s"): lambda controller, a, hearing: _velocity(controller, a, hearing, False),
+    ("is_idle", ""): _is_idle,
+}

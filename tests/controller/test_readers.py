@@ -1,0 +1,118 @@
+"""Readers and writers bound to an axis: the same to the last bit as asking the verb each time."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.readers import PLACE, Hearing
+from motionlang.controller.verbs import Recorder
+
+
+def scaled() -> Controller:
+    """Two axes of 10 counts a unit, the first at 8 counts/s and 16 counts/s²."""
+    controller = Controller(2)
+    controller.set_scale(0, 10.0)
+    for name, value in (("speed", 8.0), ("accel", 16.0), ("decel", 16.0)):
+        controller.configure(0, name, value)
+    return controller
+
+
+@pytest.mark.parametrize("shape", ["trapezoid", "scurve", "sinusoidal", "parabolic"])
+def test_a_bound_reading_is_the_reading(shape: str) -> None:
+    controller = scaled()
+    controller.configure(0, "shape", shape)
+    scale = controller.axes[0].scale
+    place, speed = controller.reader("position", 0, PLACE), controller.reader("velocity", 0, "uu/s")
+    counts, left = controller.reader("demand", 0), controller.reader("remaining", 0, "uu")
+    controller.load_to(0, 40.0)
+    controller.load_by(0, -7.0)
+    controller.go([0])
+    for step in range(200):
+        controller.clock.advance(step * 0.05)
+        if step == 60:
+            controller.define_position(0, 3.0)
+        assert place() == scale.position_to_user(controller.position(0))
+        assert speed() == scale.to_user(controller.velocity(0), "uu/s")
+        assert counts() == controller.demand(0)
+        assert left() == scale.to_user(controller.remaining(0))
+    assert controller.is_idle(0)
+    assert controller.reader("is_idle", 0)() is True
+
+
+def test_a_bound_reading_is_right_at_a_past_moment_and_between_the_moves() -> None:
+    controller = scaled()
+    place = controller.reader("position", 0, PLACE)
+    controller.move_to(0, 8.0)
+    controller.clock.advance(1.0)
+    assert place() == pytest.approx(0.6)  # half a second of ramp, 2 counts; half a second at 8 counts/s
+    controller.clock.now = 0.25  # a condition is asked what it would have been
+    assert place() == pytest.approx(0.05)  # 16 counts/s², over 2, of a sixteenth of a second²
+    controller.clock.now = 1.0
+    controller.stop(0)
+    assert place() == pytest.approx(0.6)
+
+
+def test_units_that_change_change_what_is_read_and_written() -> None:
+    controller = scaled()
+    read, write = controller.reader("speed", 0, "uu/s"), controller.writer("speed", 0, "uu/s")
+    assert read() == 0.8
+    write(2.0)
+    assert controller.setting(0, "speed") == 20.0
+    controller.set_units(0, 5.0, None)  # a unit of speed of its own
+    assert read() == 4.0
+    controller.set_time_unit(0, 60.0)  # a minute
+    assert read() == 240.0
+    controller.set_scale(0, 1.0)
+    assert read() == 20.0
+
+
+def test_a_rate_that_is_written_ends_the_time_for_it_and_acts_on_a_move() -> None:
+    controller = scaled()
+    controller.configure(0, "accel_time", 0.5)
+    controller.configure(0, "live_speed", True)
+    controller.writer("accel", 0)(16.0)
+    assert controller.setting(0, "accel_time") is None
+    controller.move_to(0, 40.0)
+    controller.clock.advance(1.0)
+    controller.writer("speed", 0)(4.0)
+    controller.clock.advance(2.0)
+    assert controller.velocity(0) == 4.0
+
+
+def test_who_asks_hears_of_readings_and_of_what_they_are_compared_with() -> None:
+    controller = scaled()
+
+    class Asked:
+        notes: list[object] | None = None
+
+    asked, heard = Asked(), list[object]()
+    wraps = dict[int, float]()
+    place = controller.reader("position", 0, PLACE, Hearing(asked, heard.append, wraps))
+    speed = controller.reader("velocity", 0, "uu/s", Hearing(asked, heard.append))
+    controller.define_position(0, 70.0)
+    assert place() == 7.0
+    assert heard == []
+    asked.notes = []
+    wraps[0] = 5.0
+    assert place(6.5) == 2.0
+    assert speed() == 0.0
+    assert heard == [6.5, None]
+
+
+def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:
+    recorder = Recorder(2, answers={"position": 30.0, "setting": 20.0})
+    recorder.set_scale(1, 10.0)
+    assert recorder.reader("position", 1, PLACE)() == 3.0
+    assert recorder.reader("speed", 1, "uu/s")() == 2.0
+    recorder.writer("speed", 1, "uu/s")(4.0)
+    assert recorder.calls[1:] == [("position", 1), ("setting", 1, "speed"), ("configure", 1, "speed", 40.0)]
+
+
+def test_lent_rates_are_given_back_whatever_was_written_of_the_other_one() -> None:
+    controller = scaled()
+    controller.lend_rates(0, 100.0, None)
+    controller.configure(0, "decel", 5.0)
+    assert controller.setting(0, "accel") == 100.0
+    controller.return_rates(0)
+    assert (controller.setting(0, "accel"), controller.setting(0, "decel")) == (16.0, 5.0)
