@@ -80,19 +80,29 @@ def _switchings(channels: Sequence[Lane], names: Sequence[str]) -> Iterator[Chan
 def _movements(
     trace: Trace, columns: Sequence[Column], names: Sequence[str], rate: float, progress: Report
 ) -> Iterator[Change]:
-    """What changes from row to row, to a thousandth of a count."""
+    """What changes from row to row, to a thousandth of a count.
+
+    What stood still says so once more in the row before it changes: viewers draw straight lines between the values of
+    a real, and would draw a slope over the whole standstill.
+    """
     decimals = [decimals_for(trace.resolution(column.axis)) for column in columns if column.axis is not None]
-    before = np.full(len(columns), np.nan)
+    before, time_before = np.full(len(columns), np.nan), 0
+    written = np.ones(len(columns), dtype=bool)
     total, done = trace.rows(rate), 0
     for chunk in trace.chunks(rate):
         table = np.stack([np.round(values, n) for values, n in zip(chunk.data[1:], decimals, strict=True)], 1)
-        times = np.rint(chunk.time * PER_SECOND).astype(np.int64)
-        rows, which = np.nonzero(table != np.concatenate((before[None], table[:-1])))
+        table = np.concatenate((before[None], table))
+        times = np.concatenate(([time_before], np.rint(chunk.time * PER_SECOND).astype(np.int64)))
+        changed = np.concatenate((written[None], table[1:] != table[:-1]))
+        # The first row is the last of the chunk before: only what it has still to say stands there.
+        shown = changed | np.concatenate((changed[1:], np.zeros((1, len(columns)), dtype=bool)))
+        shown[0] &= ~written
+        rows, which = np.nonzero(shown)
         for time, k, value in zip(
             times[rows].tolist(), which.tolist(), _plain(table[rows, which]), strict=True
         ):
             yield time, _real(value, names[k])
-        before = table[-1]
+        before, time_before, written = table[-1], int(times[-1]), changed[-1]
         done += len(chunk)
         progress(done / total)
 

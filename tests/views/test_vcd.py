@@ -54,6 +54,7 @@ r10.0 "
 r12.5 '
 #1000000000
 r7.5 !
+r10.0 "
 #1500000000
 r10.0 !
 r0.0 "
@@ -96,6 +97,8 @@ def test_another_program_reads_the_samples_in_it(tmp_path: Path, make: object) -
         times, held = found[column.name.replace("_", ".", 1)]
         shown = np.array(held)[np.searchsorted(times, grid, "right") - 1]
         np.testing.assert_allclose(shown, values, rtol=0, atol=1e-6)
+        # A viewer that draws straight lines shows the same: no slope over a standstill.
+        np.testing.assert_allclose(np.interp(grid, times, held), values, rtol=0, atol=1e-6)
     for lane in lanes(run.controller):
         times, held = found[f"{lane.group.replace(' ', '_')}.{lane.name}"]
         assert (times, held) == ([round(time * 1e9) for time in lane.times], lane.values)
