@@ -10,12 +10,19 @@ RATE = 1000.0
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
 
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    Axes = tuple[int, ...] | None
+
+
 class Options:
     """What the command line asks of a run."""
 
     __slots__ = (
         "cache",
+        "columns",
         "dialect",
+        "everything",
         "file",
         "given",
         "machine",
@@ -30,6 +37,7 @@ class Options:
         "settings",
         "trace",
         "until",
+        "window",
     )
 
     def __init__(self, file: str) -> None:
@@ -37,13 +45,18 @@ class Options:
         self.dialect: str | None = None
         self.machine: str | None = None
         self.report = "table"
+        self.everything = False
         self.until: float | None = None
         self.realtime: float | None = None
         self.trace: str | None = None
         self.rate = RATE
         # Trajectory points a second where the trace is to be as the controller computes it.
         self.points: float | None = None
+        # What the trace has columns of, see Trace.choose; None for the usual ones.
+        self.columns: list[str] | None = None
         self.plot: str | None = None
+        # What of the run the picture shows: see views.window.Window.
+        self.window: tuple[float, float | None, Axes, Axes] = (0.0, None, None, None)
         # `--set` by what it names: keys of the machine file, and names of the program.
         self.settings: dict[str, object] = {}
         self.overrides: dict[str, float | str] = {}

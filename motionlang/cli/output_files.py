@@ -84,6 +84,9 @@ def _write(path: str, write: Callable[[], None]) -> int:
     except OSError as error:
         complain([unwritten(path, error)], None, path)
         return 1
+    except ValueError as error:  # a window or a column of what the run does not have
+        complain([Diagnostic("window", f"{path} was not written: {error}")], None, path)
+        return 1
     return 0
 
 
@@ -92,6 +95,8 @@ def _write_trace(result: Run, options: Options) -> None:
 
     assert options.trace is not None
     trace = result.trace if options.points is None else result.trace.as_controller(options.points)
+    if options.columns is not None:
+        trace.choose(options.columns)
     progress = Progress(sys.stderr, options.trace)
     try:
         write_trace(trace, options.trace, options.rate, progress)
@@ -101,15 +106,17 @@ def _write_trace(result: Run, options: Options) -> None:
 
 def _write_plot(result: Run, options: Options) -> None:
     assert options.plot is not None
-    servos = _motors(result)
+    from motionlang.views.window import Window
+
+    servos, window = _motors(result), Window(*options.window)
     if options.plot.lower().endswith(".html"):
         from motionlang.views.scope import write_scope
 
-        write_scope(result, options.plot, servos)
+        write_scope(result, options.plot, servos, window)
     else:
         from motionlang.views.plot import write_plot
 
-        write_plot(result, options.plot, servos)
+        write_plot(result, options.plot, servos, window)
 
 
 def _motors(result: Run) -> dict[int, ServoTrace]:

@@ -206,7 +206,13 @@ def _report(result: Run, options: Options) -> None:
 
     seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
     width = width_of(sys.stdout) if seen else PIPED_WIDTH
-    table = render(result, width=width, colour=wants_colour(sys.stdout), charts=seen and drawn)
+    table = render(
+        result,
+        width=width,
+        colour=wants_colour(sys.stdout),
+        charts=seen and drawn,
+        everything=options.everything,
+    )
     if result.output:
         table = "\n" + table
     sys.stdout.write(table if drawn else plain(table))

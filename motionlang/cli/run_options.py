@@ -44,6 +44,7 @@ def add_run(commands: Commands) -> None:
         help="what follows the program's own output: a table (the default), or nothing; "
         "json prints one JSON document and nothing else",
     )
+    parser.add_argument("--all", action="store_true", help="the table with every move, phase and line")
     parser.add_argument(
         "--until",
         type=_time,
@@ -67,6 +68,12 @@ def add_run(commands: Commands) -> None:
         help=f"samples a second of the trace ({RATE:g}; with --as-controller {SERVO_RATE:g})",
     )
     parser.add_argument(
+        "--columns",
+        type=lambda text: [each.strip() for each in text.split(",")],
+        metavar="NAME,…",
+        help="what the trace has besides the time, such as position,velocity.0: of every axis, or of one",
+    )
+    parser.add_argument(
         "--as-controller",
         action="store_true",
         help="trace the points that the trajectory generator computes and the straight lines between them, "
@@ -79,6 +86,23 @@ def add_run(commands: Commands) -> None:
         help=f"points a second of --as-controller ({TRAJECTORY_RATE:g}, as PMC's MultiFlex boards have)",
     )
     parser.add_argument("--plot", metavar="OUT", help=f"draw the motion into a file: {either(PLOTS)}")
+    parser.add_argument(
+        "--from",
+        dest="begin",
+        type=_time,
+        metavar="S",
+        help="the first second that the picture of --plot shows; an .html page has the rest, too",
+    )
+    parser.add_argument("--to", dest="end", type=_time, metavar="S", help="the last second that it shows")
+    parser.add_argument(
+        "--axes", type=_axes, metavar="N,…", help="the axes that it shows, such as 0,2 (all that moved)"
+    )
+    parser.add_argument(
+        "--path",
+        type=_path,
+        metavar="X,Y",
+        help="draw the path of two or three axes, its colour the speed, instead of curves over time",
+    )
     parser.add_argument(
         "--nv",
         metavar="FILE",
@@ -99,6 +123,8 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
         setattr(options, name, getattr(arguments, name))
     options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
     options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
+    options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
+    options.columns, options.everything = arguments.columns, arguments.all
     options.cache = not arguments.no_cache
     set_values(arguments.set, options.settings, options.overrides, parser)
     return options
@@ -126,9 +152,15 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
 def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
     """Options that would say something about nothing."""
     if arguments.trace is None:
-        for name in ("rate", "as_controller"):
+        for name in ("rate", "columns", "as_controller"):
             if getattr(arguments, name):
                 parser.error(f"--{name.replace('_', '-')} is about a trace: give --trace OUT")
+    if arguments.plot is None:
+        for option, name in (("from", "begin"), ("to", "end"), ("axes", "axes"), ("path", "path")):
+            if getattr(arguments, name) is not None:
+                parser.error(f"--{option} is about a picture: give --plot OUT")
+    elif arguments.end is not None and arguments.end <= (arguments.begin or 0.0):
+        parser.error("--to is not after --from: there is nothing in between")
     if arguments.trajectory_rate and not arguments.as_controller:
         parser.error("--trajectory-rate is about --as-controller, which is missing")
 
@@ -145,6 +177,20 @@ def _number(text: str, low: float, high: float, what: str, *, open_low: bool = F
 
 def _time(text: str) -> float:
     return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
+
+
+def _axes(text: str) -> tuple[int, ...]:
+    try:
+        return tuple(int(each) for each in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a list of axes such as 0,2") from None
+
+
+def _path(text: str) -> tuple[int, ...]:
+    axes = _axes(text)
+    if len(axes) not in (2, 3) or len(set(axes)) != len(axes):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a path: two or three axes make one, such as 0,1")
+    return axes
 
 
 def _rate(text: str) -> float:

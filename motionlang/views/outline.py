@@ -24,40 +24,51 @@ GRID = 1000
 _PARTS = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
 
 
-def outline(trace: Trace, axis: int, quantity: str, bins: int = GRID) -> tuple[Array, Array]:
-    """Times (s) and values (user units) of one quantity of one axis, at most about eight points a bin."""
-    piece, inside = _points(trace, axis, bins)
+def outline(
+    trace: Trace, axis: int, quantity: str, span: tuple[float, float] | None = None, bins: int = GRID
+) -> tuple[Array, Array]:
+    """Times (s) and values (user units) of one quantity of one axis, at most about eight points a bin.
+
+    All of the run, or a `span` of it (s).
+    """
+    span = span or (0.0, trace.end)
+    piece, inside = _points(trace, axis, span, bins)
     table = trace.table(axis)
     values = _evaluate(table.columns[:, piece], inside, ORDERS[quantity])
     times = np.maximum.accumulate(table.origins[piece] + inside)
     trace.to_user(axis, quantity, values)
-    return thinned(times, values, trace.end, bins)
+    return thinned(times, values, span, bins)
 
 
-def thinned(times: Array, values: Array, end: float, bins: int = GRID) -> tuple[Array, Array]:
-    """The points up to `end`, or of very many of them the lowest and the highest of each of `bins` stretches."""
-    inside = int(np.searchsorted(times, end, "right"))
-    times, values = times[:inside], np.array(values[:inside])
-    if inside > 8 * bins and end > 0.0:
-        return _extremes(times, values, end, bins)
+def thinned(times: Array, values: Array, span: tuple[float, float], bins: int = GRID) -> tuple[Array, Array]:
+    """The points in `span`, or of very many of them the lowest and the highest of each of `bins` stretches.
+
+    The last point before it is kept, too, so that a line comes in from the left.
+    """
+    begin, end = span
+    first = max(0, int(np.searchsorted(times, begin, "left")) - 1) if begin > 0.0 else 0
+    last = int(np.searchsorted(times, end, "right"))
+    times, values = times[first:last], np.array(values[first:last])
+    if len(times) > 8 * bins and end > begin:
+        return _extremes(times, values, span, bins)
     return times, values
 
 
-def _points(trace: Trace, axis: int, bins: int) -> tuple[NDArray[np.int64], Array]:
+def _points(trace: Trace, axis: int, span: tuple[float, float], bins: int) -> tuple[NDArray[np.int64], Array]:
     """Which piece each point lies in, and its time since the begin of the piece, in the order of time."""
-    begins = trace.table(axis).origins
-    ends = np.minimum(np.append(begins[1:], trace.end), trace.end)
-    lengths = ends - begins
-    used = np.flatnonzero((lengths > 0.0) & (begins < trace.end))
+    begins, (begin, end) = trace.table(axis).origins, span
+    skipped = np.maximum(begin - begins, 0.0)
+    lengths = np.minimum(np.append(begins[1:], end), end) - begins
+    used = np.flatnonzero((lengths > skipped) & (begins < end))
     if not len(used):
-        used = np.flatnonzero(begins <= trace.end)[-1:]
-        return used, np.zeros(1)
-    inside = (lengths[used, None] * _PARTS).ravel()
+        used = np.flatnonzero(begins <= end)[-1:]
+        return used, end - begins[used] if begin > 0.0 else np.zeros(1)
+    inside = (skipped[used, None] + (lengths - skipped)[used, None] * _PARTS).ravel()
     piece = np.repeat(used, len(_PARTS))
-    grid = np.linspace(0.0, trace.end, bins + 1)
+    grid = np.linspace(begin, end, bins + 1)
     owner = used[np.clip(np.searchsorted(begins[used], grid, "right") - 1, 0, None)]
     piece = np.concatenate((piece, owner))
-    inside = np.concatenate((inside, np.clip(grid - begins[owner], 0.0, lengths[owner])))
+    inside = np.concatenate((inside, np.clip(grid - begins[owner], skipped[owner], lengths[owner])))
     order = np.lexsort((inside, piece))
     return piece[order], inside[order]
 
@@ -75,9 +86,10 @@ def _evaluate(columns: Array, x: Array, order: int) -> Array:
     return np.asarray(cubic + wave, dtype=np.float64)
 
 
-def _extremes(times: Array, values: Array, end: float, bins: int) -> tuple[Array, Array]:
+def _extremes(times: Array, values: Array, span: tuple[float, float], bins: int) -> tuple[Array, Array]:
     """The lowest and the highest value of each bin, in the order in which they come."""
-    bin_of = np.minimum((times * (bins / end)).astype(np.int64), bins - 1)
+    begin, end = span
+    bin_of = np.minimum(((times - begin) * (bins / (end - begin))).astype(np.int64), bins - 1)
     firsts = np.flatnonzero(np.diff(bin_of, prepend=-1))
     lowest = _positions(values, firsts)
     highest = _positions(-values, firsts)

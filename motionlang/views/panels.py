@@ -61,33 +61,41 @@ class Panel(NamedTuple):
         return float(np.abs(self.curves[-1].values).max())
 
 
-def panels(trace: Trace, axis: int, servo: ServoTrace | None = None) -> list[Panel]:
-    """The panels of an axis from the top down; jerk where acceleration does not only jump, a servo where one ran."""
+def panels(
+    trace: Trace, axis: int, servo: ServoTrace | None = None, span: tuple[float, float] | None = None
+) -> list[Panel]:
+    """The panels of an axis from the top down; jerk where acceleration does not only jump, a servo where one ran.
+
+    All of the run, or a `span` of it (s).
+    """
+    span = span or (0.0, trace.end)
     made = [
-        Panel(quantity, unit, (Curve(*outline(trace, axis, quantity), COLOURS[quantity]),))
+        Panel(quantity, unit, (Curve(*outline(trace, axis, quantity, span), COLOURS[quantity]),))
         for quantity, unit in UNITS.items()
     ]
     if not made[-1].peak:
         made.pop()
     if servo is not None and len(servo):
-        made[0] = _with_motor(made[0], trace, axis, servo)
-        made += _servo_panels(trace, axis, servo)
+        made[0] = _with_motor(made[0], trace, axis, servo, span)
+        made += _servo_panels(trace, axis, servo, span)
     return made
 
 
-def _with_motor(position: Panel, trace: Trace, axis: int, servo: ServoTrace) -> Panel:
+def _with_motor(
+    position: Panel, trace: Trace, axis: int, servo: ServoTrace, span: tuple[float, float]
+) -> Panel:
     (demand,) = position.curves
-    times, values = thinned(servo.time, servo.position, trace.end)
+    times, values = thinned(servo.time, servo.position, span)
     trace.to_user(axis, "position", values)
     motor = Curve(times, values, COLOURS["motor"], "motor")
     return position._replace(curves=(motor, demand._replace(name="demand")))
 
 
-def _servo_panels(trace: Trace, axis: int, servo: ServoTrace) -> Iterator[Panel]:
-    times, error = thinned(servo.time, servo.error, trace.end)
+def _servo_panels(trace: Trace, axis: int, servo: ServoTrace, span: tuple[float, float]) -> Iterator[Panel]:
+    times, error = thinned(servo.time, servo.error, span)
     trace.to_user(axis, "velocity", error)  # a difference of positions: no zero in it
     yield Panel("following error", "uu", (Curve(times, error, COLOURS["following error"]),))
     has_dac = servo.loop.dac_bits > 0
     output = servo.dac_steps if has_dac else servo.output
-    curve = Curve(*thinned(servo.time, output, trace.end), COLOURS["output"])
+    curve = Curve(*thinned(servo.time, output, span), COLOURS["output"])
     yield Panel("output", "DAC steps" if has_dac else "V", (curve,))

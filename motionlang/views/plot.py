@@ -27,6 +27,7 @@ from motionlang.views.plot_panel import (
     name_moves,
 )
 from motionlang.views.terminal import printable
+from motionlang.views.window import WHOLE
 from motionlang.views.words import dialect_name, outcome
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.servo.trace import ServoTrace
     from motionlang.result import Run
+    from motionlang.views.window import Window
 
 MOST_AXES, MOST_LANES, MOST_ANALOGUE = 8, 24, 4
 # Inches: the picture's width; a panel of one axis, of several, of a lane; what is above and below them all, and
@@ -61,10 +63,12 @@ STYLE: Any = {
 }
 
 
-def write_plot(run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({})) -> None:
-    """Draw `run` into a .png or .svg file; `servos` has what the motors did, by axis, where that was simulated.
+def write_plot(
+    run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({}), window: Window = WHOLE
+) -> None:
+    """Draw a window of `run` into a .png or .svg file; `servos` has what the motors did, by axis, where simulated.
 
-    Raises OSError, and ImportError where matplotlib is missing.
+    Raises OSError, ImportError where matplotlib is missing, and ValueError where the window shows nothing.
     """
     import warnings
 
@@ -73,7 +77,13 @@ def write_plot(run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingPr
     kind = os.path.splitext(path)[1].lower()[1:]
     with rc_context(STYLE), replacing(path) as file, warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a letter that the font lacks is drawn as a box, and that is that
-        _save(_figure(run, servos), file, kind)
+        if window.path is None:
+            figure = _figure(run, servos, window)
+        else:
+            from motionlang.views.path_plot import path_figure
+
+            figure = path_figure(run, window.path, window)
+        _save(figure, file, kind)
 
 
 def _save(figure: Figure, file: IO[bytes], kind: str) -> None:
@@ -85,15 +95,20 @@ def _save(figure: Figure, file: IO[bytes], kind: str) -> None:
 class _Picture:
     """What is drawn of a run: of its axes and channels, those for which there is room."""
 
-    def __init__(self, run: Run, servos: Mapping[int, ServoTrace]) -> None:
-        trace, rows, channels = run.trace, list(moves_of(run)), lanes(run.controller)
-        self.end = trace.end
-        self.axes = trace.axes[:MOST_AXES]
+    def __init__(self, run: Run, servos: Mapping[int, ServoTrace], window: Window) -> None:
+        trace, channels = run.trace, lanes(run.controller)
+        chosen = window.of(trace.axes)
+        self.span = begin, end = window.span(trace.end)
+        moves: list[dict[str, Any]] = list(moves_of(run))
+        rows = [
+            row for row in moves if row["start_time"] <= end and row["start_time"] + row["duration"] >= begin
+        ]
+        self.axes = chosen[:MOST_AXES]
         self.moves = {axis: [row for row in rows if row["axis"] == axis] for axis in self.axes}
-        self.panels = {axis: panels(trace, axis, servos.get(axis)) for axis in self.axes}
+        self.panels = {axis: panels(trace, axis, servos.get(axis), self.span) for axis in self.axes}
         self.digital = [lane for lane in channels if lane.is_digital][:MOST_LANES]
         self.analogue = [lane for lane in channels if not lane.is_digital][:MOST_ANALOGUE]
-        self.hidden_axes = len(trace.axes) - len(self.axes)
+        self.hidden_axes = len(chosen) - len(self.axes)
         self.hidden_channels = len(channels) - len(self.digital) - len(self.analogue)
 
     @property
@@ -107,11 +122,12 @@ class _Picture:
         return [*groups, channels] if channels else groups
 
 
-def _figure(run: Run, servos: Mapping[int, ServoTrace]) -> Figure:
-    picture = _Picture(run, servos)
+def _figure(run: Run, servos: Mapping[int, ServoTrace], window: Window) -> Figure:
+    picture = _Picture(run, servos, window)
     several = len(picture.axes) > 1
     figure, groups = _layout(picture.heights, TOP[several])
-    unit, second = _time_unit(picture.end)
+    begin, end = picture.span
+    unit, second = _time_unit(end - begin)
     for axis, group in zip(picture.axes, groups, strict=False):
         _draw_axis(group, picture, axis, second)
         if several:
@@ -122,7 +138,7 @@ def _figure(run: Run, servos: Mapping[int, ServoTrace]) -> Figure:
     _legend(figure, [row for rows in picture.moves.values() if is_shaded(rows) for row in rows])
     last = groups[-1][-1]
     last.set_xlabel(f"time ({unit})")
-    last.set_xlim(0.0, (picture.end or 1.0) / second)
+    last.set_xlim(begin / second, (end or 1.0) / second)
     figure.align_ylabels([axes for group in groups for axes in group])
     return figure
 
@@ -131,15 +147,15 @@ def _draw_axis(group: Sequence[Axes], picture: _Picture, axis: int, second: floa
     rows = picture.moves[axis]
     for axes, panel in zip(group, picture.panels[axis], strict=True):
         draw_panel(axes, panel, rows, second)
-    name_moves(group[0], rows, picture.end, second)
+    name_moves(group[0], rows, picture.span, second)
 
 
 def _draw_channels(group: Sequence[Axes], picture: _Picture, second: float) -> None:
     group[0].set_title("channels", loc="left", fontsize=10, fontweight="bold", pad=5)
     for axes, lane in zip(group, picture.analogue, strict=False):
-        draw_analogue(axes, lane, picture.end, second)
+        draw_analogue(axes, lane, picture.span[1], second)
     if picture.digital:
-        draw_lanes(group[-1], picture.digital, picture.end, second)
+        draw_lanes(group[-1], picture.digital, picture.span[1], second)
 
 
 def _layout(heights: Sequence[Sequence[float]], head: float) -> tuple[Figure, list[list[Axes]]]:

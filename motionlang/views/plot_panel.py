@@ -105,18 +105,22 @@ def is_shaded(rows: Rows) -> bool:
     return 0 < sum(len(row["phases"]) for row in rows) <= MOST_SHADED
 
 
-def name_moves(axes: Axes, rows: Rows, end: float, second: float) -> None:
+def name_moves(axes: Axes, rows: Rows, span: tuple[float, float], second: float) -> None:
     """Above a panel: which line of the program each move comes from, where there is room to say so."""
-    if len(rows) > MOST_NAMED or not end:
+    begin, end = span
+    length = end - begin
+    if len(rows) > MOST_NAMED or not length:
         return
     free = 0.0
     for row in rows:
-        middle, share = (row["start_time"] + 0.5 * row["duration"]) / end, row["duration"] / end
+        left = max(row["start_time"] - begin, 0.0) / length
+        share = min((row["start_time"] + row["duration"] - begin) / length, 1.0) - left
+        middle = left + 0.5 * share
         text = next((each for each in _names(row) if len(each) * LETTER < share), "")
         half = 0.5 * len(text) * LETTER
         if text and middle - half >= free:
             free = middle + half + GAP
-            _above(axes, text, middle * end / second, "data", "center", 8.0)
+            _above(axes, text, (begin + middle * length) / second, "data", "center", 8.0)
 
 
 def _names(row: dict[str, Any]) -> tuple[str, str, str]:

@@ -72,19 +72,24 @@ _TOTALS = (
 )
 
 
-def render(run: Run, *, width: int = 100, colour: bool = False, charts: bool = False) -> str:
-    """The whole report as text that ends with a newline; `charts` adds the velocity of the axes that moved."""
+def render(
+    run: Run, *, width: int = 100, colour: bool = False, charts: bool = False, everything: bool = False
+) -> str:
+    """The whole report as text that ends with a newline.
+
+    `charts` adds the velocity of the axes that moved; `everything` leaves no move, phase or line out.
+    """
     rows: list[Row] = list(moves_of(run))
     parts = [_head(run, rows, colour)]
     if rows:
-        parts.append(_moves(rows, width, colour))
+        parts.append(_moves(rows, width, colour, everything))
     if len(rows) > MOST_ROWS:
-        parts.append(_totals(rows, run.time, width, colour))
+        parts.append(_totals(rows, run.time, width, colour, everything))
     if charts and rows:
         parts += _charts(run, rows, width, colour)
     motors = [row for row in rows if "motor" in row]
     if motors:
-        parts.append(_motors(motors, width, colour))
+        parts.append(_motors(motors, width, colour, everything))
     axes = axes_of(run)
     if axes:
         parts.append(_axes(axes, width, colour))
@@ -100,10 +105,10 @@ def _head(run: Run, rows: list[Row], colour: bool) -> list[str]:
     return [f"{name} · {dialect_name(run.dialect.name)} · {outcome(run)} · {count}"]
 
 
-def _moves(rows: list[Row], width: int, colour: bool) -> list[str]:
+def _moves(rows: list[Row], width: int, colour: bool, everything: bool) -> list[str]:
     """A line a move, and a line a phase where there are few."""
-    shown = rows if len(rows) <= MOST_ROWS else rows[:SHOWN]
-    phased = len(rows) <= WITH_PHASES
+    shown = rows if everything or len(rows) <= MOST_ROWS else rows[:SHOWN]
+    phased = everything or len(rows) <= WITH_PHASES
     texts, styles = [], []
     form = _Form(shown, phased)
     for row in shown:
@@ -115,7 +120,7 @@ def _moves(rows: list[Row], width: int, colour: bool) -> list[str]:
             styles.append(phase["name"])
     lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
     if len(shown) < len(rows):
-        more = f"… and {_grouped(len(rows) - len(shown))} more moves: --report json has them all"
+        more = f"… and {_grouped(len(rows) - len(shown))} more moves: --all shows them"
         lines.append(styled(more, "dim", colour))
     return lines
 
@@ -152,16 +157,17 @@ class _Form:
         return ["", name, "", "", "", time, "", "", distance, "", ""]
 
 
-def _totals(rows: list[Row], time: float, width: int, colour: bool) -> list[str]:
+def _totals(rows: list[Row], time: float, width: int, colour: bool, everything: bool) -> list[str]:
     """What each line of the program moved, all in all, the busiest first."""
     groups: dict[tuple[int, str, int], list[Row]] = {}
     for row in rows:
         groups.setdefault((row["line"], row["command"], row["axis"]), []).append(row)
     busiest = sorted(groups.items(), key=lambda item: (-fsum(row["duration"] for row in item[1]), item[0]))
-    texts = [_total(key, group, time) for key, group in busiest[:MOST_TOTALS]]
+    most = len(busiest) if everything else MOST_TOTALS
+    texts = [_total(key, group, time) for key, group in busiest[:most]]
     lines = grid(_TOTALS, texts, width=width, colour=colour)
-    if len(busiest) > MOST_TOTALS:
-        lines.append(styled(f"… and {_grouped(len(busiest) - MOST_TOTALS)} more", "dim", colour))
+    if len(busiest) > most:
+        lines.append(styled(f"… and {_grouped(len(busiest) - most)} more", "dim", colour))
     return lines
 
 
@@ -195,10 +201,10 @@ def _charts(run: Run, rows: list[Row], width: int, colour: bool) -> list[list[st
     return parts
 
 
-def _motors(rows: list[Row], width: int, colour: bool) -> list[str]:
+def _motors(rows: list[Row], width: int, colour: bool, everything: bool) -> list[str]:
     """What simulated motors made of the moves, a line a move; of many, of those with the largest errors."""
     worst = sorted(rows, key=lambda row: -row["motor"]["peak_following_error"])
-    shown = rows if len(rows) <= MOST_ROWS else worst[:SHOWN]
+    shown = rows if everything or len(rows) <= MOST_ROWS else worst[:SHOWN]
     error = decimals_of([row["motor"]["peak_following_error"] for row in shown])
     texts = [
         [

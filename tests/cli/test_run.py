@@ -172,6 +172,26 @@ def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
     assert (cell.folder / "x.svg").read_text().startswith("<?xml")
 
 
+def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
+    trace = ("run", "ballscrew.mcl", "--report", "none", "--rate", "10", "--trace", "x.csv", "--columns")
+    assert cell(*trace, "jerk.1,position").status == 0
+    rows = (cell.folder / "x.csv").read_text().splitlines()
+    assert rows[0] == "time_s,axis1_jerk_uu_per_s3,axis1_position_uu"
+    ran = cell(*trace, "speed")
+    assert ran.status == 1
+    assert "'speed' is no quantity of an axis: position, velocity, acceleration, jerk, actual" in ran.err
+    assert "'jerk.9': there is no axis 9" in cell(*trace, "jerk.9").err
+
+
+def test_a_picture_shows_the_part_that_was_asked_for(cell: Cell) -> None:
+    pytest.importorskip("matplotlib")
+    plot = ("run", "ballscrew.mcl", "--report", "none", "--plot", "x.svg")
+    assert cell(*plot, "--from", "0.2", "--to", "0.5", "--axes", "1").err == ""
+    assert "the run ended after 1.0" in cell(*plot, "--from", "7").err
+    assert "axis 3 did not move in this run: 1 did" in cell(*plot, "--axes", "3").err
+    assert "axis 2 did not move in this run: 1 did" in cell(*plot, "--path", "1,2").err
+
+
 def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(output_files, "find_spec", lambda name: None)
     assert cell("run", "ballscrew.mcl", "--plot", "x.html", "--report", "none").err == ""
@@ -206,6 +226,16 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
         (
             ("--trace", "x.csv", "--trajectory-rate", "5"),
             "--trajectory-rate is about --as-controller, which is missing",
+        ),
+        (("--columns", "jerk"), "--columns is about a trace: give --trace OUT"),
+        (("--from", "1"), "--from is about a picture: give --plot OUT"),
+        (
+            ("--plot", "x.svg", "--from", "1", "--to", "1"),
+            "--to is not after --from: there is nothing in between",
+        ),
+        (
+            ("--plot", "x.svg", "--path", "0"),
+            "argument --path: '0' is not a path: two or three axes make one, such as 0,1",
         ),
         (("--trace", "x.txt"), "--trace writes .csv, .npz, .parquet and .vcd, not .txt files"),
         (("--plot", "x"), "--plot writes .png, .svg and .html, so the file needs one of these suffixes"),

@@ -19,7 +19,7 @@ from tests.views.runs import ballscrew, pick, shift
 def test_extremes_are_those_of_a_fine_sampling(make: Callable[[], Run], quantity: str, bins: int) -> None:
     run = make()
     for axis in run.trace.axes:
-        times, values = outline(run.trace, axis, quantity, bins)
+        times, values = outline(run.trace, axis, quantity, bins=bins)
         fine = run.trace.sample(5000.0, (axis,), quantities=(quantity,)).get(axis, quantity)
         reach = max(1e-6, float(np.abs(fine).max()))
         assert values.max() >= fine.max() - 1e-4 * reach

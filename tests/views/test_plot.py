@@ -17,6 +17,7 @@ from motionlang.result import Run
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
 from motionlang.views.plot_panel import _ends_high
+from motionlang.views.window import Window
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 from tests.views.test_vcd import switched
 
@@ -136,3 +137,21 @@ def test_a_folder_that_is_not_there_is_said_of_the_file_that_was_asked_for(tmp_p
     with pytest.raises(FileNotFoundError) as caught:
         write_plot(ballscrew(), asked)
     assert caught.value.filename == asked
+
+
+@pytest.mark.usefixtures("texts")
+def test_a_part_of_a_run_has_the_peaks_of_that_part(tmp_path: Path) -> None:
+    """The ramp of 1250 mm/s² has come to 125 mm/s after a tenth of a second; the move's name stays in sight."""
+    write_plot(ballscrew(), str(tmp_path / "x.svg"), window=Window(0.05, 0.10005))
+    found = re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "x.svg").read_text(encoding="utf-8"))
+    assert "peak 125 uu/s" in found
+    assert "MOVER · line 5" in found
+
+
+@pytest.mark.usefixtures("texts")
+@pytest.mark.parametrize("axes", [(0, 1), (0, 1, 2)])
+def test_a_path_is_drawn_in_the_colour_of_its_speed(tmp_path: Path, axes: tuple[int, ...]) -> None:
+    write_plot(pick(), str(tmp_path / "x.svg"), window=Window(path=axes))
+    found = re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "x.svg").read_text(encoding="utf-8"))
+    assert any(text.startswith("speed (uu/s), at most ") for text in found)
+    assert all(f"axis {axis} (uu)" in found for axis in axes)

@@ -37,7 +37,7 @@ class Engine:
         racer = pytest.importorskip("py_mini_racer")
         self._context = racer.MiniRacer()
         self._context.eval(files("motionlang.views.scope").joinpath("model.js").read_text(encoding="utf-8"))
-        self._context.eval(f"const data = {json.dumps(data_of(page(made)))}; 0")
+        self._context.eval(f"const data = expand({json.dumps(data_of(page(made)))}); 0")
 
     def __call__(self, expression: str) -> Any:
         return json.loads(self._context.eval(f"JSON.stringify({expression})"))
@@ -149,7 +149,7 @@ def test_it_asks_no_network() -> None:
 def test_no_motion_and_figures_that_overflow(tmp_path: Path) -> None:
     still, _ = new_run("hello.mnt")
     write_scope(ended(still), str(tmp_path / "x.html"))
-    assert data_of((tmp_path / "x.html").read_text(encoding="utf-8"))["axes"][0]["moves"] == []
+    assert data_of((tmp_path / "x.html").read_text(encoding="utf-8"))["axes"][0]["moves"]["which"] == []
     huge, controller = new_run()
     controller.set_scale(0, 1e-300)
     controller.move_by(0, 1e12)

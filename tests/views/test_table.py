@@ -94,7 +94,7 @@ axis  command  line  profile    start      time      from        to  distance   
    3  MOVER       6  trapezoid  10.08  0.594273  -31.6917  -24.3342    7.3575  24.7614
    0  MOVER       5  trapezoid  11.52  1.542950  -40.9508   -2.8525   38.0983  33.3333
    1  MOVER       6  trapezoid  12.96  0.852250   20.5308    5.4558  -15.0750  33.3333
-… and 390 more moves: --report json has them all
+… and 390 more moves: --all shows them
 
 line  command  axis  moves       in motion  of the run   each  distance    peak
                                                             s        uu    uu/s
@@ -120,6 +120,13 @@ def test_a_narrow_terminal_keeps_what_matters() -> None:
 
 def test_many_moves_are_summed_up_by_line() -> None:
     assert render(shift()).startswith(MANY)
+
+
+def test_all_moves_with_their_phases_where_everything_is_asked_for() -> None:
+    made = render(shift(), everything=True)
+    assert made.count("MOVER") == 400 + 4
+    assert made.count("├ accel") == 400
+    assert "more moves" not in made
 
 
 def test_twenty_moves_are_a_line_each() -> None:

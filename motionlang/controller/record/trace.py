@@ -55,6 +55,14 @@ class Column:
     axis: int | None
 
 
+_TIME = Column("time_s", "time", "s", None)
+
+
+def _column(axis: int, quantity: str) -> Column:
+    unit, suffix = UNITS[quantity] if quantity in UNITS else MOTOR[quantity]
+    return Column(f"axis{axis}_{quantity.replace(' ', '_')}_{suffix}", quantity, unit, axis)
+
+
 @dataclass(frozen=True, slots=True)
 class Samples:
     """Columns of equal length; `samples["axis0_position_uu"]` and `samples.get(0, "position")` are one array."""
@@ -87,12 +95,13 @@ class Samples:
 class Trace:
     """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
 
-    __slots__ = ("_readers", "_tables", "controller", "end")
+    __slots__ = ("_chosen", "_readers", "_tables", "controller", "end")
 
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
         self._tables: dict[int, PieceTable] = {}
         self._readers: dict[int, Reader] = {}
+        self._chosen: list[tuple[int, str]] | None = None
         self.end = controller.clock.now
 
     @property
@@ -101,21 +110,38 @@ class Trace:
         axes = self.controller.axes
         return tuple(axis.index for axis in axes.values() if len(axis.starts) > 1) or (next(iter(axes)),)
 
+    def choose(self, wanted: Sequence[str]) -> None:
+        """Have these columns and the time alone: "velocity" of every axis, "velocity.0" of one.
+
+        ValueError, with what there is, for an axis or a quantity that does not exist.
+        """
+        chosen: list[tuple[int, str]] = []
+        for each in wanted:
+            text, _, axis = each.partition(".")
+            quantity = text.replace("-", " ")
+            if quantity not in UNITS and quantity not in MOTOR:
+                names = ", ".join(name.replace(" ", "-") for name in (*UNITS, *MOTOR))
+                raise ValueError(f"{text!r} is no quantity of an axis: {names} are")
+            if axis and not (axis.isdecimal() and int(axis) in self.controller.axes):
+                have = ", ".join(map(str, self.controller.axes))
+                raise ValueError(f"{each!r}: there is no axis {axis}; this controller has {have}")
+            chosen += [(number, quantity) for number in ((int(axis),) if axis else self.axes)]
+        self._chosen = chosen
+
     def columns(
         self, axes: Sequence[int] | None = None, quantities: Sequence[str] | None = None
     ) -> tuple[Column, ...]:
         """The columns that `sample` and `chunks` give; KeyError for an axis or a quantity that does not exist.
 
-        Without `quantities` those of `USUAL`, and those of `MOTOR` where an axis has a simulated one.
+        Without either of them what was chosen; without `quantities` those of `USUAL`, and those of `MOTOR` where an
+        axis has a simulated one.
         """
-        made = [Column("time_s", "time", "s", None)]
+        if axes is None and quantities is None and self._chosen is not None:
+            return (_TIME, *(_column(axis, quantity) for axis, quantity in self._chosen))
+        made = [_TIME]
         for axis in self.axes if axes is None else axes:
-            a = self.controller.axes[axis]
-            usual = USUAL if a.feedback is None else (*USUAL, *MOTOR)
-            for quantity in usual if quantities is None else quantities:
-                unit, suffix = UNITS[quantity] if quantity in UNITS else MOTOR[quantity]
-                name = f"axis{a.index}_{quantity.replace(' ', '_')}_{suffix}"
-                made.append(Column(name, quantity, unit, axis))
+            usual = USUAL if self.controller.axes[axis].feedback is None else (*USUAL, *MOTOR)
+            made += [_column(axis, quantity) for quantity in (usual if quantities is None else quantities)]
         return tuple(made)
 
     def rows(self, rate: float = 1000.0, until: float | None = None) -> int:

@@ -1,7 +1,8 @@
 """The run as a page to look around in: `--plot OUT.html`, one file that needs no network.
 
 The page has the pieces of the motion, not samples, and draws what is looked at, so that it can be zoomed into without
-end. `model.js` is the motion without a page, `script.js` the page.
+end. `model.js` is the motion without a page; `panels.js` says what there is to see, `draw.js` and `path.js` draw it,
+`tools.js` searches and exports, `script.js` is the mouse and the keys.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from motionlang.views.lanes import lanes
 from motionlang.views.panels import UNITS, panels
 from motionlang.views.plot_panel import PHASES
 from motionlang.views.terminal import printable
+from motionlang.views.window import WHOLE
 from motionlang.views.words import dialect_name, outcome
 
 if TYPE_CHECKING:
@@ -31,29 +33,42 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.trace import ServoTrace
     from motionlang.result import Run
     from motionlang.views.panels import Curve
+    from motionlang.views.window import Window
 
     Row = dict[str, Any]
 
+PARTS = ("model", "panels", "draw", "path", "tools", "script")
 LONGEST_LINE = 120
 """Characters of a program's line that are shown beside the cursor."""
 
 
-def write_scope(run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({})) -> None:
-    """Write the page; `servos` has what the motors did, by axis, where that was simulated. Raises OSError."""
+def write_scope(
+    run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({}), window: Window = WHOLE
+) -> None:
+    """Write the page, see `page`. Raises OSError, and ValueError where the window shows nothing."""
+    text = page(run, servos, window)
     with replacing(path) as file:
-        file.write(page(run, servos).encode("utf-8"))
+        file.write(text.encode("utf-8"))
 
 
-def page(run: Run, servos: Mapping[int, ServoTrace] = MappingProxyType({})) -> str:
-    """The whole page; the same text for the same run."""
+def page(
+    run: Run,
+    servos: Mapping[int, ServoTrace] = MappingProxyType({}),
+    window: Window = WHOLE,
+    against: Run | None = None,
+) -> str:
+    """The whole page; the same text for the same run.
+
+    `servos` has what the motors did, by axis, where that was simulated; the page begins with `window`, and has the rest
+    of the run for whoever looks further; the axes of the run `against` are drawn behind those of the same number.
+    """
     name = printable(run.source.name)
     return Template(_part("page.html")).substitute(
         generator=f"motionlang {__version__}",
         title=name.replace("&", "&amp;").replace("<", "&lt;"),
         style=_part("style.css"),
-        model=_part("model.js"),
-        script=_part("script.js"),
-        data=_embedded(_data(run, servos)),
+        data=_embedded(_data(run, servos, window, against)),
+        **{part: _part(f"{part}.js") for part in PARTS},
     )
 
 
@@ -66,7 +81,7 @@ def _embedded(data: Row) -> str:
     return json.dumps(finite(data), separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
-def _data(run: Run, servos: Mapping[int, ServoTrace]) -> Row:
+def _data(run: Run, servos: Mapping[int, ServoTrace], window: Window, against: Run | None) -> Row:
     trace = run.trace
     rows: list[Row] = list(moves_of(run))
     lines = sorted({row["line"] for row in rows if row["line"]})
@@ -77,6 +92,10 @@ def _data(run: Run, servos: Mapping[int, ServoTrace]) -> Row:
         "quantities": list(UNITS.items()),
         "phases": list(PHASES),
         "source": {line: printable(run.source.line(line).strip())[:LONGEST_LINE] for line in lines},
+        "first": _first(window, trace),
+        "against": None if against is None else _against(against),
+        "events": [],
+        "bands": [],
         "axes": [_axis(trace, axis, rows, servos.get(axis)) for axis in trace.axes],
         "lanes": [
             {"name": lane.name, "digital": lane.is_digital, "times": lane.times, "values": lane.values}
@@ -85,10 +104,31 @@ def _data(run: Run, servos: Mapping[int, ServoTrace]) -> Row:
     }
 
 
+def _first(window: Window, trace: Trace) -> Row:
+    """What the page shows before anybody has touched it."""
+    begin, end = window.span(trace.end)
+    shown = window.of(trace.axes)
+    path = (
+        [f"axis {axis}" for axis in window._replace(axes=window.path).of(trace.axes)] if window.path else []
+    )
+    hidden = [f"axis {axis}" for axis in trace.axes if axis not in shown]
+    return {"begin": begin, "end": None if window.end is None else end, "hidden": hidden, "path": path}
+
+
+def _against(run: Run) -> Row:
+    """The motion of another run, to be drawn behind that of this one."""
+    return {
+        "program": printable(run.source.name),
+        "outcome": outcome(run),
+        "end": run.trace.end,
+        "axes": [_axis(run.trace, axis, (), None) for axis in run.trace.axes],
+    }
+
+
 def _axis(trace: Trace, axis: int, rows: Sequence[Row], servo: ServoTrace | None) -> Row:
-    track = _track(trace, axis)
-    made: Row = {"name": f"axis {axis}", "track": track, "jerks": bool(track["waves"] or any(track["c"][3]))}
-    made["moves"] = [_move(row) for row in rows if row["axis"] == axis]
+    track, jerks = _track(trace, axis)
+    made: Row = {"name": f"axis {axis}", "track": track, "jerks": jerks}
+    made["moves"] = _moves([row for row in rows if row["axis"] == axis])
     drawn = panels(trace, axis, servo) if servo is not None and len(servo) else []
     if drawn:
         made["motor"] = _series(drawn[0].curves[0])
@@ -100,8 +140,11 @@ def _axis(trace: Trace, axis: int, rows: Sequence[Row], servo: ServoTrace | None
     return made
 
 
-def _track(trace: Trace, axis: int) -> Row:
-    """The pieces of an axis in user units: when each begins, its cubic, and the waves there are, by piece."""
+def _track(trace: Trace, axis: int) -> tuple[Row, bool]:
+    """The pieces of an axis in user units: when each begins, its cubic, and the waves there are, by piece.
+
+    And whether there is a jerk in any of them.
+    """
     table = trace.table(axis)
     used = max(1, int(np.searchsorted(table.origins, trace.end, "right")))
     starts, columns = table.origins[:used], table.columns[:, :used].copy()
@@ -110,25 +153,46 @@ def _track(trace: Trace, axis: int) -> Row:
         trace.to_user(axis, "velocity", row)
     waves = np.flatnonzero(columns[4])
     return {
-        "starts": _numbers(starts),
-        "c": [_numbers(row) for row in columns[:4]],
+        "starts": _packed(starts),
+        "c": [_packed(row) for row in columns[:4]],
         "waves": {str(i): _numbers(columns[4:7, i]) for i in waves.tolist()},
+    }, bool(len(waves) or columns[3].any())
+
+
+def _moves(rows: Sequence[Row]) -> Row:
+    """When each move of an axis began, and which of the `kinds` it was: what comes back in each cycle is told once."""
+    kinds: dict[str, int] = {}
+    which = [kinds.setdefault(json.dumps(_kind(row)), len(kinds)) for row in rows]
+    return {
+        "kinds": [json.loads(kind) for kind in kinds],
+        "which": which,
+        "starts": _numbers(np.array([row["start_time"] for row in rows])),
     }
 
 
-def _move(row: Row) -> Row:
-    phases = [[phase["name"], phase["duration"]] for phase in row["phases"]]
+def _kind(row: Row) -> Row:
     return {
         "command": printable(row["command"] or "move"),
         "line": row["line"],
-        "start": row["start_time"],
         "duration": row["duration"],
-        "phases": phases,
+        "phases": [[phase["name"], phase["duration"]] for phase in row["phases"]],
     }
 
 
 def _series(curve: Curve) -> Row:
     return {"times": _numbers(curve.times), "values": _numbers(curve.values)}
+
+
+def _packed(values: Array) -> Row | list[float | int]:
+    """The numbers, or where most come back, each once (`of`) and which of them stands where (`at`)."""
+    different, first, which = np.unique(values, return_index=True, return_inverse=True)
+    if 2 * len(different) > len(values):
+        return _numbers(values)
+    # In the order in which they come, so that the common ones have the shorter numbers.
+    order = np.argsort(first)
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    return {"of": _numbers(different[order]), "at": place[which].tolist()}
 
 
 def _numbers(values: Array) -> list[float | int]:

@@ -5,6 +5,19 @@
 const ORDERS = { position: 0, velocity: 1, acceleration: 2, jerk: 3 };
 const CURVED_POINTS = 48;
 
+/** What the page was given, unpacked: columns told as the different numbers and which of them stands where, and moves. */
+function expand(given) {
+  const column = (packed) => Float64Array.from(packed.of ? packed.at.map((i) => packed.of[i]) : packed);
+  const track = (packed) => ({ starts: column(packed.starts), c: packed.c.map(column), waves: packed.waves, end: given.end, trees: [] });
+  const axis = (each) => ({
+    ...each,
+    track: track(each.track),
+    moves: each.moves.which.map((kind, i) => ({ ...each.moves.kinds[kind], start: each.moves.starts[i] })),
+  });
+  const against = given.against && { ...given.against, axes: given.against.axes.map(axis) };
+  return { ...given, axes: given.axes.map(axis), against };
+}
+
 /** The index of the last of `starts` that is not after `time`; 0 before the first. */
 function indexAt(starts, time) {
   let low = 0, high = starts.length;
@@ -17,14 +30,13 @@ function indexAt(starts, time) {
 
 /** Derivative `order` of a piece, x seconds after its start. */
 function evaluate(track, piece, x, order) {
-  const [c0, c1, c2, c3] = track.c;
-  const value = [
-    () => ((c3[piece] * x + c2[piece]) * x + c1[piece]) * x + c0[piece],
-    () => (3 * c3[piece] * x + 2 * c2[piece]) * x + c1[piece],
-    () => 6 * c3[piece] * x + 2 * c2[piece],
-    () => 6 * c3[piece],
-  ][order]();
-  const wave = track.waves[piece];
+  const { c, waves } = track;
+  const c1 = c[1][piece], c2 = c[2][piece], c3 = c[3][piece];
+  let value = 6 * c3;
+  if (order === 0) value = ((c3 * x + c2) * x + c1) * x + c[0][piece];
+  else if (order === 1) value = (3 * c3 * x + 2 * c2) * x + c1;
+  else if (order === 2) value = 6 * c3 * x + 2 * c2;
+  const wave = waves[piece];
   if (!wave) return value;
   const [a, w, f] = wave;
   return value + a * w ** order * Math.sin(w * x + f + (order * Math.PI) / 2);
@@ -51,25 +63,32 @@ class Thinner {
 
   put(time, value) {
     const column = Math.floor((time - this.begin) * this.perSecond);
-    const point = [time, value];
     if (column !== this.column) {
       this.flush();
       this.column = column;
-      this.kept = [point];
-      this.low = this.high = point;
-    }
-    if (value < this.low[1]) this.low = point;
-    if (value > this.high[1]) this.high = point;
-    // In the order in which they came, which at a jump is not that of their times.
-    this.kept = this.kept.filter((each, i) => i === 0 || each === this.low || each === this.high).concat([point]);
+      this.count = this.lowAt = this.highAt = 0;
+      this.firstTime = this.lowTime = this.highTime = time;
+      this.first = this.low = this.high = value;
+    } else this.count += 1;
+    if (value < this.low) { this.low = value; this.lowTime = time; this.lowAt = this.count; }
+    if (value > this.high) { this.high = value; this.highTime = time; this.highAt = this.count; }
+    this.lastTime = time;
+    this.last = value;
   }
 
+  // In the order in which they came, which at a jump is not that of their times.
   flush() {
     if (this.column === null) return;
-    for (const point of this.kept) {
-      const before = this.points[this.points.length - 1];
-      if (!before || before[0] !== point[0] || before[1] !== point[1]) this.points.push(point);
-    }
+    this.keep(this.firstTime, this.first);
+    if (this.lowAt < this.highAt) this.keep(this.lowTime, this.low);
+    this.keep(this.highTime, this.high);
+    if (this.lowAt > this.highAt) this.keep(this.lowTime, this.low);
+    this.keep(this.lastTime, this.last);
+  }
+
+  keep(time, value) {
+    const before = this.points[this.points.length - 1];
+    if (!before || before[0] !== time || before[1] !== value) this.points.push([time, value]);
   }
 
   done() {
@@ -79,20 +98,91 @@ class Thinner {
   }
 }
 
+/** Where in a piece of length `length` its derivative `order` may be highest or lowest, its ends left out. */
+function turns(track, piece, length, order) {
+  if (track.waves[piece]) return Array.from({ length: 15 }, (_, i) => (length * (i + 1)) / 16);
+  const [, c1, c2, c3] = track.c.map((column) => column[piece]);
+  let found = [];
+  if (order === 1 && c3) found = [-c2 / (3 * c3)];
+  if (order === 0 && c3) {
+    const root = Math.sqrt(c2 * c2 - 3 * c3 * c1);
+    found = [(-c2 - root) / (3 * c3), (-c2 + root) / (3 * c3)];
+  } else if (order === 0 && c2) found = [-c1 / (2 * c2)];
+  return found.filter((x) => x > 0 && x < length).sort((one, other) => one - other);
+}
+
+const BRANCHES = 8;
+
+/**
+ * The lowest and the highest value of every piece, of every eight pieces, of every eight of those and so on: what lies
+ * within one column of the picture is looked up there, so that an hour is drawn as quickly as a second.
+ */
+function tree(track, order) {
+  if (track.trees[order]) return track.trees[order];
+  const { starts, end } = track, count = starts.length;
+  const level = (size) => ({ lowTime: new Float64Array(size), low: new Float64Array(size), highTime: new Float64Array(size), high: new Float64Array(size) });
+  const ground = level(count);
+  for (let i = 0; i < count; i += 1) {
+    const length = Math.max(0, (i + 1 < count ? starts[i + 1] : end) - starts[i]);
+    ground.low[i] = Infinity;
+    ground.high[i] = -Infinity;
+    for (const x of [0, ...turns(track, i, length, order), length]) {
+      const value = evaluate(track, i, x, order);
+      if (value < ground.low[i]) { ground.low[i] = value; ground.lowTime[i] = starts[i] + x; }
+      if (value > ground.high[i]) { ground.high[i] = value; ground.highTime[i] = starts[i] + x; }
+    }
+  }
+  const levels = [ground];
+  for (let below = ground; below.low.length > 1;) {
+    const above = level(Math.ceil(below.low.length / BRANCHES));
+    above.low.fill(Infinity);
+    above.high.fill(-Infinity);
+    below.low.forEach((low, i) => {
+      const k = Math.floor(i / BRANCHES);
+      if (low < above.low[k]) { above.low[k] = low; above.lowTime[k] = below.lowTime[i]; }
+      if (below.high[i] > above.high[k]) { above.high[k] = below.high[i]; above.highTime[k] = below.highTime[i]; }
+    });
+    levels.push(above);
+    below = above;
+  }
+  track.trees[order] = levels;
+  return levels;
+}
+
 /** Points [time, value] of a track from `begin` to `end`: every jump and every peak of each of `columns` stretches. */
 function trackPoints(track, order, begin, end, columns) {
   const thinner = new Thinner(begin, end, columns);
-  const { starts } = track;
-  for (let piece = indexAt(starts, begin); piece < starts.length; piece += 1) {
-    if (piece && starts[piece] > end) break;
-    const first = Math.max(starts[piece], begin);
-    const last = Math.max(first, Math.min(piece + 1 < starts.length ? starts[piece + 1] : end, end));
+  const { starts } = track, count = starts.length;
+  const after = (piece) => (piece < count ? starts[piece] : Math.max(end, track.end));
+  const putPiece = (piece) => {
+    const first = Math.max(starts[piece], begin), last = Math.max(first, Math.min(after(piece + 1), end));
     const wide = (last - first) * thinner.perSecond;
-    const count = isStraight(track, piece, order) ? 1 : Math.min(CURVED_POINTS, Math.max(4, Math.ceil(wide)));
-    for (let i = 0; i <= count; i += 1) {
-      const time = i === count ? last : first + ((last - first) * i) / count;
+    const parts = isStraight(track, piece, order) ? 1 : Math.min(CURVED_POINTS, Math.max(4, Math.ceil(wide)));
+    for (let i = 0; i <= parts; i += 1) {
+      const time = i === parts ? last : first + ((last - first) * i) / parts;
       thinner.put(time, evaluate(track, piece, Math.max(0, time - starts[piece]), order));
     }
+  };
+  const from = indexAt(starts, begin), to = indexAt(starts, end);
+  const levels = to - from > columns ? tree(track, order) : [];
+  let piece = from;
+  while (piece <= to) {
+    // The largest block that begins here, lies in the picture and is no wider than half a column.
+    let level = -1, size = 1;
+    for (let k = 0, next = 1; k < levels.length && piece % next === 0 && piece + next <= to; k += 1, next *= BRANCHES) {
+      if (starts[piece] < begin || (starts[piece + next] - starts[piece]) * thinner.perSecond > 0.5) break;
+      level = k;
+      size = next;
+    }
+    if (level < 0) putPiece(piece);
+    else {
+      const { lowTime, low, highTime, high } = levels[level], k = piece / size, last = piece + size - 1;
+      const inner = [[lowTime[k], low[k]], [highTime[k], high[k]]].sort(([one], [other]) => one - other);
+      thinner.put(starts[piece], evaluate(track, piece, 0, order));
+      for (const [time, value] of inner) thinner.put(time, value);
+      thinner.put(starts[last + 1], evaluate(track, last, starts[last + 1] - starts[last], order));
+    }
+    piece += size;
   }
   return thinner.done();
 }

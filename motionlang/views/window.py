@@ -1,0 +1,43 @@
+"""What of a run a picture shows: from when to when, which axes, and whether over time or as a path."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+class Window(NamedTuple):
+    """Times in seconds, `end` None for the end of the run; `axes` None for all that moved.
+
+    `path` has two or three axes whose path is to be drawn, instead of curves over time.
+    """
+
+    begin: float = 0.0
+    end: float | None = None
+    axes: tuple[int, ...] | None = None
+    path: tuple[int, ...] | None = None
+
+    def span(self, last: float) -> tuple[float, float]:
+        """From when to when, in a run that ended at `last`. Raises ValueError where that is nothing."""
+        end = last if self.end is None else min(self.end, last)
+        if self.begin >= end and self.begin > 0.0:
+            raise ValueError(
+                f"the run ended after {last:g} s, so there is nothing to see from {self.begin:g} s on"
+            )
+        return self.begin, end
+
+    def of(self, axes: Sequence[int]) -> tuple[int, ...]:
+        """Those of `axes` that are shown. Raises ValueError where one was asked for that is not among them."""
+        if self.axes is None:
+            return tuple(axes)
+        for axis in self.axes:
+            if axis not in axes:
+                moved = ", ".join(map(str, axes)) or "none"
+                raise ValueError(f"axis {axis} did not move in this run: {moved} did")
+        return tuple(axis for axis in axes if axis in self.axes)
+
+
+WHOLE = Window()
