@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
     from motionlang.lang.task import Task
     from motionlang.source import Source
@@ -79,6 +80,10 @@ class Dialect:
     def setting_problem(self, key: str, value: object) -> tuple[str, str] | None:
         """What is wrong with a key of the dialect's own section of the machine file, and a hint; None for nothing."""
         return None
+
+    def switches(self) -> Mapping[str, Switch]:
+        """The readings that the machine file may set, by their names."""
+        return {}
 
     def what_ends(self, why: str) -> str:
         """A hint at what would end a wait that is told as `why`; "" where the dialect knows nothing better."""

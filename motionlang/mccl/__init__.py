@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
     from motionlang.source import Source
 
@@ -40,6 +41,11 @@ class Mccl(Dialect):
         from motionlang.mccl.models import MODELS
 
         return tuple(MODELS)
+
+    def switches(self) -> Mapping[str, Switch]:
+        from motionlang.mccl.keywords.switchable import SWITCHES
+
+        return SWITCHES
 
     def table(self) -> Table:
         from motionlang.mccl.keywords import TABLE

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from motionlang.lang.dialect import Interactive
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.machine.switch import Switch
     from motionlang.lang.program import Program
     from motionlang.source import Source
 
@@ -48,6 +49,11 @@ class Mint(Dialect):
         from motionlang.mint.keywords.machine_readings import problem
 
         return problem(key, value)
+
+    def switches(self) -> Mapping[str, Switch]:
+        from motionlang.mint.keywords.switchable import switches
+
+        return switches()
 
     def what_ends(self, why: str) -> str:
         from motionlang.mint.runtime.wait_sources import what_ends

@@ -7,10 +7,17 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from motionlang.lang.dialect import dialect
 from motionlang.lang.keyword import STRENGTHS
+from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.switch import switch
+from motionlang.mint.keywords.switchable import has_default, name_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any
+
+    from motionlang.lang.keyword import Keyword
 
 ROOT = Path(__file__).parent.parent
 # The files of evidence, in the order of the chapters of docs/fidelity.md.
@@ -27,9 +34,42 @@ FILES = (
     "readings/evidence/prompt.toml",
     "readings/evidence/report.toml",
 )
+# Behind so many of them stand Mint's settings at power-up.
+AFTER = 3
 # What a source prints is not open, nor what running code shows.
 SETTLED = ("manual", "code")
-KEYS = ("name", "question", "chosen", "alternatives", "why", "strength", "words")
+PROBE_KEYS = ("before", "ask", "after", "answers", "form", "scale", "motion")
+DEFAULTS = """\
+A setting of an axis that no program has written yet. Each can be given another value in the machine file's
+`[readings]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
+
+class Probe:
+    """How the owner of a controller asks it.
+
+    `before`, `ask` and `after` are lines of the language, of Mint's `ask` what a PRINT shows; `{a}` is the axis and
+    `{d}` a distance, of a probe that needs `motion`. `answers` are what a controller says to it, that of the reading
+    chosen first, then those of the alternatives; a text that begins with `re:` is a pattern. Where a number is asked
+    for, `form` is the pattern around it, and `scale` what it is multiplied with.
+    """
+
+    __slots__ = ("after", "answers", "ask", "before", "form", "language", "motion", "scale")
+
+    def __init__(
+        self,
+        language: str,
+        ask: str,
+        *,
+        before: Sequence[str] = (),
+        after: Sequence[str] = (),
+        answers: Sequence[str] = (),
+        form: str = "",
+        scale: float = 1.0,
+        motion: bool = False,
+    ) -> None:
+        assert bool(answers) or bool(form), ask
+        self.language, self.ask, self.before, self.after = language, ask, tuple(before), tuple(after)
+        self.answers, self.form, self.scale, self.motion = tuple(answers), form, scale, motion
+
 
 
 class Reading:
@@ -37,10 +77,12 @@ class Reading:
 
     `name` is that of the machine file's `[readings]`, `alternatives` are the other answers, `why` the reason for the
     one `chosen`, `strength` one of `lang.keyword.STRENGTHS`; `words` are those whose use makes a program depend on it,
-    in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any.
+    in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any. `probe` is how
+    a controller is asked, None where it cannot be; `key` is that of the machine file which sets the reading, "" where
+    it is no value that could be set.
     """
 
-    __slots__ = ("alternatives", "chosen", "name", "question", "strength", "why", "words")
+    __slots__ = ("alternatives", "chosen", "key", "name", "probe", "question", "strength", "why", "words")
 
     def __init__(
         self,
@@ -52,11 +94,14 @@ class Reading:
         why: str = "",
         strength: str,
         words: str = "",
+        probe: Probe | None = None,
+        key: str = "",
     ) -> None:
         assert strength in STRENGTHS, (name, strength)
         self.name, self.question, self.chosen = name, question, chosen
         self.alternatives, self.why, self.strength = tuple(alternatives), why, strength
         self.words = tuple(words.split())
+        self.probe, self.key = probe, key
 
     @property
     def is_open(self) -> bool:
@@ -85,7 +130,8 @@ class Chapter:
 @cache
 def chapters() -> tuple[Chapter, ...]:
     """Every file of evidence, read; AssertionError where two readings have one name."""
-    found = tuple(_chapter(ROOT / file) for file in FILES)
+    of_files = [_chapter(ROOT / file) for file in FILES]
+    found = (*of_files[:AFTER], _defaults(), *of_files[AFTER:])
     names = [each.name for each in _readings(found)]
     assert len(names) == len(set(names)), sorted(name for name in names if names.count(name) > 1)
     return found
@@ -106,7 +152,38 @@ def _readings(found: Sequence[Chapter]) -> Iterator[Reading]:
 def _chapter(path: Path) -> Chapter:
     tree = tomllib.loads(path.read_text(encoding="utf-8"))
     sections = [
-        Section(each["title"], each.get("text", ""), [Reading(**entry) for entry in each.get("reading", ())])
+        Section(each["title"], each.get("text", ""), [_reading(entry) for entry in each.get("reading", ())])
         for each in tree["section"]
     ]
     return Chapter(tree["title"], tree.get("text", ""), sections)
+
+
+def _reading(entry: dict[str, Any]) -> Reading:
+    """An entry of a file: what is of the probe stands beside the rest."""
+    asked = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
+    language = entry.pop("language", entry["name"].partition(".")[0])
+    if asked:
+        entry["probe"] = Probe(language, **asked)
+    if "key" not in entry and switch(entry["name"]) is not None:
+        entry["key"] = READINGS + entry["name"]
+    return Reading(**entry)
+
+
+def _defaults() -> Chapter:
+    """What Mint's settings are at power-up: as many readings, whose values stand in the rows of the words."""
+    found = [_default(row) for row in dialect("mint").table() if has_default(row)]
+    return Chapter("Mint: settings at power-up", DEFAULTS, [Section("", "", found)])
+
+
+def _default(row: Keyword) -> Reading:
+    assert isinstance(row.default, (int, float))
+    return Reading(
+        name_of(row),
+        f"What {row.name} is until a program writes it",
+        f"{row.default:.10g}",
+        why=row.source,
+        strength="memory low" if row.trust == "memory" else row.trust,
+        words=row.name,
+        probe=Probe("mint", f"{row.name}({{a}})", form="{}"),
+        key=READINGS + name_of(row),
+    )

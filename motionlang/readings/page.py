@@ -18,7 +18,9 @@ user of the real controller would expect it. It is written from the files of evi
 
 Behind each reading stands what it rests on: a *manual*, running *code*, a *sibling* (another product of the same maker,
 or in the same style, whose rule is printed), *memory* (high, medium or low confidence) or a *choice*, where there was
-nothing to go by. All but the first two are open.
+nothing to go by. All but the first two are open. What is marked *set* is a value, which the machine file's `[readings]`
+can set to another one; what is marked *asked* is a question of `motionlang probe`, which the owner of a controller puts
+to it.
 """
 TABLE = "| question | reading | rests on | name |\n|---|---|---|---|\n"
 
@@ -58,7 +60,8 @@ def _section(section: Section) -> Iterator[str]:
 
 def _row(reading: Reading) -> str:
     others = f"; open: {'; or '.join(reading.alternatives)}" if reading.alternatives else ""
-    row = (reading.question, reading.chosen + others, rests_on(reading), f"`{reading.name}`")
+    marks = " · set" * bool(reading.key) + " · asked" * (reading.probe is not None)
+    row = (reading.question, reading.chosen + others, rests_on(reading), f"`{reading.name}`{marks}")
     return f"| {' | '.join(map(_cell, row))} |\n"
 
 

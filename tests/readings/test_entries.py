@@ -52,3 +52,13 @@ def test_no_run_loads_the_evidence() -> None:
     )
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
     assert done.stdout == "[]\n", done.stderr
+
+
+def test_what_can_be_set_is_a_reading_with_as_many_alternatives() -> None:
+    settable = {name: switch for language in dialects() for name, switch in dialect(language).switches().items()}
+    assert {name for name, each in readings().items() if each.key == f"readings.{name}"} == set(settable)
+    for name, switch in settable.items():
+        each = readings()[name]
+        assert each.probe is not None, name
+        assert len(switch.choices or [each.chosen]) == 1 + len(each.alternatives), name
+        assert len(switch.choices) == len(each.probe.answers), name

@@ -25,6 +25,7 @@ from motionlang.lang.machine.keys import (
     VIEWS,
     WIDTHS,
 )
+from motionlang.lang.machine.machine import READINGS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -82,6 +83,10 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         near = nearest(_generic(key), (*KEYS, *TABLES, *SERVO_KEYS))
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
         return f"there is no key {key}", words
+    if key.startswith(READINGS):
+        from motionlang.lang.machine.switch import problem as reading_problem
+
+        return reading_problem(key, value)
     problem = _kind_problem(row[0], value)
     if problem is None and key == "controller.axes" and not 1 <= value <= MAX_AXES:  # type: ignore[operator]
         problem = f"must be 1 to {MAX_AXES}"
@@ -276,6 +281,8 @@ def _generic(key: str) -> str:
         parts[1] = "N"
     if parts[:2] == ["mint", "readings"] and len(parts) > 2:
         parts[2:] = ["WORD"]
+    if parts[0] == "readings" and len(parts) > 1:
+        parts[1:] = ["NAME"]
     return ".".join(parts)
 
 

@@ -33,6 +33,12 @@ KEYS: dict[str, tuple[str, str]] = {
         "What a word of Mint reads whose value this program cannot know, such as DRIVEBUSVOLTS = 325, or "
         '{ "0" = 325, "1" = 326 } by what stands in its brackets.',
     ),
+    "readings.NAME": (
+        "reading",
+        "How this controller answers a question that the sources leave open, such as "
+        '"mint.homespeed-default" = 1000: one of the readings of [fidelity.md](fidelity.md) that can be set. '
+        "`motionlang probe` finds them.",
+    ),
 }
 # The sections of a simulated motor and its loop; their keys are in `controller.servo.settings`.
 SERVO = ("axis.N.plant.", "axis.N.servo.")

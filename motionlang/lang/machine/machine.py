@@ -23,6 +23,8 @@ DEFAULT_AXES = 8
 # The number of the terminal that is the console.
 CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
+# The section of the readings that the owner of a controller has found to hold; `switch` says what each may be.
+READINGS = "readings."
 # Different complaints of a run that are told; of the rest there is nothing new to learn.
 MOST_DIAGNOSTICS = 200
 
@@ -51,6 +53,7 @@ class Machine:
         "notes",
         "nv",
         "overrides",
+        "readings",
         "scheduler",
         "settings",
         "statements",
@@ -72,6 +75,12 @@ class Machine:
         get = self.settings.get
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
+        # The readings that this controller has otherwise than chosen, by their names.
+        self.readings = {
+            key.removeprefix(READINGS): value
+            for key, value in self.settings.items()
+            if key.startswith(READINGS)
+        }
         self.clock = Clock()
         self.statements = StatementTime(self.instruction_time)
         self._first_axis = first_axis
@@ -261,4 +270,4 @@ def _world(controller: Controller, settings: Mapping[str, object]) -> World | No
 
 def _is_plain(settings: Mapping[str, object]) -> bool:
     """Whether the settings speak of the controller alone."""
-    return all(key.startswith(("controller.", "mint.")) for key in settings)
+    return all(key.startswith(("controller.", "mint.", READINGS)) for key in settings)

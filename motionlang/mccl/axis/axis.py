@@ -113,7 +113,8 @@ class AxisState:
         self.running = False
         self.flags = 0
         self.deadband = self.deadband_delay = 0.0
-        self.breakpoint, self.breakpoint_reached = 0.0, False
+        self.breakpoint: float | None = None
+        self.breakpoint_reached = False
         self.index_position, self.index_found, self.edge_found = 0.0, False, False
         self.limit_mode, self.soft_high, self.soft_low = 0, 0.0, 0.0
         self.master: int | None = None

@@ -43,21 +43,27 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
 
 
 def jump(task: CommandTask, command: Command) -> Wait | None:
-    return task.jump(task.whole(command))
+    return task.jump(task.whole(command) - task.board.readings.get("mccl.jump-base", 0))  # type: ignore[operator]
 
 
 def jump_by(task: CommandTask, command: Command) -> Wait | None:
-    return task.jump(task.here + task.whole(command))
+    after = task.board.readings.get("mccl.jump-relative") == "next"
+    return task.jump(task.here + task.whole(command) + after)
 
 
 def nothing(task: CommandTask, command: Command) -> None:
     return None
 
 
+def skip(task: CommandTask) -> None:
+    """A condition has failed: what it governs is not carried out."""
+    task.pc += task.board.readings.get("mccl.skipped", 2)  # type: ignore[operator]
+
+
 def _if(condition: Condition) -> Action:
     def decide(task: CommandTask, command: Command) -> None:
         if not condition(task.registers[0], task.value(command)):
-            task.pc += 2
+            skip(task)
 
     return decide
 

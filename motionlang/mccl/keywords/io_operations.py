@@ -7,6 +7,7 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.axis.volts import percent, volts
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.flow_operations import skip
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,7 +51,9 @@ def channel_low(task: CommandTask, command: Command) -> None:
 
 def tell_channel(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
-    task.tell(channel, str(int(is_on(task.board, channel))))
+    on = is_on(task.board, channel)
+    words = task.board.readings.get("mccl.channel-form") == "ON"
+    task.tell(channel, ("ON" if on else "OFF") if words else str(int(on)))
 
 
 def tell_analog(task: CommandTask, command: Command) -> None:
@@ -77,12 +80,12 @@ def do_if_off(task: CommandTask, command: Command) -> None:
 
 def if_on(task: CommandTask, command: Command) -> None:
     if not is_on(task.board, task.whole(command)):
-        task.pc += 2
+        skip(task)
 
 
 def if_off(task: CommandTask, command: Command) -> None:
     if is_on(task.board, task.whole(command)):
-        task.pc += 2
+        skip(task)
 
 
 def wait_on(task: CommandTask, command: Command) -> Wait | None:

@@ -54,8 +54,14 @@ def evaluate(task: CommandTask, command: Command) -> None:
     """Replace the accumulator by function n of it. Fault where the function has no value."""
     name, function = FUNCTIONS[task.whole(command)]
     value = task.registers[0]
+    radians = task.board.readings.get("mccl.angles") == "radians"
     try:
-        task.registers[0] = wrapped(function(value))
+        if radians and name.endswith("of degrees"):
+            value = math.degrees(value)
+        result = function(value)
+        if radians and name.endswith(", degrees"):
+            result = math.radians(result)
+        task.registers[0] = wrapped(result)
     except (ValueError, OverflowError):
         raise Fault(codes.PARAMETER, f"there is no {name} of {value:g}", kind="range") from None
 

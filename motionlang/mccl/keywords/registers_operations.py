@@ -50,9 +50,30 @@ def wrapped(value: float | int) -> float | int:
 
 def _with(operation: Operation) -> Action:
     def apply(task: CommandTask, command: Command) -> None:
-        task.registers[0] = wrapped(operation(task.registers[0], task.value(command)))
+        task.registers[0] = limited(task, operation(task.registers[0], task.value(command)))
 
     return apply
+
+
+def limited(task: CommandTask, value: float | int) -> float | int:
+    """A result in 32 bits, as this board has it: wrapped round, or the last number that fits."""
+    if task.board.readings.get("mccl.overflow") == "stays" and isinstance(value, int):
+        return max(-0x80000000, min(value, 0x7FFFFFFF))
+    return wrapped(value)
+
+
+def divide(task: CommandTask, command: Command) -> None:
+    value = task.registers[0]
+    if task.board.readings.get("mccl.quotient") == "real":
+        value = float(value)
+    task.registers[0] = wrapped(_quotient(value, task.value(command)))
+
+
+def shift_right(task: CommandTask, command: Command) -> None:
+    bits = _bits(task.registers[0])
+    if task.board.readings.get("mccl.shift-right") == "zeros":
+        bits &= 0xFFFFFFFF
+    task.registers[0] = wrapped(bits >> int(task.value(command)))
 
 
 def _quotient(value: float | int, divisor: float | int) -> float | int:
@@ -80,12 +101,12 @@ ACTIONS: dict[str, Action] = {
     "add": _with(lambda a, b: a + b),
     "subtract": _with(lambda a, b: a - b),
     "multiply": _with(lambda a, b: a * b),
-    "divide": _with(_quotient),
+    "divide": divide,
     "bit_and": _with(lambda a, b: _bits(a) & _bits(b)),
     "bit_or": _with(lambda a, b: _bits(a) | _bits(b)),
     "bit_xor": _with(lambda a, b: _bits(a) ^ _bits(b)),
     "shift_left": _with(lambda a, b: _bits(a) << int(b)),
-    "shift_right": _with(lambda a, b: _bits(a) >> int(b)),
+    "shift_right": shift_right,
 }
 # Storing counts its own effect: only a register that changes is one.
 PURE = frozenset(ACTIONS) - {"tell_register"}

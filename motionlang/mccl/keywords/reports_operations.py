@@ -47,6 +47,8 @@ def _velocity(task: CommandTask, axis: AxisState) -> str:
 
 
 def _breakpoint(task: CommandTask, axis: AxisState) -> str:
+    if axis.breakpoint is None:
+        return "NONE" if task.board.readings.get("mccl.no-breakpoint") == "NONE" else axis.say(0.0)
     return axis.say(axis.breakpoint)
 
 
@@ -78,6 +80,8 @@ def tell_status(task: CommandTask, command: Command) -> None:
 
 def tell_error(task: CommandTask, command: Command) -> None:
     task.reply(str(task.board.last_error))
+    if task.board.readings.get("mccl.error-told") == "cleared":
+        task.board.last_error = 0
 
 
 def tell_segment(task: CommandTask, command: Command) -> None:

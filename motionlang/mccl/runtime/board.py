@@ -28,6 +28,12 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.task import CommandTask
 
 INFINITY = float("inf")
+# Codes that are readings, by their names in the machine file.
+CODES = {
+    codes.PARAMETER: "mccl.code-parameter",
+    codes.NO_AXIS: "mccl.code-no-axis",
+    codes.NOT_ASSIGNED: "mccl.code-not-assigned",
+}
 
 
 class Board:
@@ -44,6 +50,8 @@ class Board:
         self.controller = machine.controller
         self.cost = machine.instruction_time
         self.model = _model(machine.model)
+        # The readings that this board has otherwise than chosen, by their names.
+        self.readings = machine.readings
         self.write: Callable[[str], None] = machine.terminal.write
         self.complain = complain
         self._seen: dict[tuple[int, str], Diagnostic] = {}
@@ -110,6 +118,10 @@ class Board:
             speed, accel, axis.minimum = self.model.stepper
             for name, value in (("speed", speed), ("accel", accel), ("decel", accel)):
                 controller.configure(number, name, value)
+        if self.readings:
+            from motionlang.mccl.keywords.switchable import KEPT
+
+            axis.kept.update((KEPT[name], value) for name, value in self.readings.items() if name in KEPT)  # type: ignore[misc]
         axis.apply_units()
         controller.set_scale(number, 1.0)
         motor.power_up(self, axis)
@@ -277,7 +289,10 @@ class Board:
 
     def whole(self, value: int) -> str:
         """A whole number as DM or HM want it."""
-        return f"{value & 0xFFFFFFFF:X}" if self.hexadecimal else str(value)
+        if not self.hexadecimal:
+            return str(value)
+        small = self.readings.get("mccl.hex-letters") == "small"
+        return f"{value & 0xFFFFFFFF:{'x' if small else 'X'}}"
 
     def refused(self, task: CommandTask, trouble: Fault | Refusal) -> bool:
         """Answer a command that could not be carried out; True when the rest of the line is to be left."""
@@ -289,13 +304,19 @@ class Board:
                 self.warn(task, trouble.code, trouble.message, "MN switches it on", "error")
                 return False
             trouble = Fault(codes.PARAMETER, trouble.message, trouble.hint, trouble.code)
-        self.last_error = trouble.code
+        code = self._code(trouble.code)
+        self.last_error = code
         meaning = codes.MEANINGS.get(trouble.code, "")
         self.warn(
-            task, trouble.kind, f"{trouble.message} (?{trouble.code}: {meaning})", trouble.hint, "error"
+            task, trouble.kind, f"{trouble.message} (?{code}: {meaning})", trouble.hint, "error"
         )
-        task.reply(f"?{trouble.code}")
+        task.reply(f"?{code}")
         return True
+
+    def _code(self, code: int) -> int:
+        """The code that this board tells of what another calls `code`."""
+        name = CODES.get(code)
+        return code if name is None else self.readings.get(name, code)  # type: ignore[return-value]
 
     def forget_complaints(self) -> None:
         """Let every place speak again: the text is a new one."""

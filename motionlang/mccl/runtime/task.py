@@ -31,6 +31,13 @@ if TYPE_CHECKING:
     Then: TypeAlias = Callable[[float], Wait | None]
 
 PRIVATE = 10
+# How a report of an axis is told, by the machine file's reading `mccl.reply-form`.
+FORMS: dict[object, str] = {
+    "01 1234": "{:02d} {}\n",
+    "1 1234": "{} {}\n",
+    "01=1234": "{:02d}={}\n",
+    "1234": "{1}\n",
+}
 # Macros that may be open at once.
 DEEPEST = 100
 # Commands between two returns to the scheduler, so that a busy program can be paced and interrupted.
@@ -147,7 +154,7 @@ class CommandTask(Task):
 
     def tell(self, axis: int, text: str) -> None:
         """A report of an axis or a channel: its number in two digits, a blank, the value."""
-        self.write(f"{axis:02d} {text}\n")
+        self.write(FORMS[self.board.readings.get("mccl.reply-form", "01 1234")].format(axis, text))
 
     def value(self, command: Command) -> float | int:
         """The parameter as a number, that of a register if `@` says so; 0 where there is none."""

@@ -58,6 +58,8 @@ def _default(environment: Environment, axis: int) -> None:
         forget: Callable[[int], None] | None = getattr(part, "default", None)
         if forget is not None:
             forget(axis)
+    if environment.power_up is not None:
+        environment.power_up.set(axis)
 
 
 # ----------------------------------------------------------------------------------------------- operations

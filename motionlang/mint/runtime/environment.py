@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
+    from motionlang.mint.runtime.power_up import PowerUp
 
     Make = Callable[[float, float], Steps]
     Part = TypeVar("Part")
@@ -82,6 +83,8 @@ class Environment:
         self.ran: MintTask | None = None
         self.fired = self.leaps = 0
         # The move for which there was no room.
+        # What the machine file has settings be at power-up, where it speaks of any.
+        self.power_up: PowerUp | None = None
         self._refused: tuple[Callable[..., object], tuple[Any, ...]]
         self._parts: dict[type, object] = {}
         self._events: Events | None = None
@@ -99,6 +102,12 @@ class Environment:
     def prepare(self) -> None:
         """Make the controller behave as Mint expects it to."""
         self.machine.at_power_up(_mint_ways)
+        if self.machine.readings:
+            from motionlang.mint.runtime.power_up import PowerUp
+
+            self.power_up = PowerUp(self, self.machine.readings)
+            for axis in self.controller.axes:
+                self.power_up.set(axis)
 
     def part(self, kind: type[Part]) -> Part:
         """What a group of keywords works on, made of this environment at its first use."""
@@ -143,12 +152,13 @@ class Environment:
         if how == "fn":
             from motionlang.mint.runtime import functions
 
+            if details[0] == "shown" and self.machine.readings:
+                return functions.shown_by(self._show_float())
             return getattr(functions, str(details[0]))
         if how == "show":
             from motionlang.mint.runtime import printing
 
-            older = details[0] == "float" and self.machine.model and self._is_older()
-            return printing.show_older if older else printing.SHOWS[str(details[0])]
+            return printing.show_integer if details[0] != "float" else self._show_float()
         if how == "using":
             from motionlang.mint.runtime import formats
 
@@ -178,6 +188,11 @@ class Environment:
             write = binding.bind_to_axis(self, "write" if how == "rewrite" else how, row)
             bound = lambda axis: self._timed(write(axis))  # noqa: E731
         return bound(axis) if isinstance(axis, int) else binding.Each(bound)
+
+    def _show_float(self) -> Callable[[float], str]:
+        from motionlang.mint.runtime.printing import shows_float
+
+        return shows_float(self.machine.readings, self.machine.model != "" and self._is_older())
 
     def _is_older(self) -> bool:
         from motionlang.mint.models import V4, age

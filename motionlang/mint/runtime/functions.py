@@ -203,6 +203,11 @@ def shown(value: float) -> str:
     return show_integer(value) if type(value) is int else show_float(value)
 
 
+def shown_by(show: Callable[[float], str]) -> Callable[[float], str]:
+    """The same where a Float is shown otherwise."""
+    return lambda value: show_integer(value) if type(value) is int else show(value)
+
+
 def value(text: str) -> float:
     """The number at the beginning of a text, 0 where there is none."""
     text = text.lstrip()

@@ -8,7 +8,12 @@ from __future__ import annotations
 
 from math import isnan
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
 LARGE, SMALL = 1e9, 1e-4
+PLACES = 4
 
 
 def show_float(value: float) -> str:
@@ -35,4 +40,23 @@ def show_integer(value: float) -> str:
     return f"{value:d}"  # type: ignore[str-format,unused-ignore]
 
 
-SHOWS = {"float": show_float, "integer": show_integer}
+def shows_float(readings: Mapping[str, object], older: bool = False) -> Callable[[float], str]:
+    """How PRINT writes a Float: as an `older` controller, and as the machine file's `[readings]` say."""
+    if not readings:
+        return show_older if older else show_float
+    places: int = readings.get("mint.float-decimals", PLACES)  # type: ignore[assignment]
+    drops = readings.get("mint.float-zeros", "dropped" if older else "kept") == "dropped"
+    exponent = str(readings.get("mint.float-exponent", "e+12"))
+
+    def show(value: float) -> str:
+        text = show_float(value)
+        mantissa, e, power = text.partition("e")
+        if e:
+            sign, digits = power[0], power[1:]
+            return f"{mantissa}{exponent[0]}{sign}{digits.zfill(len(exponent) - 2)}"
+        if text[-1].isdigit():
+            text = f"{value:.{places}f}"
+            text = text if float(text) else text.replace("-", "")
+        return text.rstrip("0").rstrip(".") if drops and "." in text else text
+
+    return show

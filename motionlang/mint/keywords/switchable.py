@@ -1,0 +1,62 @@
+"""The readings of Mint that are values: how numbers are printed, and what settings are until a program writes them."""
+
+from __future__ import annotations
+
+from motionlang.lang.machine.switch import Switch
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.lang.keyword import Keyword
+
+# `mint.homespeed-default` is what HOMESPEED is at power-up.
+PREFIX, SUFFIX = "mint.", "-default"
+# Readings that are no setting of an axis. The first choice is the one taken.
+OTHERS = {
+    "mint.float-decimals": Switch(low=0, high=9, whole=True),
+    "mint.float-zeros": Switch("kept", "dropped"),
+    "mint.float-exponent": Switch("e+12", "e+012", "E+12", "E+012"),
+}
+WHOLE = ("integer", "bool", "bits")
+_found: dict[str, Switch] = {}
+
+
+def switches() -> Mapping[str, Switch]:
+    """Every reading that can be set, by its name."""
+    if not _found:
+        from motionlang.mint.keywords import table
+
+        _found.update(OTHERS)
+        _found.update(
+            (name_of(row), Switch(low=row.low, high=row.high, whole=row.unit in WHOLE))
+            for row in table()
+            if has_default(row)
+        )
+    return _found
+
+
+def has_default(row: Keyword) -> bool:
+    """Whether a word is a setting of each axis that is something before a program writes it.
+
+    What writing does beside keeping the value is no setting: it moves the axis, or hands it over.
+    """
+    return (
+        row.simulated
+        and row.kind == "setting"
+        and row.access == "RW"
+        and row.index == "axis"
+        and isinstance(row.default, (int, float))
+        and not row.effect
+        and (row.low is None or row.low != row.high)
+    )
+
+
+def name_of(row: Keyword) -> str:
+    """The name of the reading of a word's default."""
+    return f"{PREFIX}{row.name.lower()}{SUFFIX}"
+
+
+def word_of(name: str) -> str:
+    """The word whose default a reading is, "" where it is none."""
+    return name[len(PREFIX) : -len(SUFFIX)] if name.endswith(SUFFIX) else ""
