@@ -43,6 +43,7 @@ DEFAULTS = """\
 A setting of an axis that no program has written yet. Each can be given another value in the machine file's
 `[readings]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
 
+
 class Probe:
     """How the owner of a controller asks it.
 
@@ -69,7 +70,6 @@ class Probe:
         assert bool(answers) or bool(form), ask
         self.language, self.ask, self.before, self.after = language, ask, tuple(before), tuple(after)
         self.answers, self.form, self.scale, self.motion = tuple(answers), form, scale, motion
-
 
 
 class Reading:

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 
-
 class Switch:
     """One of `choices`, of which the first is the reading chosen, or a number from `low` to `high`, `whole` or not."""
 
@@ -34,9 +33,7 @@ class Switch:
         if self.whole and value != int(value):
             return "must be a whole number"
         if (self.low is not None and value < self.low) or (self.high is not None and value > self.high):
-            low, high = (
-                f"{bound:.10g}" if bound is not None else "…" for bound in (self.low, self.high)
-            )
+            low, high = (f"{bound:.10g}" if bound is not None else "…" for bound in (self.low, self.high))
             return f"must be {low} to {high}"
         return None
 

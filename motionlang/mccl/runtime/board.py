@@ -307,9 +307,7 @@ class Board:
         code = self._code(trouble.code)
         self.last_error = code
         meaning = codes.MEANINGS.get(trouble.code, "")
-        self.warn(
-            task, trouble.kind, f"{trouble.message} (?{code}: {meaning})", trouble.hint, "error"
-        )
+        self.warn(task, trouble.kind, f"{trouble.message} (?{code}: {meaning})", trouble.hint, "error")
         task.reply(f"?{code}")
         return True
 

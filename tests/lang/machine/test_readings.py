@@ -53,7 +53,11 @@ def test_readings_of_a_board() -> None:
 @pytest.mark.parametrize(
     ("machine", "message", "hint"),
     [
-        ('"mint.homesped-default" = 1', "there is no reading mint.homesped-default", "mint.homespeed-default"),
+        (
+            '"mint.homesped-default" = 1',
+            "there is no reading mint.homesped-default",
+            "mint.homespeed-default",
+        ),
         ('"mint.home-types" = 1', "there is no reading mint.home-types that can be set", "did you mean"),
         ('"other.thing" = 1', "there is no reading other.thing that can be set", "fidelity.md"),
         ('"mint.idletime-default" = 7.5', "must be a whole number, not 7.5", "motionlang probe"),
