@@ -153,12 +153,12 @@ class Environment:
             from motionlang.mint.runtime import functions
 
             if details[0] == "shown" and self.machine.readings:
-                return functions.shown_by(self._show_float())
+                return functions.shown_by(self.machine)
             return getattr(functions, str(details[0]))
         if how == "show":
             from motionlang.mint.runtime import printing
 
-            return printing.show_integer if details[0] != "float" else self._show_float()
+            return printing.show_integer if details[0] != "float" else printing.shows_float(self.machine)
         if how == "using":
             from motionlang.mint.runtime import formats
 
@@ -188,16 +188,6 @@ class Environment:
             write = binding.bind_to_axis(self, "write" if how == "rewrite" else how, row)
             bound = lambda axis: self._timed(write(axis))  # noqa: E731
         return bound(axis) if isinstance(axis, int) else binding.Each(bound)
-
-    def _show_float(self) -> Callable[[float], str]:
-        from motionlang.mint.runtime.printing import shows_float
-
-        return shows_float(self.machine.readings, self.machine.model != "" and self._is_older())
-
-    def _is_older(self) -> bool:
-        from motionlang.mint.models import V4, age
-
-        return age(self.machine.model) == V4
 
     def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
         """An operation at a statement, which answers with the horizon: it may have made a nearer event."""

@@ -8,11 +8,13 @@ from __future__ import annotations
 import math
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.printing import show_float, show_integer
+from motionlang.mint.runtime.printing import show_float, show_integer, shows_float
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from motionlang.lang.machine.machine import Machine
 
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 _DEGREE = math.pi / 180.0
@@ -203,8 +205,9 @@ def shown(value: float) -> str:
     return show_integer(value) if type(value) is int else show_float(value)
 
 
-def shown_by(show: Callable[[float], str]) -> Callable[[float], str]:
-    """The same where a Float is shown otherwise."""
+def shown_by(machine: Machine) -> Callable[[float], str]:
+    """The same on a machine that shows a Float otherwise."""
+    show = shows_float(machine)
     return lambda value: show_integer(value) if type(value) is int else show(value)
 
 

@@ -10,7 +10,9 @@ from math import isnan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable
+
+    from motionlang.lang.machine.machine import Machine
 
 LARGE, SMALL = 1e9, 1e-4
 PLACES = 4
@@ -40,8 +42,9 @@ def show_integer(value: float) -> str:
     return f"{value:d}"  # type: ignore[str-format,unused-ignore]
 
 
-def shows_float(readings: Mapping[str, object], older: bool = False) -> Callable[[float], str]:
-    """How PRINT writes a Float: as an `older` controller, and as the machine file's `[readings]` say."""
+def shows_float(machine: Machine) -> Callable[[float], str]:
+    """How PRINT writes a Float: as a controller of v4 where it is one, and as the machine file's `[readings]` say."""
+    readings, older = machine.readings, machine.model != "" and _is_older(machine.model)
     if not readings:
         return show_older if older else show_float
     places: int = readings.get("mint.float-decimals", PLACES)  # type: ignore[assignment]
@@ -60,3 +63,9 @@ def shows_float(readings: Mapping[str, object], older: bool = False) -> Callable
         return text.rstrip("0").rstrip(".") if drops and "." in text else text
 
     return show
+
+
+def _is_older(model: str) -> bool:
+    from motionlang.mint.models import V4, age
+
+    return age(model) == V4
