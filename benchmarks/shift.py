@@ -38,7 +38,7 @@ def main() -> None:
         report = text(result)
         best = min(best, time.process_time() - begin)
     assert result.status == "ended", result.status
-    moves = len(result.controller.moves)
+    moves = len(result.controller.log.moves)
     print(f"shift_moves {moves} moves")
     print(f"shift_machine_time {result.time:.0f} s")
     print(f"shift_report {len(report) / 1e6:.1f} MB")

@@ -25,6 +25,13 @@ def replacing(path: str, *, only_copy: bool = False, private: bool = False) -> R
     return Replacement(path, only_copy, PRIVATE if private else 0o666)
 
 
+def scratch() -> IO[bytes]:
+    """A file without a name for what is too much for memory; it is gone when it is closed, or the process ends."""
+    from tempfile import TemporaryFile
+
+    return TemporaryFile(prefix="motionlang-")
+
+
 class Replacement:
     """What `replacing` answers; its own context manager, because contextlib costs more to import than a short run."""
 

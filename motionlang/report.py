@@ -50,7 +50,7 @@ def moves(run: Run) -> Iterator[Row]:
     """Every move that was started, in the order of its start, what is still under way cut at the end of the run."""
     running = {id(axis.move) for axis in run.controller.axes.values() if axis.move is not None}
     figures = _motor_figures(run.controller)
-    for move in run.controller.moves:
+    for number, move in enumerate(run.controller.log.moves):
         profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
         assert profile is not None
         ended = move.ended
@@ -75,7 +75,7 @@ def moves(run: Run) -> Iterator[Row]:
         }
         if ended:
             row["ended"] = ended
-        motor = figures.get(id(move))
+        motor = figures.get(number)
         if motor is not None:
             row["motor"] = {
                 "peak_following_error": motor.peak_error / size,
@@ -97,7 +97,7 @@ def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:
 
 def axes(run: Run) -> list[Row]:
     """The state at the end of the run of every axis that the program touched."""
-    moved = {move.axis for move in run.controller.moves}
+    moved = {move.axis for move in run.controller.log.moves}
     return [
         _axis(axis, run.time)
         for axis in run.controller.axes.values()
@@ -152,10 +152,10 @@ def _tail(run: Run) -> Row:
         "diagnostics": [diagnostic.as_dict() for diagnostic in run.diagnostics],
         "not_counted": list(run.not_counted),
     }
-    if run.controller.dropped:
+    if run.controller.log.dropped:
         tail["dropped"] = [
             {"axis": move.axis, "command": move.command, "line": move.line, "reason": move.ended}
-            for move in run.controller.dropped
+            for move in run.controller.log.dropped
         ]
     if run.terminals:
         tail["terminals"] = [{"name": name, "output": lines} for name, lines in sorted(run.terminals.items())]

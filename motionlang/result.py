@@ -68,10 +68,11 @@ class Run:
     def proof(self) -> Proof:
         """The motion held against what the program ordered; ValueError for a run without `prove`."""
         from motionlang.controller.record.proof import prove
+        from motionlang.controller.record.track import Recorded
 
         if self.orders is None:
             raise ValueError("a run is proved that was made with prove=True")
-        return prove(self.controller, self.orders, self.time)
+        return prove(Recorded(self.controller), self.orders, self.time)
 
     @property
     def report(self) -> dict[str, object]:

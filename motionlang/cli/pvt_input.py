@@ -9,6 +9,7 @@ from itertools import pairwise
 from math import inf
 from typing import TYPE_CHECKING
 
+from motionlang.controller.record.track import WholeTrack
 from motionlang.copley.point import check_points
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.profile.pvt.points import Point, absolute, points_from, split_long, until_end
@@ -201,7 +202,7 @@ def _from_program(args: argparse.Namespace) -> Move:
     if result.status == "fault":
         raise SourceError(result.source, result.diagnostics)
     axes = result.controller.axes
-    moved = sorted({move.axis for move in result.controller.moves})
+    moved = sorted({move.axis for move in result.controller.log.moves})
     if not moved:
         raise ProgramError([Diagnostic("values", f"no axis moves in {result.source.name}")])
     if args.axis is None and len(moved) > 1:
@@ -211,7 +212,9 @@ def _from_program(args: argparse.Namespace) -> Move:
     if number not in moved:
         raise UsageError(f"axis {number} does not move in {result.source.name}")
     axis = axes[number]
-    track = Track(axis.starts, axis.profiles, *_span(axis.starts, axis.profiles))
+    whole = WholeTrack(axis)
+    starts, profiles = list(whole.starts), list(whole.profiles)
+    track = Track(starts, profiles, *_span(starts, profiles))
     parts = track.starts, track.profiles
     tolerance = TOLERANCE if args.tolerance is None else args.tolerance
     try:

@@ -198,7 +198,7 @@ def _report(result: Run, options: Options) -> None:
 
         sys.stdout.write(text(result))
         return
-    began = result.status != "fault" or result.time or result.controller.moves
+    began = result.status != "fault" or result.time or result.controller.log.moves
     if options.report == "none" or not began:
         return
     from motionlang.views.table import render

@@ -238,6 +238,7 @@ def run(args: argparse.Namespace) -> int:
     """Run a program on its machine and show what the motors made of it: the machine's own, or those of the options."""
     from motionlang import run as run_program
     from motionlang.controller.record.history import servo_trace
+    from motionlang.controller.record.track import WholeTrack
     from motionlang.controller.servo import simulate
     from motionlang.views import servo as view
 
@@ -252,7 +253,7 @@ def run(args: argparse.Namespace) -> int:
             trace = servo_trace(axis, end)
             if trace is None:
                 plant = plants[args.axis] = plant_of(args)
-                trace = simulate(axis, loop_of(args, plant, axis.scale.counts), plant, until=end)
+                trace = simulate(WholeTrack(axis), loop_of(args, plant, axis.scale.counts), plant, until=end)
             rows.append((args.axis, trace, trace.settled_at(args.window, axis.end_of_motion())))
     if args.report == "json":
         figures = {"axes": [view.run_figures(*row) for row in rows], "time": result.time}

@@ -2,7 +2,7 @@
 
 The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began; the
 last profile goes on for ever (it holds its end position, or keeps its end velocity), so position and velocity are
-known at any time, exactly.
+known at any time, exactly. What lies far back is packed in the log (`record/log.py`).
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Event
     from motionlang.controller.move import Move
+    from motionlang.controller.record.moves import Profiles
     from motionlang.controller.servo.feedback import Feedback
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
@@ -85,6 +86,7 @@ class Axis:
         "move",
         "move_id",
         "offset_status",
+        "older",
         "override",
         "own_rates",
         "profiles",
@@ -153,6 +155,8 @@ class Axis:
         self.datum = 0.0
         self.starts = [0.0]
         self.profiles: list[Profile] = [hold(0.0)]
+        # What began before those, packed.
+        self.older: Profiles | None = None
         self.watches: list[Watch] = []
         # Called with each new profile at the moment it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
@@ -167,18 +171,35 @@ class Axis:
 
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""
-        i = bisect_right(self.starts, time) - 1 if time < self.starts[-1] else -1
-        return self.profiles[i].at(time - self.starts[i])
+        start, profile = self.in_force(time)
+        return profile.at(time - start)
 
     def position(self, time: float) -> float:
         """The demanded position at `time`; without a simulated motor, the actual one too."""
-        i = bisect_right(self.starts, time) - 1 if time < self.starts[-1] else -1
-        return self.profiles[i].position(time - self.starts[i])
+        began = self.starts[-1]
+        if time >= began:
+            return self.profiles[-1].position(time - began)
+        start, profile = self.in_force(time)
+        return profile.position(time - start)
 
     def velocity(self, time: float) -> float:
         """The demanded velocity at `time`, counts/s."""
-        i = bisect_right(self.starts, time) - 1 if time < self.starts[-1] else -1
-        return self.profiles[i].velocity(time - self.starts[i])
+        began = self.starts[-1]
+        if time >= began:
+            return self.profiles[-1].velocity(time - began)
+        start, profile = self.in_force(time)
+        return profile.velocity(time - start)
+
+    def in_force(self, time: float) -> tuple[float, Profile]:
+        """The profile in force at `time`, and when it began."""
+        starts = self.starts
+        if time >= starts[-1]:
+            return starts[-1], self.profiles[-1]
+        if time < starts[0] and self.older is not None:
+            k = self.older.in_force(time)
+            return self.older.start(k), self.older.profile(k)
+        i = bisect_right(starts, time) - 1
+        return starts[i], self.profiles[i]
 
     def end_of_motion(self) -> float:
         """The time at which the present profile is done: infinite while jogging."""

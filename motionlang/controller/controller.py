@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from motionlang.controller import readers
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
-from motionlang.controller.core import MAX_MOVES
+from motionlang.controller.clock import Clock
 from motionlang.controller.faults import Refusal
 from motionlang.controller.readers import UNHEARD, Hearing
+from motionlang.controller.record.log import Log
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,10 +29,15 @@ if TYPE_CHECKING:
 
 
 class Controller(AxisVerbs):
-    """`axes` axes numbered from `first`, a clock, and the log of every move that was started.
+    """`axes` axes numbered from `first`, a clock, and the log of all that happens.
 
     Where nothing else is said positions and distances are counts, times seconds, and what cannot be done is a Refusal.
     """
+
+    def __init__(
+        self, axes: int = 8, first: int = 0, clock: Clock | None = None, log: Log | None = None
+    ) -> None:
+        super().__init__(axes, first, clock or Clock(), log or Log())
 
     # ----------------------------------------------------------------------------------- bound to an axis
 
@@ -74,13 +80,8 @@ class Controller(AxisVerbs):
         return limit
 
     def forget_history(self, most: int) -> None:
-        """Drop all but the last `most` moves and changes of channels, and ten times as many profiles."""
-        del self.moves[:-most]
-        for axis in self.axes.values():
-            del axis.starts[: -10 * most]
-            del axis.profiles[: -10 * most]
-        for channels in (self.inputs, self.outputs, self.analogue_inputs, self.analogue_outputs):
-            del channels.changes[:-most]
+        """Drop all but about the last `most` records of each kind in the log, and ten times as many profiles."""
+        self.log.forget(most, self.axes.values())
 
     # --------------------------------------------------------------------------------------------- paths
 
@@ -430,4 +431,4 @@ class Controller(AxisVerbs):
         return Trace(self)
 
 
-__all__ = ["MAX_MOVES", "SETTINGS", "Controller"]
+__all__ = ["SETTINGS", "Controller"]

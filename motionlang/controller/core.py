@@ -22,9 +22,6 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.profile import Profile
 
-# The log of one run; beyond it the run ends with a diagnostic rather than with the machine's memory.
-MAX_MOVES = 2_000_000
-
 
 class Core(Readings):
     """What becomes of a move: what motions of every kind, in the buffer or under way, ask of the controller."""
@@ -114,13 +111,9 @@ class Core(Readings):
 
     def log_move(self, a: Axis, move: Move, profile: Profile) -> None:
         """Write a move that begins into the log; it is the axis's own from now on."""
-        if len(self.moves) >= MAX_MOVES:
-            raise Refusal(
-                "limit", f"more than {MAX_MOVES} moves were started", "shorten the run with --until"
-            )
         move.profile, move.start_time = profile, self.clock.now
         move.scale, move.zero = a.scale.counts, a.scale.zero
-        self.moves.append(move)
+        self.log.moves.add(move)
         a.move = move
         a.target = move.target
         for limit in a.limits:
@@ -143,6 +136,10 @@ class Core(Readings):
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
+        log = self.log
+        log.room -= 1
+        if log.room < 0:
+            log.make_room((*self.axes.values(), *self.encoders.values()))
         if a.feedback is not None:
             a.feedback.changed()
         else:
@@ -201,14 +198,15 @@ class Core(Readings):
             buffer.taken(self, a)
 
     def empty(self, a: Axis, ended: str) -> None:
-        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; `dropped` tells."""
+        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; the log tells of them."""
         entries, a.buffer = a.buffer, []
         for move in entries:
             gone = [move] if move.action is None else [move, *move.action.purge(a)]
             for each in gone:
                 each.ended = ended
             if move.action is None or not move.action.is_sequel:
-                self.dropped += gone
+                for each in gone:
+                    self.log.dropped.add(each)
 
     def replan_move(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""

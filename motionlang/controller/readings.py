@@ -15,28 +15,27 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
-    from motionlang.controller.move import Move
+    from motionlang.controller.record.log import Log
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
 
 
 class Readings:
-    """`axes` axes numbered from `first`, channels, a clock, and the log of every move that was started.
+    """`axes` axes numbered from `first`, channels, a clock, and the log of all that happens.
 
     Positions are counts, velocities counts/s, times seconds of the clock; KeyError for an axis that there is not.
     """
 
-    def __init__(self, axes: int = 8, first: int = 0, clock: Clock | None = None) -> None:
-        self.clock = clock or Clock()
+    def __init__(self, axes: int, first: int, clock: Clock, log: Log) -> None:
+        self.clock = clock
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
-        self.moves: list[Move] = []
-        # What was put into a buffer and thrown out of it again; `ended` says by what.
-        self.dropped: list[Move] = []
-        self.inputs = Channels(self.clock)
-        self.outputs = Channels(self.clock)
-        self.analogue_inputs = Channels(self.clock)
-        self.analogue_outputs = Channels(self.clock)
+        self.log = log
+        log.power_up(self.axes)
+        self.inputs = Channels(clock, log.inputs)
+        self.outputs = Channels(clock, log.outputs)
+        self.analogue_inputs = Channels(clock, log.analogue_inputs)
+        self.analogue_outputs = Channels(clock, log.analogue_outputs)
         # The events at which pulses of outputs end.
         self._pulses: dict[int, Event] = {}
         # Encoder channels that the world turns, such as that of a conveyor; they have tracks like axes.

@@ -77,6 +77,10 @@ class Scheduler:
         self._recurrence: Recurrence | None = None
         self._turn = 0
         self._stalls = 0
+        self._log = machine.log
+        # How long each task has had the machine since the last of them began or ended a wait, and when that was.
+        self._took: dict[str, float] = {}
+        self._turns_began = 0.0
         # The length of the turns of a round, and how many of them are still to come.
         self._length, self._left = QUANTUM, 0
 
@@ -120,6 +124,7 @@ class Scheduler:
             while clock.now < time:
                 self._advance(time)
             if several:
+                self._took_turn(task, began)
                 self._compare(task, began)
             if task.done and task is not self.parent:
                 self._forget(task)
@@ -134,6 +139,26 @@ class Scheduler:
         tasks = self.interrupts[-1:] or self.tasks
         due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
         return min(self.clock.next_time(), due)
+
+    def _waited(self, task: Task, wait: Wait) -> None:
+        """Write a wait that is over into the log."""
+        why = "" if wait.cause == "time" else wait.why
+        self._log.waits.add((task.name, task.at, wait.since, self.clock.now, wait.cause, wait.what, why))
+        if self._took:
+            self._write_turns()
+
+    def _took_turn(self, task: Task, began: float) -> None:
+        """Note how long a task has had the machine; those that take turns without a wait are one record."""
+        if not self._took:
+            self._turns_began = began
+        self._took[task.name] = self._took.get(task.name, 0.0) + self.clock.now - began
+        if task.wait is not None or task.done:
+            self._write_turns()
+
+    def _write_turns(self) -> None:
+        """Write what tasks have had the machine into the log."""
+        took, self._took = self._took, {}
+        self._log.turns.add((self._turns_began, self.clock.now, tuple(took), tuple(took.values())))
 
     def _compare(self, task: Task, began: float) -> None:
         """Where nobody does more than poll and wait, and all stand as they did before: go on to what may change it."""
@@ -245,7 +270,9 @@ class Scheduler:
             if task.priority == highest:
                 break
         if found is not None:
-            found.wait = None
+            if found.wait is not None:
+                self._waited(found, found.wait)
+                found.wait = None
             self._turn = turn
             self.current = found
         return found

@@ -29,18 +29,31 @@ class Wait:
     `ready()` whether it may go on, asked whenever something has happened
     `due()`   the earliest time at which `ready` may become true if nothing else happens (infinite if never)
     `why`     how a person would say it, for the report of a wait that never ends
+    `cause`   what kind of thing ends it, and `what` its numbers: one of `record.records.CAUSES`
     """
 
-    __slots__ = ("due", "ready", "since", "why")
+    __slots__ = ("cause", "due", "ready", "since", "what", "why")
 
-    def __init__(self, since: float, ready: Callable[[], bool], due: Callable[[], float], why: str) -> None:
+    def __init__(
+        self,
+        since: float,
+        ready: Callable[[], bool],
+        due: Callable[[], float],
+        why: str,
+        cause: str = "condition",
+        what: tuple[int, ...] = (),
+    ) -> None:
         self.since, self.ready, self.due, self.why = since, ready, due, why
+        self.cause, self.what = cause, what
 
 
 class Delay(Wait):
     """A wait for a moment; programs have millions of them, so its reason is put into words when somebody asks."""
 
     __slots__ = ("_clock", "_time")
+
+    cause = "time"
+    what = ()
 
     def __init__(self, clock: Clock, since: float, time: float) -> None:
         self.since, self._clock, self._time = since, clock, time
@@ -75,6 +88,8 @@ def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait
         lambda: all(controller.is_idle(axis) for axis in waited),
         lambda: max((controller.idle_time(axis) for axis in waited), default=since),
         f"for axis {names} to be idle",
+        "axis",
+        waited,
     )
 
 

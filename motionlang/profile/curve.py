@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     _Turns = Callable[[Piece, float], tuple[float, ...]]
 
 
+# The recipe of standing still: a profile that has it makes its one piece when somebody asks, as those of ramps do.
+_AT_REST = (0.0, 0.0)
+
+
 class State:
     """Position, velocity, acceleration and jerk at one moment (the profile's length unit, seconds)."""
 
@@ -135,7 +139,11 @@ class Profile:
         try:
             return self._curve
         except AttributeError:
-            self._curve = _ending_at(expand(self.start, self._recipe), self.start, self.duration)
+            if self._recipe is _AT_REST:
+                piece = (self.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+                self._curve = (0.0, self.duration), (piece,), (("hold", 0),)
+            else:
+                self._curve = _ending_at(expand(self.start, self._recipe), self.start, self.duration)
             return self._curve
 
     @property
@@ -326,8 +334,7 @@ def from_curve(
 
 def hold(position: float, duration: float = inf) -> Profile:
     """Standing still at `position`."""
-    piece = (position, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    return from_curve("hold", position, position, ((0.0, duration), (piece,), (("hold", 0),)), 0.0, 0.0)
+    return Profile("hold", position, position, duration, _AT_REST)
 
 
 def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:

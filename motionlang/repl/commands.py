@@ -140,7 +140,7 @@ def _plot(session: Session, path: str) -> None:
 
 def _chart(session: Session) -> None:
     controller = session.machine.controller
-    for number in sorted({move.axis for move in controller.moves}):
+    for number in sorted({move.axis for move in controller.log.moves}):
         lines = velocity_chart(
             controller.axes[number],
             controller.clock.now,
@@ -149,7 +149,7 @@ def _chart(session: Session) -> None:
             colour=session.colour,
         )
         session.say("\n".join([f"velocity of axis {number}, uu/s", *lines]) + "\n")
-    if not controller.moves:
+    if not controller.log.moves:
         session.say("no axis has moved\n")
 
 

@@ -6,6 +6,9 @@ its stretch of time, read off the pieces of the motion, so that no short move is
 
 from __future__ import annotations
 
+from itertools import chain, islice
+
+from motionlang.controller.record.track import WholeTrack
 from motionlang.views.terminal import styled
 from motionlang.views.words import clock_time
 
@@ -62,8 +65,9 @@ def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
         lows[at] = min(lows[at], *values)
         highs[at] = max(highs[at], *values)
 
-    ends = [*axis.starts[1:], end]
-    for start, following, profile in zip(axis.starts, ends, axis.profiles, strict=True):
+    track = WholeTrack(axis)
+    ends = chain(islice(track.starts, 1, None), (end,))
+    for start, following, profile in zip(track.starts, ends, track.profiles, strict=True):
         first, last = int(start / step), int(min(following, end) / step)
         if first == last:
             note(first, profile.start_velocity, *_turning_velocities(profile, following - start))

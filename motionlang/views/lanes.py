@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
-    from motionlang.controller.io.inputs import Channels
+    from motionlang.controller.record.records import Changed
+    from motionlang.controller.record.stream import Stream
 
-# group -> (the Controller's name for it, how a lane is called, whether it is on or off)
+# group -> (the log's name for it, how a lane is called, whether it is on or off)
 GROUPS = {
     "inputs": ("inputs", "in", True),
     "outputs": ("outputs", "out", True),
@@ -31,9 +32,9 @@ def lanes(controller: Controller) -> list[Lane]:
     """A lane for every channel that ever changed, group by group, by their numbers."""
     made: list[Lane] = []
     for group, (attribute, prefix, is_digital) in GROUPS.items():
-        channels: Channels = getattr(controller, attribute)
+        changes: Stream[Changed] = getattr(controller.log, attribute)
         found: dict[int, Lane] = {}
-        for time, channel, value in channels.changes:
+        for time, channel, value in changes:
             lane = found.get(channel)
             if lane is None:
                 lane = found[channel] = Lane(group, f"{prefix}{channel}", is_digital, [0.0], [0.0])

@@ -136,7 +136,7 @@ def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
     for axis in c.axes:
         wanted = [c.axes[axis].position(t) for t in samples.time.tolist()]
         assert np.abs(samples.get(axis, "position") - wanted)[:-1].max(initial=0.0) < 1e-6
-    for move in c.moves:
+    for move in c.log.moves:
         assert move.profile is not None
         assert move.profile.duration >= 0.0
         assert all(phase.duration >= 0.0 for phase in move.profile.phases)

@@ -96,7 +96,7 @@ def test_go_starts_several_axes_in_the_same_instant() -> None:
     c.go([0, 1])
     c.clock.advance(1.0)
     assert (c.position(0), c.position(1)) == (6.0, -6.0)
-    assert [move.start_time for move in c.moves] == [0.0, 0.0]
+    assert [move.start_time for move in c.log.moves] == [0.0, 0.0]
 
 
 def test_buffered_moves_follow_one_another_with_a_stop_between() -> None:
@@ -108,7 +108,7 @@ def test_buffered_moves_follow_one_another_with_a_stop_between() -> None:
     assert (c.position(0), c.velocity(0)) == (12.0, 0.0)
     c.clock.advance(4.0)
     assert c.position(0) == 0.0
-    assert [move.start_time for move in c.moves] == [0.0, 2.0]
+    assert [move.start_time for move in c.log.moves] == [0.0, 2.0]
 
 
 def test_a_move_loaded_after_go_waits_for_its_own_go() -> None:
@@ -142,8 +142,8 @@ def test_stop_decelerates_at_the_set_rate_and_empties_the_buffer() -> None:
     assert c.idle_time(0) == 1.5
     c.clock.advance(9.0)
     assert c.position(0) == 8.0  # 6 when it was stopped, and v²/2a = 2 more
-    assert c.moves[0].ended == "stop"
-    assert len(c.moves) == 1
+    assert c.log.moves[0].ended == "stop"
+    assert len(c.log.moves) == 1
 
 
 def test_abort_stands_still_at_once() -> None:
@@ -155,7 +155,7 @@ def test_abort_stands_still_at_once() -> None:
     assert c.is_idle(0)
     c.clock.advance(2.0)
     assert (c.position(0), c.velocity(0)) == (6.0, 0.0)
-    assert c.moves[0].ended == "cancel"
+    assert c.log.moves[0].ended == "cancel"
 
 
 def test_a_new_target_replaces_the_old_one_in_motion() -> None:
@@ -165,7 +165,7 @@ def test_a_new_target_replaces_the_old_one_in_motion() -> None:
     c.move_to(0, 0.0)
     c.clock.advance(20.0)
     assert c.position(0) == 0.0
-    assert [move.ended for move in c.moves] == ["retarget", ""]
+    assert [move.ended for move in c.log.moves] == ["retarget", ""]
 
 
 def test_a_relative_move_counts_from_the_target_not_from_where_the_axis_is() -> None:
@@ -189,7 +189,7 @@ def test_live_speed_acts_on_the_move_in_progress() -> None:
     assert c.velocity(0) == pytest.approx(4.0)
     c.clock.advance(3.0)
     assert c.position(0) == 12.0
-    assert len(c.moves) == 1
+    assert len(c.log.moves) == 1
 
 
 def test_define_position_at_rest_and_in_motion() -> None:
@@ -202,8 +202,8 @@ def test_define_position_at_rest_and_in_motion() -> None:
     assert c.position(0) == 0.0
     c.clock.advance(2.0)
     assert c.position(0) == 6.0
-    assert c.moves[0].profile is not None
-    assert c.moves[0].profile.end == 112.0
+    assert c.log.moves[0].profile is not None
+    assert c.log.moves[0].profile.end == 112.0
 
 
 def test_jog_runs_until_it_is_stopped() -> None:

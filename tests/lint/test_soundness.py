@@ -90,7 +90,7 @@ def test_what_is_unreachable_is_never_done(text: str) -> None:
 @settings(max_examples=40)
 @given(programs())
 def test_what_is_never_started_never_moves(text: str) -> None:
-    lines = {move.line for move in ran(text).controller.moves}
+    lines = {move.line for move in ran(text).controller.log.moves}
     for each in warned(text, "never-started"):
         assert each.line not in lines
 

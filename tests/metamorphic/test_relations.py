@@ -143,7 +143,7 @@ def test_the_same_trapezoids_in_both_languages(seed: int) -> None:
     lines = ["1MN,1PM,1PT", f"1SV{job.speed:.0f},1SA{job.accel:.0f},1DS{job.decel:.0f}"]
     lines += [f"1MR{distance:.0f},1WS0" for distance, _ in job.moves]
     mccl = proved("\n".join(lines) + "\n", "job.mcl")
-    ours, theirs = mint.controller.moves, mccl.controller.moves
+    ours, theirs = mint.controller.log.moves, mccl.controller.log.moves
     assert [m.profile.duration for m in ours if m.profile] == pytest.approx(
         [m.profile.duration for m in theirs if m.profile], rel=1e-9
     )

@@ -40,7 +40,7 @@ def test_no_short_move_is_lost_in_a_long_run() -> None:
     controller.clock.advance(3600.0)
     axis = controller.axes[0]
     highest = max(high for _, high in velocity_spans(axis, 3600.0, 60))
-    assert highest == pytest.approx(controller.moves[0].profile.peak_speed)  # type: ignore[union-attr]
+    assert highest == pytest.approx(controller.log.moves[0].profile.peak_speed)  # type: ignore[union-attr]
 
 
 def test_spans_hold_every_velocity() -> None:

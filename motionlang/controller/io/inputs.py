@@ -7,10 +7,12 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from motionlang.controller.clock import Clock
+    from motionlang.controller.record.records import Changed
+    from motionlang.controller.record.stream import Stream
 
 
 class Channels:
-    """Numbered values, 0 until something sets them; `changes` is the log of (time, channel, value).
+    """Numbered values, 0 until something sets them; `changes` is where a log has them, as `Changed`.
 
     `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital channels that
     are on while their level is low: an input's value is its level, an output's value is whether it is on.
@@ -18,11 +20,10 @@ class Channels:
 
     __slots__ = ("_clock", "_values", "active_low", "changes", "listeners")
 
-    def __init__(self, clock: Clock) -> None:
-        self._clock = clock
+    def __init__(self, clock: Clock, changes: Stream[Changed] | None = None) -> None:
+        self._clock, self.changes = clock, changes
         self._values: dict[int, float] = {}
         self.active_low: frozenset[int] = frozenset()
-        self.changes: list[tuple[float, int, float]] = []
         self.listeners: list[Callable[[int, float], None]] = []
 
     def __getitem__(self, channel: int) -> float:
@@ -32,8 +33,14 @@ class Channels:
         if self._values.get(channel, 0) == value:
             return
         self._values[channel] = value
-        self.changes.append((self._clock.now, channel, value))
+        if self.changes is not None:
+            self.changes.add((self._clock.now, channel, value))
         self._tell(channel)
+
+    @property
+    def touched(self) -> list[int]:
+        """The channels that ever had another value than at power-up, in order."""
+        return sorted(self._values)
 
     def clear(self) -> None:
         """All channels are 0, as nobody had ever set them; those that were not are told of."""

@@ -57,7 +57,7 @@ def offset(
                    a.accel_jerk, a.decel_jerk)  # fmt: skip
     entry = OffsetMove(a.index, command, line, profile.end)
     entry.profile, entry.start_time, entry.scale = profile, controller.clock.now, a.scale.counts
-    controller.moves.append(entry)
+    controller.log.moves.add(entry)
     tie.start_offset(profile, entry)
 
 

@@ -162,7 +162,7 @@ def _last(controller: Core, a: Axis, command: str) -> FollowMove | None:
     """The entry of the log that goes on: the axis's last one, where nothing else has moved it since."""
     if a.move is not None:
         return None
-    for move in reversed(controller.moves[-len(controller.axes) :]):
+    for move in reversed(controller.log.moves[-len(controller.axes) :]):
         if move.axis == a.index:
             goes_on = isinstance(move, FollowMove) and move.command == command and not move.ended
             return move if goes_on and not move.offset else None  # type: ignore[return-value]

@@ -52,7 +52,7 @@ class Takeup:
     def _stretch(self, now: float) -> tuple[float, int]:
         """Up to when the axis goes one way, and which."""
         a, begin = self._axis, self._time
-        k = bisect_right(a.starts, begin) - 1
+        k = max(bisect_right(a.starts, begin) - 1, 0)
         start, profile = a.starts[k], a.profiles[k]
         end = min(now, a.starts[k + 1]) if k + 1 < len(a.starts) else now
         turn = profile.velocity_crossing(0.0, begin - start + 1e-9) if profile.peak_speed else None

@@ -138,19 +138,20 @@ def window_of(feedback: Feedback) -> float:
 
 
 def figures(controller: Controller) -> dict[int, MoveFigures]:
-    """What the motors made of the moves in the log, by the identity of the move."""
+    """What the motors made of the moves in the log, by their numbers there."""
     now = controller.clock.now
     found: dict[int, MoveFigures] = {}
     for number, feedback in motors(controller).items():
-        moves = [move for move in controller.moves if move.axis == number and _counts(move)]
+        numbered = [each for each in enumerate(controller.log.moves) if _counts(each[1], number)]
+        moves = [move for _, move in numbered]
         made = [_figures_of(moves, k, now) for k in range(len(moves))]
         _collect(made, parts(controller.axes[number], now), window_of(feedback))
-        found.update((id(move), figure) for move, figure in zip(moves, made, strict=True))
+        found.update((place, figure) for (place, _), figure in zip(numbered, made, strict=True))
     return found
 
 
-def _counts(move: Move) -> bool:
-    return move.profile is not None and not move.overlaid
+def _counts(move: Move, axis: int) -> bool:
+    return move.axis == axis and move.profile is not None and not move.overlaid
 
 
 def _figures_of(moves: Sequence[Move], k: int, now: float) -> MoveFigures:

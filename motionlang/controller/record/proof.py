@@ -5,7 +5,6 @@ It shares no code with the planners: it evaluates the pieces by itself and asks 
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from math import acos, cos, degrees, fsum, inf, isfinite, sin, sqrt
 from typing import TYPE_CHECKING
 
@@ -14,10 +13,9 @@ from motionlang.errors import Diagnostic
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
     from motionlang.controller.record.orders import Order, Orders
+    from motionlang.controller.record.track import Recorded, WholeTrack
     from motionlang.profile import Profile, State
     from motionlang.profile.ramps import Piece
 
@@ -72,8 +70,8 @@ class Proof:
         return False
 
 
-def prove(controller: Controller, orders: Orders, until: float) -> Proof:
-    """Prove what a controller did up to a time."""
+def prove(controller: Recorded, orders: Orders, until: float) -> Proof:
+    """Prove what a controller did up to a time, by its log."""
     proof = Proof()
     for number, a in controller.axes.items():
         records = orders.of[number]
@@ -106,7 +104,7 @@ def _states(profile: Profile, length: float) -> Iterator[tuple[float, float, flo
             yield _derivatives(piece, place * span)[1:]
 
 
-def _judge_profile(proof: Proof, a: Axis, i: int, order: Order, length: float) -> None:
+def _judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, length: float) -> None:
     """Speed, acceleration, deceleration and jerk of what was planned from the settings of the axis."""
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
@@ -140,7 +138,7 @@ def _judge_profile(proof: Proof, a: Axis, i: int, order: Order, length: float) -
         proof.breaks(order.line, f"{where}: the {name} reaches {figure:g} counts, above {most:g}")
 
 
-def _judge_knots(proof: Proof, a: Axis, i: int, order: Order, length: float) -> None:
+def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, length: float) -> None:
     """Position and velocity go on from piece to piece, and the acceleration of S-ramps."""
     profile = a.profiles[i]
     sizes = (max(1.0, abs(profile.start)), max(1.0, profile.peak_speed), max(1.0, order.accel, order.decel))
@@ -169,7 +167,7 @@ def _derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
     return p, v, a, j
 
 
-def _judge_path(proof: Proof, controller: Controller, master: Axis, i: int, order: Order, end: float) -> None:
+def _judge_path(proof: Proof, controller: Recorded, master: WholeTrack, i: int, order: Order, end: float) -> None:
     """The speed along a path and how it changes, and the limits of each axis on it."""
     begin = master.starts[i]
     proof.counts["paths"] += 1
@@ -207,18 +205,18 @@ def _judge_path(proof: Proof, controller: Controller, master: Axis, i: int, orde
         proof.breaks(order.line, f"path from {begin:.6f} s: the {name} reaches {figure:g}, above {most:g}")
 
 
-def _shape(a: Axis, time: float) -> str:
+def _shape(a: WholeTrack, time: float) -> str:
     return a.profiles[_place(a, time)].shape
 
 
-def _speed(axes: Sequence[Axis], states: Sequence[State]) -> float:
+def _speed(axes: Sequence[WholeTrack], states: Sequence[State]) -> float:
     return sqrt(fsum((s.velocity / a.scale.counts) ** 2 for a, s in zip(axes, states, strict=True)))
 
 
 # ------------------------------------------------------------------------------------------------------- joins
 
 
-def _judge_join(proof: Proof, controller: Controller, orders: Orders, a: Axis, i: int) -> None:
+def _judge_join(proof: Proof, controller: Recorded, orders: Orders, a: WholeTrack, i: int) -> None:
     """Position and velocity go on where one profile follows another, and the acceleration of S-ramps."""
     proof.counts["joins"] += 1
     time, order = a.starts[i], orders.of[a.index][i]
@@ -259,7 +257,7 @@ def _judge_join(proof: Proof, controller: Controller, orders: Orders, a: Axis, i
 
 
 def _excuse(
-    controller: Controller, orders: Orders, a: Axis, i: int, kinds: tuple[str, str], stands: bool
+    controller: Recorded, orders: Orders, a: WholeTrack, i: int, kinds: tuple[str, str], stands: bool
 ) -> str:
     """What the program has ordered that makes the velocity jump; "" where nothing has."""
     if stands:
@@ -281,7 +279,7 @@ def _excuse(
     return ""
 
 
-def _bend(controller: Controller, order: Order, time: float) -> float:
+def _bend(controller: Recorded, order: Order, time: float) -> float:
     """By how much the acceleration along a path changes at a moment."""
     axes, *both = _both(controller, order, time)
     rates = []
@@ -296,7 +294,7 @@ def _bend(controller: Controller, order: Order, time: float) -> float:
     return abs(rates[1] - rates[0])
 
 
-def _both(controller: Controller, order: Order, time: float) -> tuple[list[Axis], list[State], list[State]]:
+def _both(controller: Recorded, order: Order, time: float) -> tuple[list[WholeTrack], list[State], list[State]]:
     """The axes of a path, and their states just before a moment and from then on."""
     axes = [controller.axes[number] for number in order.members]
     places = [_place(a, time) for a in axes]
@@ -304,14 +302,14 @@ def _both(controller: Controller, order: Order, time: float) -> tuple[list[Axis]
     return axes, old, [a.at(time) for a in axes]
 
 
-def _place(a: Axis, time: float) -> int:
-    return bisect_right(a.starts, time) - 1
+def _place(a: WholeTrack, time: float) -> int:
+    return a.place(time)
 
 
 # ---------------------------------------------------------------------------------------------------- the log
 
 
-def _judge_move(proof: Proof, controller: Controller, move: Move, until: float) -> None:
+def _judge_move(proof: Proof, controller: Recorded, move: Move, until: float) -> None:
     """An entry of the log: it takes time, its phases add up, it ends where it was sent, and the track says the same."""
     proof.counts["moves"] += 1
     profile, a = move.profile, controller.axes[move.axis]

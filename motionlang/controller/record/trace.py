@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.controller.record.track import WholeTrack
 from motionlang.controller.record.trajectory_points import AT_ONCE, Points
 from motionlang.profile.sample import ORDERS, PieceTable
 
@@ -197,9 +198,14 @@ class Trace:
     def table(self, axis: int) -> PieceTable:
         """The pieces of an axis's motion, in counts, made once."""
         if axis not in self._tables:
-            track = self.controller.axes[axis]
+            track = WholeTrack(self.controller.axes[axis])
             self._tables[axis] = PieceTable(track.starts, track.profiles)
         return self._tables[axis]
+
+    def _window(self, axis: int, begin: float, end: float) -> PieceTable:
+        """The pieces from one time to another; all of them where the log has packed none."""
+        a = self.controller.axes[axis]
+        return self.table(axis) if a.older is None else PieceTable(*WholeTrack(a).between(begin, end))
 
     def resolution(self, axis: int) -> float:
         """One count of an axis in user units."""
@@ -216,11 +222,16 @@ class Trace:
     def _fill(
         self, columns: Sequence[Column], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
+        tables: dict[int, PieceTable] = {}
         for column, out in zip(columns, data, strict=True):
             if column.axis is not None and column.quantity in MOTOR:
                 self._fill_motor(column.axis, column.quantity, start, step, count, out)
             elif column.axis is not None:
-                self.table(column.axis).sample(start, step, count, ORDERS[column.quantity], out)
+                table = tables.get(column.axis)
+                if table is None:
+                    end = start + step * count
+                    table = tables[column.axis] = self._window(column.axis, start - step, end + step)
+                table.sample(start, step, count, ORDERS[column.quantity], out)
                 self.to_user(column.axis, column.quantity, out)
 
     def _fill_motor(

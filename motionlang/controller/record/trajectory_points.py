@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.controller.record.track import WholeTrack
 from motionlang.controller.servo.demand import Generator
 from motionlang.profile.sample import PieceTable
 
@@ -35,15 +36,16 @@ class Points:
     __slots__ = ("_begins", "_first", "_offsets", "_period", "_profiles", "_starts")
 
     def __init__(self, axis: Axis, period: float) -> None:
-        self._profiles, self._period = axis.profiles, period
-        self._starts = np.array(axis.starts)
-        generator = Generator(axis, period)
-        generator.offset(len(axis.profiles) - 1)
+        track = WholeTrack(axis)
+        self._profiles, self._period = track.profiles, period
+        self._starts = np.array(list(track.starts))
+        generator = Generator(track, period)
+        generator.offset(len(track.profiles) - 1)
         self._offsets = np.array(generator.offsets)
         # The cycle from which on a profile is in force, and when the profile begins for its points.
         self._first = np.ceil(self._starts / period - AT_ONCE).astype(np.int64)
         self._begins, late = self._starts.copy(), 0.0
-        for k, profile in enumerate(axis.profiles):
+        for k, profile in enumerate(track.profiles):
             if not profile.start_velocity:
                 late = float(self._first[k] * period - self._starts[k])
             self._begins[k] += late

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.clock import Clock
+from motionlang.controller.record.log import Log
 from motionlang.lang.machine.terminal import Terminal
 from motionlang.lang.statement_time import StatementTime
 
@@ -49,6 +50,7 @@ class Machine:
         "clock",
         "diagnostics",
         "instruction_time",
+        "log",
         "model",
         "notes",
         "nv",
@@ -89,7 +91,8 @@ class Machine:
         self._power_up: list[Callable[[Controller], None]] = []
         self._host: HostMemory | None = None
         self._operators: dict[int, Operator] = {}
-        self.terminal = Terminal(show)
+        self.log = Log()
+        self.terminal = Terminal(self.clock, self.log.prints, show)
         # What went to other terminals and to serial ports, by their labels.
         self.terminals: dict[str, Terminal] = {}
         # Whoever is asked for a line of the console as soon as the program wants one; None where nobody is.
@@ -135,7 +138,7 @@ class Machine:
         if self._controller is None:
             from motionlang.controller.controller import Controller
 
-            self._controller = Controller(self._axes, self._first_axis, self.clock)
+            self._controller = Controller(self._axes, self._first_axis, self.clock, self.log)
             self._world = _world(self._controller, self.settings)
             for call in self._power_up:
                 call(self._controller)
@@ -179,7 +182,7 @@ class Machine:
     @property
     def moves_made(self) -> int:
         """How many moves were started so far."""
-        return 0 if self._controller is None else len(self._controller.moves)
+        return 0 if self._controller is None else len(self._controller.log.moves)
 
     @property
     def has_motors(self) -> bool:
@@ -250,7 +253,7 @@ class Machine:
         if found is None:
             from motionlang.lang.machine.terminal import labelled
 
-            found = self.terminals[label] = labelled(label, self.terminal)
+            found = self.terminals[label] = labelled(label, self.terminal, self.clock, self.log.new("Printed"))
         return found
 
     def close_terminals(self) -> None:

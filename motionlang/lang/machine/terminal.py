@@ -8,19 +8,29 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.controller.clock import Clock
+    from motionlang.controller.record.records import Printed
+    from motionlang.controller.record.stream import Stream
+
 MAX_CHARACTERS = 50_000_000
 
 
 class Terminal:
-    """Collects `lines`; `show(text)`, if given, is called with every piece of text as it is written."""
+    """Keeps whole lines in `prints`; `show(text)`, if given, is called with every piece of text as it is written."""
 
-    __slots__ = ("_open", "_size", "lines", "show")
+    __slots__ = ("_clock", "_open", "_size", "prints", "show")
 
-    def __init__(self, show: Callable[[str], object] | None = None) -> None:
-        self.lines: list[str] = []
-        self.show = show
+    def __init__(
+        self, clock: Clock, prints: Stream[Printed], show: Callable[[str], object] | None = None
+    ) -> None:
+        self._clock, self.prints, self.show = clock, prints, show
         self._open = ""
         self._size = 0
+
+    @property
+    def lines(self) -> list[str]:
+        """Every line that was printed."""
+        return [printed.text for printed in self.prints]
 
     def write(self, text: str) -> None:
         """Write text; `\\n` ends a line."""
@@ -32,7 +42,8 @@ class Terminal:
         if self.show is not None:
             self.show(text)
         *whole, self._open = (self._open + text).split("\n")
-        self.lines.extend(whole)
+        for line in whole:
+            self.prints.add((self._clock.now, line))
 
     @property
     def begun(self) -> str:
@@ -46,7 +57,7 @@ class Terminal:
 
     def forget(self) -> None:
         """Drop what was printed: a session has shown it, and each of its commands may print as much as a run."""
-        self.lines.clear()
+        self.prints.forget(0)
         self._size = len(self._open)
 
     def close(self) -> None:
@@ -55,9 +66,9 @@ class Terminal:
             self.write("\n")
 
 
-def labelled(label: str, console: Terminal) -> Terminal:
+def labelled(label: str, console: Terminal, clock: Clock, prints: Stream[Printed]) -> Terminal:
     """Another terminal, whose whole lines are shown among the console's, each after its label."""
-    other = Terminal()
+    other = Terminal(clock, prints)
     begun = ""
 
     def show(text: str) -> None:

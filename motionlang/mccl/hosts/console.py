@@ -131,16 +131,7 @@ class Console:
     def _forget(self) -> None:
         """Drop history that nobody will ask for: a served board may run for days."""
         controller = self.machine.controller
-        channels = (
-            controller.inputs,
-            controller.outputs,
-            controller.analogue_inputs,
-            controller.analogue_outputs,
-        )
-        kept = [len(controller.moves), *(len(each.changes) for each in channels)]
-        kept += [len(axis.starts) // 10 for axis in controller.axes.values()]
-        if max(kept) > 2 * MEMORY:
-            controller.forget_history(MEMORY)
+        controller.forget_history(MEMORY)
 
 
 class _Gate(Task):

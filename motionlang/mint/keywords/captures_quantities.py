@@ -141,8 +141,9 @@ def _auxiliary(environment: Environment, channel: int, times: Sequence[float]) -
 
 def _analogue(environment: Environment, quantity: int, channel: int, times: Sequence[float]) -> list[float]:
     controller = environment.controller
-    channels = controller.analogue_inputs if quantity == ADC else controller.analogue_outputs
-    levels = _stepped([(time, value) for time, each, value in channels.changes if each == channel], times)
+    log = controller.log
+    changes = log.analogue_inputs if quantity == ADC else log.analogue_outputs
+    levels = _stepped([(time, value) for time, each, value in changes if each == channel], times)
     if quantity == DAC:
         return levels
     analogue = environment.part(Analogue)
@@ -153,7 +154,7 @@ def _bank(environment: Environment, quantity: int, bank: int, times: Sequence[fl
     controller, first = environment.controller, bank * BANK
     channels: Channels = controller.inputs if quantity == INPUTS else controller.outputs
     bits, steps = 0, []
-    for time, channel, value in channels.changes:
+    for time, channel, value in controller.log.inputs if quantity == INPUTS else controller.log.outputs:
         if first <= channel < first + BANK:
             bit = 1 << channel - first
             bits = bits | bit if value else bits & ~bit

@@ -164,7 +164,7 @@ class Nodes:
         rows: list[dict[str, object]] = []
         for (bus, node, kind), channels in sorted(self._channels.items()):
             what = _WRITTEN.get(kind)
-            told = sorted({channel for _, channel, _ in channels.changes}) if what else ()
+            told = channels.touched if what else ()
             rows += [_row(bus, node, (str(what), each), channels[each]) for each in told]
         for (bus, node), found in sorted(self._nodes.items()):
             rows += [_row(bus, node, place, value) for place, value in sorted(found.written.items())]

@@ -19,7 +19,7 @@ def machine(**settings: object) -> Controller:
 
 
 def changes(c: Controller) -> list[tuple[float, int, float]]:
-    return [(round(time, 9), channel, value) for time, channel, value in c.inputs.changes]
+    return [(round(time, 9), channel, value) for time, channel, value in c.log.inputs]
 
 
 def test_inputs_by_time() -> None:
@@ -79,7 +79,7 @@ def test_a_fault_at_a_time_switches_the_axis_off() -> None:
     c.move_to(0, 12.0)
     c.clock.advance(5.0)
     assert (c.position(0), c.faults(0), c.is_enabled(0)) == (6.0, FOLLOWING_ERROR, False)
-    assert c.moves[0].ended == "fault"
+    assert c.log.moves[0].ended == "fault"
 
 
 def test_an_input_follows_the_level_of_an_output_after_a_delay() -> None:

@@ -30,7 +30,7 @@ def test_case_2_in_feed_rate_mode_a_move_keeps_the_speed_it_was_loaded_with() ->
     c.load_by(0, 20.0)
     c.go([0])
     until(c, 9.0)
-    first, second = (move.profile for move in c.moves)
+    first, second = (move.profile for move in c.log.moves)
     assert first is not None
     assert second is not None
     assert (first.peak_speed, second.peak_speed) == (30.0, 10.0)
@@ -69,7 +69,7 @@ def test_an_override_of_nothing_holds_the_axis_and_keeps_the_move() -> None:
     c.configure(0, "override", 1.0)
     assert c.idle_time(0) == pytest.approx(5.0 + 1.1)
     assert until(c, 9.0).position(0) == 20.0
-    assert len(c.moves) == 1
+    assert len(c.log.moves) == 1
 
 
 def test_both_kinds_of_move_stand_in_one_buffer() -> None:
@@ -80,7 +80,7 @@ def test_both_kinds_of_move_stand_in_one_buffer() -> None:
     c.configure(0, "speed", 20.0)
     c.go([0])
     until(c, 9.0)
-    assert [move.profile and move.profile.peak_speed for move in c.moves] == [10.0, 20.0]
+    assert [move.profile and move.profile.peak_speed for move in c.log.moves] == [10.0, 20.0]
 
 
 def test_a_new_rate_acts_on_the_braking_that_is_still_to_come() -> None:
@@ -123,7 +123,7 @@ def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: s
     assert until(c, 2.0).velocity(0) == 4.0
     c.configure(0, "max_speed", float("inf"))
     assert until(c, 3.0).velocity(0) == 10.0
-    assert len(c.moves) == 1
+    assert len(c.log.moves) == 1
 
 
 def test_a_limit_of_speed_acts_on_a_speed_reference() -> None:

@@ -53,7 +53,7 @@ def test_the_log_has_one_entry_for_all_of_the_following() -> None:
     until(c, 1.0).move_to(0, 20.0)
     until(c, 5.0).move_to(0, 10.0)
     until(c, 9.0).stop(1)
-    entry = c.moves[0]
+    entry = c.log.moves[0]
     assert (entry.axis, entry.command, entry.line, entry.ended) == (1, "FOLLOW", 2, "stop")
     assert entry.profile is not None
     assert entry.profile.duration == pytest.approx(9.0)
@@ -208,7 +208,7 @@ def test_a_flying_shear_by_its_figures() -> None:
     shear(c, (100.0, 200.0), (500.0, 500.0), (100.0, 200.0), (-350.0, 400.0), (-350.0, 400.0))
     c.jog(0, 100.0)
     until(c, 30.0)
-    starts = [move.start_time for move in c.moves if move.command == "FLY"]
+    starts = [move.start_time for move in c.log.moves if move.command == "FLY"]
     at_200 = c.axes[0].profiles[1].crossing(200.0)
     assert at_200 is not None
     assert starts == pytest.approx([0.0, at_200, at_200 + 5.0, at_200 + 7.0, at_200 + 11.0])
@@ -298,7 +298,7 @@ def test_a_linear_cam_repeats_and_advances() -> None:
     assert c.position(0) == pytest.approx(0.0, abs=1e-9)
     assert c.position(1) == pytest.approx(0.0, abs=1e-9)
     assert until(c, c.clock.now + 1.0).position(1) == pytest.approx(-2.0 + 2.0 + 1.5)
-    assert len([move for move in c.moves if move.axis == 1]) == 1
+    assert len([move for move in c.log.moves if move.axis == 1]) == 1
 
 
 def test_a_cam_once_ends_by_itself() -> None:
@@ -308,8 +308,8 @@ def test_a_cam_once_ends_by_itself() -> None:
     until(c, 9.0)
     assert c.position(1) == pytest.approx(3.0)
     assert c.is_idle(1)
-    assert c.moves[0].profile is not None
-    low, high = c.moves[0].profile.extrema()
+    assert c.log.moves[0].profile is not None
+    low, high = c.log.moves[0].profile.extrema()
     assert low == pytest.approx(0.0, abs=1e-9)
     assert high > 4.0
 

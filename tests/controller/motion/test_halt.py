@@ -20,9 +20,9 @@ def test_suspend_ramps_to_rest_and_resume_goes_on_to_the_same_target() -> None:
     c.resume(0)
     assert c.idle_time(0) == pytest.approx(7.0 + 1.1)
     assert until(c, 9.0).position(0) == 20.0
-    assert len(c.moves) == 1
-    assert c.moves[0].profile is not None
-    assert c.moves[0].profile.duration == pytest.approx(8.1)
+    assert len(c.log.moves) == 1
+    assert c.log.moves[0].profile is not None
+    assert c.log.moves[0].profile.duration == pytest.approx(8.1)
 
 
 def test_resumed_before_it_has_come_to_rest_the_axis_goes_on_from_its_speed() -> None:
@@ -65,7 +65,7 @@ def test_stop_ends_what_is_suspended() -> None:
     assert until(c, 3.0).is_idle(0)
     assert not c.is_suspended(0)
     assert c.position(0) == pytest.approx(10.0)
-    assert c.moves[0].ended == "stop"
+    assert c.log.moves[0].ended == "stop"
 
 
 def test_a_new_end_point_keeps_the_move() -> None:
@@ -76,15 +76,15 @@ def test_a_new_end_point_keeps_the_move() -> None:
     assert c.idle_time(0) == pytest.approx(3.1)
     until(c, 1.5).retarget_to(0, 5.0)
     assert until(c, 9.0).position(0) == 5.0
-    assert len(c.moves) == 1
-    assert c.moves[0].target == 5.0
+    assert len(c.log.moves) == 1
+    assert c.log.moves[0].target == 5.0
 
 
 def test_an_axis_at_rest_starts_at_once() -> None:
     c = machine()
     c.retarget_by(0, 10.0, "INCR", 4)
     assert until(c, 2.0).position(0) == 10.0
-    assert c.moves[0].command == "INCR"
+    assert c.log.moves[0].command == "INCR"
 
 
 def test_a_jog_and_a_stop_have_no_end_point_to_change() -> None:

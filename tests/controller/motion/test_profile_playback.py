@@ -43,9 +43,9 @@ def test_suspended_its_time_slows_down_and_stands() -> None:
     assert c.idle_time(0) == pytest.approx(3.0 + 0.2 + 1.0)
     until(c, 9.0)
     assert (c.position(0), c.position(1)) == (8.0, 1.0)
-    assert len(c.moves) == 2
-    assert c.moves[0].profile is not None
-    assert c.moves[0].profile.duration == pytest.approx(4.2)
+    assert len(c.log.moves) == 2
+    assert c.log.moves[0].profile is not None
+    assert c.log.moves[0].profile.duration == pytest.approx(4.2)
 
 
 @quick
@@ -101,7 +101,7 @@ def test_stop_comes_to_rest_on_the_course_where_that_is_wanted() -> None:
     until(c, 3.0)
     assert (c.position(0), c.position(1)) == pytest.approx((plain(0, 0.8), plain(1, 0.8)))
     assert c.is_idle(0)
-    assert [move.ended for move in c.moves] == ["stop", "stop"]
+    assert [move.ended for move in c.log.moves] == ["stop", "stop"]
     c = playing(on_path=False)
     until(c, 0.7)
     speed = c.velocity(0)

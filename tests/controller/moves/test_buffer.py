@@ -19,7 +19,7 @@ def test_a_dwell_stands_between_two_moves() -> None:
     assert until(c, 1.6).position(0) == 10.0
     assert until(c, 2.7).position(0) == 20.0
     assert c.is_idle(0)
-    rows = [(move.command, move.start_time, move.profile and move.profile.duration) for move in c.moves]
+    rows = [(move.command, move.start_time, move.profile and move.profile.duration) for move in c.log.moves]
     assert rows == [
         ("", 0.0, pytest.approx(1.1)),
         ("MOVEDWELL", pytest.approx(1.1), 0.5),
@@ -36,12 +36,12 @@ def test_outputs_change_between_moves_and_take_no_time() -> None:
     assert c.output(3) == 0
     c.go([0])
     until(c, 5.0)
-    assert [(round(time, 9), channel, value) for time, channel, value in c.outputs.changes] == [
+    assert [(round(time, 9), channel, value) for time, channel, value in c.log.outputs] == [
         (0.0, 3, 1),
         (1.1, 3, 0),
         (1.1, 4, 1),
     ]
-    assert c.moves[-1].start_time == pytest.approx(1.1)
+    assert c.log.moves[-1].start_time == pytest.approx(1.1)
 
 
 def test_a_pulse_does_not_hold_up_the_next_move() -> None:
@@ -50,8 +50,8 @@ def test_a_pulse_does_not_hold_up_the_next_move() -> None:
     c.load_by(0, 10.0)
     c.go([0])
     until(c, 5.0)
-    assert c.outputs.changes == [(0.0, 2, 1), (0.25, 2, 0)]
-    assert c.moves[0].start_time == 0.0
+    assert list(c.log.outputs) == [(0.0, 2, 1), (0.25, 2, 0)]
+    assert c.log.moves[0].start_time == 0.0
 
 
 def test_a_second_pulse_prolongs_the_first() -> None:
@@ -60,7 +60,7 @@ def test_a_second_pulse_prolongs_the_first() -> None:
     until(c, 0.2)
     c.pulse(2, 0.25)
     until(c, 1.0)
-    assert c.outputs.changes == [(0.0, 2, 1), (0.45, 2, 0)]
+    assert list(c.log.outputs) == [(0.0, 2, 1), (0.45, 2, 0)]
 
 
 def test_relative_moves_count_through_what_does_not_move() -> None:

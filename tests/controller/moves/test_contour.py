@@ -80,8 +80,8 @@ def check_arrival(c: Controller) -> None:
     until(c, 1e6)
     assert [c.is_idle(axis) for axis in (0, 1)] == [True, True]
     assert [c.position(axis) for axis in (0, 1)] == ends
-    assert [move for move in c.moves if move.axis == 0] == entries
-    times = [move.profile.duration for move in c.moves if move.profile is not None]
+    assert [move for move in c.log.moves if move.axis == 0] == entries
+    times = [move.profile.duration for move in c.log.moves if move.profile is not None]
     assert len(times) == 2 * len(entries)
     assert min(times) > SHORT / 1000.0
 
@@ -134,4 +134,4 @@ def test_a_stop_that_needs_more_room_than_there_is_leaves_the_run_as_it_was_plan
     until(c, 99.0)
     assert c.is_idle(0)
     assert place(c) == [40.0, 2.5]
-    assert [move.ended for move in c.moves] == ["stop"] * 4
+    assert [move.ended for move in c.log.moves] == ["stop"] * 4

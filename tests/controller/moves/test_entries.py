@@ -128,7 +128,7 @@ def test_rates_of_its_own_stay_with_a_move() -> None:
     controller.load_by(0, 100.0)
     controller.go([0])
     controller.clock.advance(10.0)
-    first, second = (move.profile for move in controller.moves)
+    first, second = (move.profile for move in controller.log.moves)
     assert first is not None
     assert second is not None
     assert [phase.duration for phase in first.phases] == [0.1, pytest.approx(96.25 / 50), 0.05]
@@ -141,7 +141,7 @@ def test_limits_hold_for_single_moves_and_jogs() -> None:
     controller.configure(0, "max_accel", 400.0)
     controller.load_by(0, 100.0)
     controller.go([0])
-    profile = controller.moves[0].profile
+    profile = controller.log.moves[0].profile
     assert profile is not None
     assert profile.peak_speed == 40.0
     assert profile.phases[0].duration == pytest.approx(0.1)
@@ -171,4 +171,4 @@ def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
     assert controller.is_idle(0)
     assert controller.is_idle(1)
     assert controller.position(1) == 50.0
-    assert controller.moves[-1].start_time == pytest.approx(0.55)
+    assert controller.log.moves[-1].start_time == pytest.approx(0.55)

@@ -57,7 +57,7 @@ def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
     assert place(c) == [3.0, 4.0]
     assert c.is_idle(0)
     assert c.is_idle(1)
-    assert [(move.axis, move.command, move.line, move.target) for move in c.moves] == [
+    assert [(move.axis, move.command, move.line, move.target) for move in c.log.moves] == [
         (0, "VECTORR", 3, 300.0),
         (1, "VECTORR", 3, 200.0),
     ]
@@ -79,7 +79,7 @@ def test_a_path_waits_until_all_its_axes_are_ready() -> None:
     c.go([0, 1])
     assert until(c, 0.1).is_idle(0)
     until(c, 2.0)
-    assert c.moves[1].start_time == c.moves[2].start_time == pytest.approx(0.2)
+    assert c.log.moves[1].start_time == c.log.moves[2].start_time == pytest.approx(0.2)
     assert place(c) == [3.0, 5.0]
 
 
@@ -99,7 +99,7 @@ def test_two_paths_stop_in_the_corner_between_them() -> None:
     c.load_line_by([0, 1], [300.0, 200.0])
     c.go([0])
     assert path_speed(until(c, 0.6), 0.6) == pytest.approx(0.0, abs=1e-6)
-    assert until(c, 3.0).moves[2].start_time == pytest.approx(0.6)
+    assert until(c, 3.0).log.moves[2].start_time == pytest.approx(0.6)
 
 
 @pytest.mark.parametrize(
@@ -118,7 +118,7 @@ def test_a_path_of_no_length_takes_no_time() -> None:
     c.go([0])
     until(c, 5.0)
     assert place(c) == [3.0, 0.0]
-    assert c.moves[2].start_time == 0.0
+    assert c.log.moves[2].start_time == 0.0
 
 
 def test_the_limits_of_each_axis_are_kept() -> None:
@@ -128,8 +128,8 @@ def test_the_limits_of_each_axis_are_kept() -> None:
     c.load_line_by([0, 1], [300.0, 200.0])
     c.go([0])
     until(c, 9.0)
-    speeds = [move.profile.peak_speed for move in c.moves if move.profile]
-    rates = [move.profile.peak_acceleration for move in c.moves if move.profile]
+    speeds = [move.profile.peak_speed for move in c.log.moves if move.profile]
+    rates = [move.profile.peak_acceleration for move in c.log.moves if move.profile]
     assert speeds == pytest.approx([150.0, 100.0])
     assert rates == pytest.approx([10000.0 * 0.6, 4000.0]) or rates[1] <= 4000.0 + 1e-6
 
@@ -202,7 +202,7 @@ def test_an_arc_never_leaves_its_circle(
         assert math.hypot(px - x, py - y) == pytest.approx(radius, abs=1e-9)
         assert path_speed(c, k * c.axes[0].starts[-1] / 200.0) <= 10.0 * (1.0 + 1e-9)
     assert path_speed(c, at) == pytest.approx(speed, abs=1e-9)
-    assert c.moves[0].ended == ("stop" if event == "stop" else "")
+    assert c.log.moves[0].ended == ("stop" if event == "stop" else "")
 
 
 # ------------------------------------------------------------------------------- stop, suspend, abort, faults
@@ -217,7 +217,7 @@ def test_stop_on_any_axis_stops_all_on_the_path() -> None:
     assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.4)
     until(c, 3.0)
     assert place(c) == pytest.approx([1.8, 2.4])
-    assert [move.ended for move in c.moves] == ["stop", "stop"]
+    assert [move.ended for move in c.log.moves] == ["stop", "stop"]
     assert [c.room(axis) for axis in (0, 1)] == [20, 20]
     assert (c.target(0), c.target(1)) == pytest.approx((180.0, 120.0))
 
@@ -255,7 +255,7 @@ def test_what_holds_one_axis_holds_all(how: str) -> None:
     assert c.is_idle(0)
     assert c.is_idle(1)
     assert place(until(c, 3.0)) == pytest.approx([1.5, 2.0])
-    assert [move.ended for move in c.moves] == ["cancel", "cancel"]
+    assert [move.ended for move in c.log.moves] == ["cancel", "cancel"]
 
 
 def test_an_error_stop_uses_the_error_rate_of_the_master() -> None:
@@ -313,7 +313,7 @@ def test_a_contour_runs_through_a_smooth_join() -> None:
     length = 8.0 + math.pi / 2.0
     total = length / 10.0 + 0.1
     until(c, 9.0)
-    assert [round(move.start_time, 9) for move in c.moves[::2]] == [
+    assert [round(move.start_time, 9) for move in c.log.moves[::2]] == [
         0.0,
         round(0.05 + 0.4, 9),
         round(0.05 + 0.4 + math.pi / 20.0, 9),
@@ -365,9 +365,9 @@ def test_each_path_keeps_its_own_speed_and_slows_down_in_time() -> None:
         c.load_line_by([0, 1], [400.0, 0.0])
     c.go([0])
     until(c, 9.0)
-    starts = [move.start_time for move in c.moves[::2]]
+    starts = [move.start_time for move in c.log.moves[::2]]
     assert [path_speed(c, t) for t in starts] == pytest.approx([0.0, 5.0, 5.0], abs=1e-6)
-    peaks = [move.profile.peak_speed for move in c.moves[::2] if move.profile]
+    peaks = [move.profile.peak_speed for move in c.log.moves[::2] if move.profile]
     assert peaks == pytest.approx([1000.0, 500.0, 1000.0])
 
 
@@ -379,7 +379,7 @@ def test_stop_runs_on_over_the_join_where_it_must() -> None:
     until(c, 0.43).stop(0)  # at 3.8, half a unit from rest
     until(c, 9.0)
     assert place(c) == pytest.approx([4.3, 0.0])
-    assert [move.ended for move in c.moves] == ["stop"] * 4
+    assert [move.ended for move in c.log.moves] == ["stop"] * 4
 
 
 corners = st.lists(
@@ -428,7 +428,7 @@ def test_a_blend_rounds_the_corner_with_a_parabola() -> None:
     c.load_line_by([0, 1], [0.0, 200.0])
     c.go([0])
     until(c, 9.0)
-    assert c.moves[2].start_time == pytest.approx(0.4)
+    assert c.log.moves[2].start_time == pytest.approx(0.4)
     assert c.axes[0].starts[-1] == pytest.approx(0.9)
     assert place(c) == pytest.approx([4.0, 4.0], abs=1e-12)
     # half way through the corner: x has 0.125 to go, y has gone 0.125
@@ -458,7 +458,7 @@ def test_blend_begins_the_next_path_at_once() -> None:
     c.load_line_by([0, 1], [0.0, 200.0])
     c.go([0])
     until(c, 0.4).blend(0)
-    assert c.moves[2].start_time == pytest.approx(0.4)
+    assert c.log.moves[2].start_time == pytest.approx(0.4)
     assert place(until(c, 9.0)) == pytest.approx([4.0, 4.0], abs=1e-12)
 
 

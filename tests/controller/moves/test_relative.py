@@ -26,7 +26,7 @@ def test_a_new_zero_in_motion_moves_the_ends_of_all_that_waits() -> None:
     until(c, 0.5)
     c.define_position(0, c.position(0) + 1000.0)
     until(c, 300.0)
-    assert [move.target for move in c.moves] == pytest.approx([1010.0, 1020.0, 1030.0, 5.0, 6.0])
+    assert [move.target for move in c.log.moves] == pytest.approx([1010.0, 1020.0, 1030.0, 5.0, 6.0])
 
 
 def test_an_arc_keeps_its_radius_after_a_new_zero() -> None:
@@ -36,7 +36,7 @@ def test_an_arc_keeps_its_radius_after_a_new_zero() -> None:
     c.go([0])
     until(c, 60.0)
     assert (c.position(0), c.position(1)) == (100.0, 0.0)
-    low, high = c.moves[0].profile.extrema()  # type: ignore[union-attr]
+    low, high = c.log.moves[0].profile.extrema()  # type: ignore[union-attr]
     assert (low, high) == (pytest.approx(100.0), pytest.approx(120.0))
 
 
@@ -79,7 +79,7 @@ def test_a_new_end_leaves_the_ends_of_straight_moves_behind_it() -> None:
     until(c, 0.5)
     c.retarget_by(0, 5.0)
     until(c, 60.0)
-    assert [move.target for move in c.moves] == [25.0, 30.0]
+    assert [move.target for move in c.log.moves] == [25.0, 30.0]
 
 
 def test_a_new_end_leaves_the_end_of_a_line_behind_it() -> None:
@@ -92,7 +92,7 @@ def test_a_new_end_leaves_the_end_of_a_line_behind_it() -> None:
     c.retarget_by(0, 5.0)
     until(c, 60.0)
     assert (c.position(0), c.position(1)) == (40.0, 7.0)
-    assert c.moves[1].target == 30.0
+    assert c.log.moves[1].target == 30.0
 
 
 def test_a_new_end_carries_an_arc_along() -> None:
@@ -104,5 +104,5 @@ def test_a_new_end_carries_an_arc_along() -> None:
     until(c, 0.5)
     c.retarget_by(0, 5.0)
     until(c, 60.0)
-    assert [move.target for move in c.moves] == pytest.approx([25.0, 45.0, 0.0, 50.0], abs=1e-9)
-    assert c.moves[1].profile.distance == pytest.approx(20.0)  # type: ignore[union-attr]
+    assert [move.target for move in c.log.moves] == pytest.approx([25.0, 45.0, 0.0, 50.0], abs=1e-9)
+    assert c.log.moves[1].profile.distance == pytest.approx(20.0)  # type: ignore[union-attr]

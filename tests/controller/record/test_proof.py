@@ -75,13 +75,13 @@ def test_a_jerk_beyond_the_one_in_force_is_found() -> None:
 
 def test_a_log_that_ends_elsewhere_is_found() -> None:
     result = proved(MOVE)
-    result.controller.moves[0].target += 1.0
+    result.controller.log.moves[0].target += 1.0
     assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
 
 
 def test_a_move_in_no_time_is_found() -> None:
     result = proved(MOVE)
-    result.controller.moves[0].profile = Profile("trapezoid", 0.0, 100.0, 0.0, (0.0, 0.0, 0.0, 0.0))
+    result.controller.log.moves[0].profile = Profile("trapezoid", 0.0, 100.0, 0.0, (0.0, 0.0, 0.0, 0.0))
     assert any("100 counts in no time" in each for each in found(result))
 
 

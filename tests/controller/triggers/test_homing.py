@@ -56,7 +56,7 @@ def test_an_axis_that_stands_on_the_switch_backs_off_at_once() -> None:
     Homing(c, 0, -1, 8.0, 0.8, 0.8)
     c.clock.advance(60.0)
     assert c.position(0) == pytest.approx(0.02)
-    assert all(move.profile is not None and move.profile.distance >= 0 for move in c.moves)
+    assert all(move.profile is not None and move.profile.distance >= 0 for move in c.log.moves)
 
 
 def test_a_stop_that_overruns_the_whole_switch_comes_back_to_it() -> None:

@@ -101,8 +101,8 @@ def test_an_output_is_on_between_two_positions() -> None:
     compare = c.compare(0, 7, 8.0, 5.0)
     c.move_to(0, 20.0)
     until(c, 5.0)
-    assert [value for _, _, value in c.outputs.changes] == [1, 0]
-    assert [time for time, _, _ in c.outputs.changes] == pytest.approx([0.55, 0.85])
+    assert [value for _, _, value in c.log.outputs] == [1, 0]
+    assert [time for time, _, _ in c.log.outputs] == pytest.approx([0.55, 0.85])
     compare.enable(False)
     compare.place(19.0, 21.0)
     assert c.output(7) == 0

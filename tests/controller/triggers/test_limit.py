@@ -39,7 +39,7 @@ def test_a_limit_does_what_its_action_says(action: str, rest: float, ended: str)
     c.move_to(0, 12.0)
     c.clock.advance(9.0)
     assert c.position(0) == pytest.approx(rest)
-    assert c.moves[0].ended == ended
+    assert c.log.moves[0].ended == ended
     assert c.faults(0) == (0 if action == "ignore" else SOFT_LIMIT_FORWARD)
     assert c.is_enabled(0) is (action != "off")
 

@@ -121,5 +121,5 @@ def test_channels_keep_a_log_and_tell_of_changes_only() -> None:
     c.clock.advance(2.0)
     c.outputs.set_bank(0, 4, 0b0101)
     assert told == [(3, 1), (0, 1), (2, 1), (3, 0)]
-    assert c.outputs.changes[0] == (0.0, 3, 1)
+    assert c.log.outputs[0] == (0.0, 3, 1)
     assert c.outputs.bank(0, 4) == 0b0101

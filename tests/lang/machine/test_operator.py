@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from motionlang.controller.clock import Clock
+from motionlang.controller.record.log import Log
 from motionlang.lang.machine.operator import Operator
 from motionlang.lang.machine.terminal import Terminal
 
 
 def operator(shown: list[str] | None = None, **settings: object) -> tuple[Clock, Operator]:
     clock = Clock()
-    return clock, Operator(clock, Terminal(shown.append if shown is not None else None), settings)
+    terminal = Terminal(clock, Log().prints, shown.append if shown is not None else None)
+    return clock, Operator(clock, terminal, settings)
 
 
 def test_keys_of_the_machine_file_come_at_their_time_and_are_held_for_a_while() -> None:

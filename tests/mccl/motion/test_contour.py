@@ -23,7 +23,7 @@ def state(run: Run, time: float) -> tuple[float, float, float, float]:
 def test_a_full_circle_stays_on_the_circle(shape: str, mccl: Runner) -> None:
     result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\n1WS,1TP,2TP")
     assert result.output == ["01 0", "02 0"]
-    begin = result.controller.moves[0].start_time
+    begin = result.controller.log.moves[0].start_time
     for k in range(401):
         x, y, vx, vy = state(result, begin + (result.time - begin) * k / 400)
         assert hypot(x - 10000, y) == pytest.approx(10000, abs=2e-4)
@@ -37,9 +37,9 @@ def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
     text = f"{HEAD}1CP1,1MA100000,2MA0\n1CP3,1CA100000,2CA50000,1MA100000,2MA100000\n1CP1,1MA0,2MA100000\n1WS,1TX"
     result = mccl(text)
     assert result.output == ["01 3"]
-    assert [move.ended for move in result.controller.moves] == ["", ""]
+    assert [move.ended for move in result.controller.log.moves] == ["", ""]
     length = 200000 + 50000 * pi
-    duration = result.controller.moves[0].profile.duration  # type: ignore[union-attr]
+    duration = result.controller.log.moves[0].profile.duration  # type: ignore[union-attr]
     assert duration == pytest.approx(length / 20000 + 0.1, rel=1e-9)
     for time in (2.0, 6.0, 9.0, 12.0):
         assert hypot(*state(result, time)[2:]) == pytest.approx(20000, rel=1e-6)
@@ -47,7 +47,7 @@ def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
 
 def test_at_a_corner_the_axes_come_to_rest(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\n1CP1,1MA10000,2MA10000\n1WS")
-    first, second = (move for move in result.controller.moves if move.axis == 1)
+    first, second = (move for move in result.controller.log.moves if move.axis == 1)
     assert first.profile.duration == pytest.approx(0.6)  # type: ignore[union-attr]
     assert second.start_time == pytest.approx(first.start_time + 0.6, abs=1e-9)
     assert state(result, second.start_time)[2:] == (0.0, 0.0)
@@ -59,14 +59,14 @@ def test_stop_stays_on_the_path_and_forgets_the_rest(mccl: Runner) -> None:
     x, y = (int(line.split()[1]) for line in result.output)
     assert hypot(x, y) == pytest.approx(20000 * 1.00001 - 1000 + 1000, abs=2)
     assert y * 3 == pytest.approx(x * 4, abs=4)
-    assert {move.ended for move in result.controller.moves} == {"stop"}
+    assert {move.ended for move in result.controller.log.moves} == {"stop"}
 
 
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
 def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner, wait: float) -> None:
     """Also where the stop ends at the end of the path, which rounding must not decide about."""
     result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\nWA{wait},1ST,1CP1,1MA20000,2MA0\n1WS,1TX,1TP")
-    first, second = (move for move in result.controller.moves if move.axis == 1)
+    first, second = (move for move in result.controller.log.moves if move.axis == 1)
     assert first.profile is not None
     assert (first.ended, first.profile.end_velocity) == ("stop", 0.0)
     assert second.start_time == pytest.approx(first.start_time + first.profile.duration, abs=1e-9)
@@ -79,7 +79,7 @@ def test_a_path_given_while_another_one_stops_waits_until_it_rests(mccl: Runner,
 @pytest.mark.parametrize("wait", [0.55, 0.6])
 def test_a_stop_never_runs_beyond_the_end_of_the_paths(mccl: Runner, shape: str, wait: float) -> None:
     result = mccl(f"{HEAD}{shape}\n1CP1,1MA10000,2MA0\nWA{wait},1ST\n1WS")
-    (move,) = (move for move in result.controller.moves if move.axis == 1)
+    (move,) = (move for move in result.controller.log.moves if move.axis == 1)
     assert move.profile is not None
     assert 9990.0 < move.profile.end <= 10000.0
 
@@ -108,7 +108,7 @@ def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
     """Axis 2 has twice the counts a millimetre; the circle is round in millimetres."""
     text = "1US100,2US200,1MN,2MN,1CM1,2CM1,1VV50,1VA500,1VD500\n1CP2,1CR40,2CR0,1MR0,2MR0\n1WS"
     result = mccl(text)
-    begin, end = result.controller.moves[0].start_time, result.time
+    begin, end = result.controller.log.moves[0].start_time, result.time
     for k in range(101):
         x, y, _, _ = state(result, begin + (end - begin) * k / 100)
         assert hypot(x / 100 - 40, y / 200) == pytest.approx(40, abs=2e-6)
@@ -144,7 +144,7 @@ def test_paths_that_wait_shift_with_a_new_zero(mccl: Runner) -> None:
 
 def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA0.3,1DH0,2DH0,1VO0.4,1WS")
-    moves = result.controller.moves
+    moves = result.controller.log.moves
     assert result.diagnostics == []
     assert moves[0].profile is not None
     assert moves[1].profile is not None

@@ -96,7 +96,7 @@ def test_a_limit_channel_with_inverted_polarity(mccl: Runner) -> None:
 def test_faults_show_in_the_status(kind: str, bits: int, mccl: Runner) -> None:
     result = mccl("1MN,1FN0,1MR50000,1WS,1TS", machine={"fault": [{"axis": 1, "kind": kind, "at": 0.1}]})
     assert status(result.output[0]) & (MOTOR_ERROR | bits) == MOTOR_ERROR | bits
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.ended == "fault"
 
 
@@ -179,4 +179,4 @@ def test_a_fault_when_the_program_comes_to_a_line(mccl: Runner) -> None:
     fault = {"axis": 1, "kind": "following-error", "line": 3}
     result = mccl("1MN,1SV10,1SA1000,1SD1000\n1MR1000\nWA0.5\n1TP", machine={"fault": [fault]})
     assert result.controller.faults(1) != 0
-    assert result.controller.moves[0].ended == "fault"
+    assert result.controller.log.moves[0].ended == "fault"

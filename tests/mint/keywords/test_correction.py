@@ -34,7 +34,7 @@ def test_a_correction_moves_the_end_of_the_move() -> None:
     result = ran(
         RATES + "MOVER(0) = 100\nGO(0)\nWAIT = 500\nMOVECORRECTION(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)"
     )
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     assert move.profile.duration == pytest.approx(1.12)
     assert result.output == ["102.0000"]
@@ -59,7 +59,7 @@ def test_speeds_may_be_a_minute() -> None:
         "TIMESCALE(0) = 60\nSPEED(0) = 600 : ACCEL(0) = 36000 : DECEL(0) = 36000\n"
         "MOVER(0) = 20\nGO(0)\nWAIT = 1500\nPRINT VEL(0)"
     )
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     assert (move.profile.duration, move.profile.peak_speed) == pytest.approx((3.0, 10.0))
     assert result.output == ["600.0000"]
@@ -77,8 +77,8 @@ def test_jogs_and_references_too_and_through_a_new_scale() -> None:
         )
     )
     assert result.output == ["60.0000", "120.0000", "60.0000", "1.0000"]
-    assert result.controller.moves[0].profile is not None
-    assert result.controller.moves[0].profile.peak_speed == pytest.approx(8.0)
+    assert result.controller.log.moves[0].profile is not None
+    assert result.controller.log.moves[0].profile.peak_speed == pytest.approx(8.0)
 
 
 def test_an_offset_on_a_follower_is_an_entry_of_its_own() -> None:

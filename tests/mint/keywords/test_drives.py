@@ -28,14 +28,14 @@ def test_a_speed_reference_ramps_in_its_times() -> None:
     )
     assert result.output == ["500.0000", "1"]
     assert result.controller.position(0) == pytest.approx(62.5 + 375.0 + 125.0, abs=0.02)
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     assert move.profile.duration == pytest.approx(1.5, abs=1e-4)
 
 
 def test_its_edges_make_the_ramp_longer_by_half_of_them() -> None:
     result = ran(DRIVE + EDGES + "SPEEDREF(0) = 500\nWAIT = 1000\nPRINT 1\nCANCEL(0)")
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     assert move.profile.position(0.4) == pytest.approx(110.0)
     assert move.profile.velocity(0.4) == pytest.approx(500.0)
@@ -54,7 +54,7 @@ def test_many_references_are_one_entry_of_the_log() -> None:
         + "For i = 1 To 50\nSPEEDREF(0) = i\nWAIT = 10\nNext\nSPEEDREF(0) = -50\nWAIT = 500\nPRINT VEL(0)\nSTOP(0)"
     )
     assert result.output == ["-50.0000"]
-    assert len(result.controller.moves) == 1
+    assert len(result.controller.log.moves) == 1
 
 
 def test_the_reference_is_limited_and_disabled() -> None:
@@ -104,7 +104,7 @@ def test_a_move_takes_the_axis_and_the_reference_does_not_take_it_back_by_itself
 
 def test_a_velocity_reference_is_reached_in_a_millisecond() -> None:
     result = ran("VELREF(0) = 100\nWAIT = 100\nVELREF(0) = -100\nWAIT = 100\nVELREF(0) = 0\nPAUSE IDLE(0)")
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     assert move.profile.velocity(0.0005) == pytest.approx(50.0)
     assert move.profile.velocity(0.001) == pytest.approx(100.0)
@@ -117,7 +117,7 @@ def test_a_position_reference_goes_in_straight_lines() -> None:
         "For i = 1 To 200\nPOSREF(0) = 10 * Sin(i)\nWAIT = 1\nNext\nPAUSE IDLE(0)\nPRINT POS(0), POSREF(0)"
     )
     assert result.output == ["-3.4202-3.4202"]
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     a, last = result.controller.axes[0], move.start_time + move.profile.duration
     assert a.position(last) == pytest.approx(10 * sin(radians(200)))

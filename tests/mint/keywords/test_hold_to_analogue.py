@@ -96,7 +96,7 @@ def test_a_new_value_and_a_filter() -> None:
         + "HTA(0) = 10\nHTA(0) = 10\nWAIT = 2000\nPRINT ADC(2), HTA(0)\nSTOP(0)\nPAUSE IDLE(0)\nPRINT HTA(0)"
     )
     assert result.output == ["40.0000", "10.000010.0000", "10.0000"]
-    assert len(result.controller.moves) == 1
+    assert len(result.controller.log.moves) == 1
 
 
 def test_it_sleeps_when_there_is_nothing_to_do_and_wakes_when_the_input_changes() -> None:

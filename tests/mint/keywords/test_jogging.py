@@ -21,7 +21,7 @@ def ran(text: str, until: float = 60.0) -> Run:
 def test_a_jog_for_a_time_slows_down_when_it_is_over() -> None:
     """0.1 s up, slew until 0.4 s, 0.2 s down: 5 + 30 + 10."""
     result = ran(COMMAND + "JOGMODE(0) = 1 : JOGDURATION(0) = 400\nJOGCOMMAND(0) = 1\nPAUSE IDLE(0)")
-    first, last = result.controller.moves
+    first, last = result.controller.log.moves
     assert last.start_time - first.start_time == pytest.approx(0.4)
     assert last.profile is not None
     assert last.profile.duration == pytest.approx(0.2)
@@ -48,13 +48,13 @@ def test_a_new_speed_acts_at_once_and_the_time_goes_on() -> None:
     """100 until 0.2 s, then 200: 5 + 10 + 15 + 0.1 200, and 200²/1000 to rest from 0.4 s on."""
     text = "JOGMODE(0) = 1 : JOGDURATION(0) = 400\nJOGCOMMAND(0) = 1\nWAIT = 200\nJOGSPEED(0) = 200\nPAUSE IDLE(0)"
     result = ran(COMMAND + text)
-    assert [move.profile.peak_speed for move in result.controller.moves if move.profile] == [
+    assert [move.profile.peak_speed for move in result.controller.log.moves if move.profile] == [
         100.0,
         200.0,
         200.0,
     ]
     assert result.controller.position(0) == pytest.approx(5.0 + 10.0 + 15.0 + 20.0 + 40.0, abs=0.02)
-    first, _, last = result.controller.moves
+    first, _, last = result.controller.log.moves
     assert last.start_time - first.start_time == pytest.approx(0.4)
 
 
@@ -88,7 +88,7 @@ def test_ramps_of_jogs_are_times_to_the_highest_speed() -> None:
 )
 def test_what_the_highest_speed_is(settings: str, top: float) -> None:
     result = ran(RATES + settings + "JOGACCELTIMEMAX(0) = 1000\nJOG(0) = 50\nWAIT = 100\nSTOP(0)")
-    profile = result.controller.moves[0].profile
+    profile = result.controller.log.moves[0].profile
     assert profile is not None
     assert profile.peak_acceleration == pytest.approx(max(top, 500.0))
     assert profile.acceleration(0.05) == pytest.approx(top)

@@ -47,7 +47,7 @@ def s_ramp(speed: float, distance: float) -> Run:
 def test_the_four_s_ramps(
     speed: float, distance: float, ramp: float, peak_accel: float, peak_speed: float, time: float
 ) -> None:
-    (move,) = s_ramp(speed, distance).controller.moves
+    (move,) = s_ramp(speed, distance).controller.log.moves
     profile = move.profile
     assert profile is not None
     assert profile.duration == pytest.approx(time, abs=1e-9)
@@ -60,7 +60,7 @@ def test_the_four_s_ramps(
 
 
 def test_the_samples_of_the_first_s_ramp() -> None:
-    profile = s_ramp(100.0, 100.0).controller.moves[0].profile
+    profile = s_ramp(100.0, 100.0).controller.log.moves[0].profile
     assert profile is not None
     for time, position, velocity in FIRST:
         assert profile.position(time) == pytest.approx(position, abs=1e-9)
@@ -76,7 +76,7 @@ def test_a_speed_written_in_motion_acts_at_once_in_speed_mode() -> None:
         SPEEDS.format(mode=0, speed=30)
         + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nPAUSE IDLE(0)"
     )
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     # The statement that writes the new speed begins when the wait is over, at 25 units.
     assert move.profile.duration == pytest.approx(0.3 + 20.5 / 30 + 0.2 + 20.5 / 10 + 0.1, abs=1e-4)
@@ -88,7 +88,7 @@ def test_a_move_keeps_its_speed_in_feed_rate_mode() -> None:
         SPEEDS.format(mode=1, speed=30)
         + "MOVER(0) = 50 : GO(0)\nPAUSE POSREMAINING(0) < 25\nFEEDRATE(0) = 10\nMOVER(0) = 20 : GO(0)\nPAUSE IDLE(0)"
     )
-    first, second = (move.profile for move in result.controller.moves)
+    first, second = (move.profile for move in result.controller.log.moves)
     assert first is not None
     assert second is not None
     assert first.duration == pytest.approx(0.3 + 41 / 30 + 0.3, abs=1e-9)
@@ -101,7 +101,7 @@ def test_the_override_ends_in_motion() -> None:
         SPEEDS.format(mode=2, speed=20)
         + "FEEDRATEOVERRIDE(0) = 50\nMOVEA(0) = 20 : GO(0)\nPAUSE POS(0) >= 5\nFEEDRATEMODE(0) = 0\nPAUSE IDLE(0)"
     )
-    (move,) = result.controller.moves
+    (move,) = result.controller.log.moves
     assert move.profile is not None
     times = 0.1 + 4.5 / 10 + 0.1 + (15 - 1.5 - 2) / 20 + 0.2
     assert move.profile.duration == pytest.approx(times, abs=1e-4)
@@ -112,7 +112,7 @@ def test_an_arc_lies_on_its_circle() -> None:
     result = ran(
         "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nCIRCLER(0, 1) = 0, 50, 270 : GO(0)\nPAUSE IDLE(0)"
     )
-    x, y = (move.profile for move in result.controller.moves)
+    x, y = (move.profile for move in result.controller.log.moves)
     assert x is not None
     assert y is not None
     length = 50 * radians(270)
@@ -132,7 +132,7 @@ def test_scales_do_not_bend_a_path() -> None:
         "SCALEFACTOR(0) = 100 : SCALEFACTOR(1) = 7\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
         "VECTORR(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)"
     )
-    x, y = (move.profile for move in result.controller.moves)
+    x, y = (move.profile for move in result.controller.log.moves)
     assert x is not None
     assert y is not None
     assert x.duration == pytest.approx(0.6, abs=1e-12)
@@ -146,7 +146,7 @@ def test_a_shear_is_as_fast_as_its_master_while_it_cuts() -> None:
         "MASTERDISTANCE(1) = 20 : FLY(1) = 10\nGO(1)\nMOVER(0) = 60 : GO(0)\nPAUSE IDLE(0)"
     )
     master, slave = result.controller.axes[0], result.controller.axes[1]
-    start = result.controller.moves[1].start_time
+    start = result.controller.log.moves[1].start_time
     for k in range(601):
         t = start + k / 1000
         m, s = master.position(t), slave.position(t)
@@ -168,7 +168,7 @@ def test_a_continuous_spline_goes_over_into_itself() -> None:
         "SPLINE(0) = _spABSOLUTE | _spCONTINUOUS | _spSPLINE_2\nGO(0)\nPAUSE TIME >= 1230\nCANCEL(0)"
     )
     axis = result.controller.axes[0]
-    begins = [move.start_time for move in result.controller.moves]
+    begins = [move.start_time for move in result.controller.log.moves]
     assert len(begins) == 4
     for begin in begins[1:]:
         before, after = axis.at(begin - 1e-9), axis.at(begin + 1e-9)
@@ -187,5 +187,5 @@ GO(0)
 PAUSE IDLE(0)
 PRINT POS(0)""")
     assert result.output == ["190.0000"]
-    times = [move.profile.duration for move in result.controller.moves if move.profile and move.axis == 0]
+    times = [move.profile.duration for move in result.controller.log.moves if move.profile and move.axis == 0]
     assert times == pytest.approx([20 / 90 + (80 - 20 / 9) / 20, 1 / 9 + (30 - 25 / 9) / 30, 157 / 72])

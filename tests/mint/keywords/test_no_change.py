@@ -82,7 +82,7 @@ def test_what_is_in_force_already_changes_nothing(case: str, ramps: str) -> None
     once, before = track(ramps + motion)
     often, after = track(ramps + motion + f"For i = 1 To 40\n{again}\nWAIT = 23.7\nNext")
     assert after == before
-    assert len(often.controller.moves) == len(once.controller.moves)
+    assert len(often.controller.log.moves) == len(once.controller.log.moves)
 
 
 @cases(

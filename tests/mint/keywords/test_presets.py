@@ -40,7 +40,7 @@ def test_enabling_starts_the_selected_one_and_another_index_the_next() -> None:
 def test_a_preset_moves_at_its_own_speed_and_rates() -> None:
     """20 at 1000: 0.02 + 9.6/20 + 0.02 s. 40 at 500 up to 100 and from there in 0.2 s: 0.2 + 0.2 + 0.2 s."""
     text = "PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)"
-    first, last = (move.profile for move in ran(TABLE + text).controller.moves)
+    first, last = (move.profile for move in ran(TABLE + text).controller.log.moves)
     assert first is not None
     assert last is not None
     assert (first.peak_speed, first.duration) == pytest.approx((20.0, 0.52))
@@ -49,7 +49,7 @@ def test_a_preset_moves_at_its_own_speed_and_rates() -> None:
 
 def test_own_rates_of_the_axis_are_left_alone() -> None:
     text = "PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nMOVER(0) = 40\nGO(0)\nPAUSE IDLE(0)"
-    last = ran(TABLE + text).controller.moves[-1].profile
+    last = ran(TABLE + text).controller.log.moves[-1].profile
     assert last is not None
     assert (last.peak_speed, last.duration) == pytest.approx((100.0, 0.5))
 
@@ -59,9 +59,9 @@ def test_a_trigger_input_starts_it_at_its_edge() -> None:
         TABLE + "PRESETTRIGGERINPUT(0) = 8 : PRESETINDEX(0) = 1\nPRESETMOVEENABLE(0) = 1\nWAIT = 6000",
         input=TRIGGER,
     )
-    assert [move.start_time for move in result.controller.moves] == pytest.approx([0.5, 2.0, 4.0])
+    assert [move.start_time for move in result.controller.log.moves] == pytest.approx([0.5, 2.0, 4.0])
     assert result.controller.position(0) == pytest.approx(30.0)
-    assert [move.command for move in result.controller.moves] == ["PRESETMOVE"] * 3
+    assert [move.command for move in result.controller.log.moves] == ["PRESETMOVE"] * 3
 
 
 def test_each_trigger_steps_on_through_the_table() -> None:
@@ -85,7 +85,7 @@ def test_inputs_select_it() -> None:
     )
     result = ran(TABLE + text + waits, input=[*TRIGGER, *bits])
     assert result.output == ["10.00003", "50.00002"]
-    assert [move.profile.end for move in result.controller.moves if move.profile] == pytest.approx(
+    assert [move.profile.end for move in result.controller.log.moves if move.profile] == pytest.approx(
         [10.0, 0.0, 50.0]
     )
 
@@ -97,7 +97,7 @@ def test_the_table_goes_round_by_itself() -> None:
         "PRESETMOVEENABLE(0) = 1\nWAIT = 2800\n"
     )
     result = ran(TABLE + text + "PRESETMOVEENABLE(0) = 0\nPAUSE IDLE(0)")
-    first, *others = [move.start_time for move in result.controller.moves]
+    first, *others = [move.start_time for move in result.controller.log.moves]
     assert [start - first for start in others] == pytest.approx([0.82, 1.72, 2.62])
     assert result.controller.position(0) == pytest.approx(10.0)
 

@@ -17,7 +17,7 @@ _ENDS = re.compile(r"^(End Loop|End While|Until .*|End If)$", re.MULTILINE)
 def outcome(text: str, machine: dict[str, object], until: float = 3.0) -> tuple[object, ...]:
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
     assert not result.diagnostics
-    return result.output, result.status, round(result.time, 7), len(result.controller.moves)
+    return result.output, result.status, round(result.time, 7), len(result.controller.log.moves)
 
 
 def with_labels(text: str) -> str:

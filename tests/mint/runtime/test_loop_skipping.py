@@ -113,7 +113,7 @@ def outcome(text: str, machine: dict[str, object] | None = None, until: float = 
     """What a program prints, what is wrong with it, and when it ends and moves."""
     machine = machine or {"controller.instruction_time": COST}
     result = run(Source("a.mnt", text), machine=machine, cache=False, until=until)
-    starts = [move.start_time for move in result.controller.moves]
+    starts = [move.start_time for move in result.controller.log.moves]
     wrong = [each.message for each in result.diagnostics]
     return [result.output, wrong, result.status, result.time, *starts]
 
@@ -189,7 +189,7 @@ def test_a_state_machine_polls_for_eight_hours_at_the_price_of_its_moves(
     text = STATES.replace("WANTED", "-1").replace(' : PRINT "arrived ", POS(0)', "")
     result, count = effort(text, monkeypatch)
     assert result.time > 28_000.0
-    moves = len(result.controller.moves)
+    moves = len(result.controller.log.moves)
     assert moves > 1900
     assert count < 20 * moves
 

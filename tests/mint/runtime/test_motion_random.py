@@ -28,7 +28,7 @@ def test_a_random_program_comes_to_an_end_in_order(seed: int) -> None:
 
 
 def test_the_programs_move_something() -> None:
-    moves = {move.command for seed in range(40) for move in ran(program(seed)).controller.moves}
+    moves = {move.command for seed in range(40) for move in ran(program(seed)).controller.log.moves}
     assert {"MOVER", "MOVEA", "VECTORR", "CIRCLER", "JOG", "FOLLOW", "INCR"} <= moves
 
 

@@ -38,7 +38,7 @@ def test_a_program_runs_from_its_bytes() -> None:
     machine = Machine()
     execute(BALL_SCREW, machine)
     assert machine.terminal.lines == ["200.0000"]
-    (move,) = machine.controller.moves
+    (move,) = machine.controller.log.moves
     assert (move.command, move.line) == ("MOVER", 7)
     assert move.start_time == pytest.approx(6 * 10e-6, abs=1e-15)
 
@@ -46,7 +46,7 @@ def test_a_program_runs_from_its_bytes() -> None:
 def test_the_sixth_statement_runs_after_the_time_of_five() -> None:
     machine = Machine()
     execute(BALL_SCREW.replace("vmax = 250\n", "").replace("vmax", "250"), machine)
-    assert machine.controller.moves[0].start_time == 5e-05
+    assert machine.controller.log.moves[0].start_time == 5e-05
 
 
 def test_statements_cost_what_the_machine_says() -> None:

@@ -1,0 +1,116 @@
+"""The log of a run: everything that happened, in order, kind by kind; report, trace and proof read nothing else.
+
+It is only ever added to. What is old is packed (`stream.py`), in memory and then in a file without a name, so that a run
+takes no more memory the longer it lasts.
+"""
+
+from __future__ import annotations
+
+from motionlang.controller.record.stream import DISK, Store, Stream
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+    from typing import Any
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.record.moves import Moves
+    from motionlang.controller.record.records import Changed, Printed, Setting, Turns, Waited
+
+# Profiles of all axes together that are not packed, and those of each axis that never are.
+MOST_PROFILES, LEFT_PROFILES = 40_960, 512
+
+
+class Log:
+    """The streams of a run, all of them in one store.
+
+    moves      every `Move` that was started, in the order of its start; amended until it is over
+    dropped    those that were put into a buffer and thrown out of it again: `ended` says by what
+    inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
+    settings   `Setting`, written where the value is another one
+    waits      `Waited`, each when it is over
+    turns      `Turns`, where there is more than one task
+    prints     `Printed`, those of the console
+
+    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`: `WholeTrack` of
+    `track.py` reads them as one.
+    """
+
+    __slots__ = (
+        "analogue_inputs",
+        "analogue_outputs",
+        "dropped",
+        "inputs",
+        "moves",
+        "others",
+        "outputs",
+        "prints",
+        "room",
+        "settings",
+        "store",
+        "turns",
+        "waits",
+    )
+
+    moves: Moves
+    dropped: Moves
+
+    def __init__(self, disk: int = DISK) -> None:
+        self.store = store = Store(disk=disk)
+        self.inputs: Stream[Changed] = Stream(store, "Changed")
+        self.outputs: Stream[Changed] = Stream(store, "Changed")
+        self.analogue_inputs: Stream[Changed] = Stream(store, "Changed")
+        self.analogue_outputs: Stream[Changed] = Stream(store, "Changed")
+        self.settings: Stream[Setting] = Stream(store, "Setting")
+        self.waits: Stream[Waited] = Stream(store, "Waited")
+        self.turns: Stream[Turns] = Stream(store, "Turns")
+        self.prints: Stream[Printed] = Stream(store, "Printed")
+        self.others: list[Stream[Any]] = []
+        # How many profiles may be made until some are packed.
+        self.room = MOST_PROFILES
+
+    def new(self, kind: str) -> Stream[Any]:
+        """A further stream, such as that of another terminal, of records of a kind."""
+        made: Stream[Any] = Stream(self.store, kind)
+        self.others.append(made)
+        return made
+
+    def power_up(self, axes: Mapping[int, Axis]) -> None:
+        """A controller with these axes begins to write: a program that moves nothing has none."""
+        from motionlang.controller.record.moves import Moves
+
+        self.moves, self.dropped = Moves(self.store, axes), Moves(self.store, axes)
+
+    def make_room(self, axes: Iterable[Axis]) -> None:
+        """Pack the profiles of axes but the newest ones of each; those that a simulated motor follows stay.
+
+        The moves that they are of are packed first.
+        """
+        from motionlang.controller.record.moves import Profiles
+
+        self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
+        kept = 0
+        for a in axes:
+            count = len(a.starts) - LEFT_PROFILES
+            if count > 0 and a.feedback is None:
+                if a.older is None:
+                    a.older = Profiles(self.store)
+                while count > 0:
+                    count -= a.older.take_from(a, count)
+            kept += len(a.starts)
+        self.room = max(MOST_PROFILES - kept, LEFT_PROFILES)
+
+    def forget(self, kept: int, axes: Iterable[Axis]) -> None:
+        """Forget all but about so many records of each kind, and ten times as many profiles of each axis."""
+        streams: tuple[Stream[Any], ...]
+        streams = (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
+                   self.analogue_outputs, self.settings, self.waits, self.turns, self.prints,
+                   *self.others)  # fmt: skip
+        for stream in streams:
+            stream.forget(kept)
+        for a in axes:
+            if a.older is not None and self.moves:
+                a.older.forget(self.moves[self.moves.first].start_time)
+            elif len(a.starts) > 20 * kept:
+                del a.starts[: -10 * kept]
+                del a.profiles[: -10 * kept]

@@ -1,0 +1,177 @@
+"""The moves of a log, and the older profiles of its axes: both as they are packed."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from motionlang.controller.move import Action, Move
+from motionlang.controller.record.stream import PART, Parts, Store, Stream
+from motionlang.profile.packed import packed, unpacked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from typing import Any
+
+    from motionlang.controller.axis import Axis
+    from motionlang.profile import Profile
+
+# What a move is told by that was a path, a jog or the like: what it was is not kept.
+_OTHER = Action()
+
+
+class Moves(Stream[Move]):
+    """Moves as they are; of one that is packed all is kept but its `action`: only whether it has one.
+
+    A move that is under way as its neighbours are packed stays as it is. What an axis did by a move is in its track, and
+    not packed twice.
+    """
+
+    __slots__ = ("_under_way", "axes")
+
+    def __init__(self, store: Store, axes: Mapping[int, Axis]) -> None:
+        super().__init__(store)
+        self._under_way: dict[int, Move] = {}
+        self.axes = axes
+
+    def _rows(self, records: list[Move], first: int) -> list[Any]:
+        live, tracks = self._live(), self.axes
+        rows: list[tuple[object, ...] | None] = []
+        for number, move in enumerate(records, first):
+            if id(move) in live:
+                self._under_way[number] = move
+                rows.append(None)
+                continue
+            a = tracks.get(move.axis)
+            rows.append(_row(move, None if a is None else _place(a, move)))
+        return rows
+
+    def _records(self, rows: list[Any], first: int) -> list[Move]:
+        return [
+            self._under_way[number] if row is None else self._move(row)
+            for number, row in enumerate(rows, first)
+        ]
+
+    def _live(self) -> set[int]:
+        """The identities of the moves that are under way."""
+        moves = [a.move for a in self.axes.values() if a.move is not None]
+        on_top = [getattr(move.action, "offset_entry", None) for move in moves]
+        return {id(move) for move in (*moves, *on_top)}
+
+    def _move(self, row: tuple[Any, ...]) -> Move:
+        axis, command, line, target, start_time, scale, zero, ended, offset, other, overlaid, profile = row
+        move = (_Overlaid if overlaid else Move)(axis, command, line, target)
+        move.start_time, move.scale, move.zero, move.ended, move.offset = (
+            start_time,
+            scale,
+            zero,
+            ended,
+            offset,
+        )
+        if other:
+            move.action = _OTHER
+        if profile is not None:
+            of_track = isinstance(profile, int)
+            move.profile = _profile(self.axes[axis], profile) if of_track else unpacked(profile)
+        return move
+
+
+class _Overlaid(Move):
+    __slots__ = ()
+    overlaid = True
+
+
+def _row(move: Move, place: int | None) -> tuple[object, ...]:
+    profile: object = place
+    if place is None and move.profile is not None:
+        profile = packed(move.profile)
+    return (
+        move.axis,
+        move.command,
+        move.line,
+        move.target,
+        move.start_time,
+        move.scale,
+        move.zero,
+        move.ended,
+        move.offset,
+        move.action is not None,
+        move.overlaid,
+        profile,
+    )
+
+
+def _place(a: Axis, move: Move) -> int | None:
+    """The number of the profile in the track of the axis that is all of a move; None where there is none."""
+    k = bisect_right(a.starts, move.start_time) - 1
+    while k >= 0 and a.starts[k] == move.start_time:
+        if a.profiles[k] is move.profile and a.feedback is None:
+            return k + (0 if a.older is None else a.older.count)
+        k -= 1
+    return None
+
+
+def _profile(a: Axis, number: int) -> Profile:
+    """A profile of the track of an axis."""
+    older = a.older
+    packed_ones = 0 if older is None else older.count
+    if number >= packed_ones:
+        return a.profiles[number - packed_ones]
+    assert older is not None
+    return older.profile(number)
+
+
+class Profiles:
+    """The older profiles of an axis, packed: `count` of them, each with the time at which it began."""
+
+    __slots__ = ("_begins", "_parts")
+
+    def __init__(self, store: Store) -> None:
+        self._parts = Parts(store, lambda rows, _: rows)
+        # When the first profile of each part began.
+        self._begins: list[float] = []
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return self._parts.count
+
+    def take_from(self, a: Axis, most: int) -> int:
+        """Pack a part of the axis's profiles, the oldest ones, at most so many of them: how many those were."""
+        count = min(PART, most)
+        starts, profiles = a.starts[:count], a.profiles[:count]
+        self._parts.append(list(zip(starts, map(packed, profiles), strict=True)))
+        self._begins.append(starts[0])
+        del a.starts[:count]
+        del a.profiles[:count]
+        return count
+
+    def __iter__(self) -> Iterator[tuple[float, Profile]]:
+        for number in range(len(self._parts)):
+            for start, row in self._parts.part(number):
+                yield start, unpacked(row)
+
+    def start(self, number: int) -> float:
+        """When a profile began."""
+        start: float = self._parts.record(number)[0]
+        return start
+
+    def profile(self, number: int) -> Profile:
+        """A profile."""
+        return unpacked(self._parts.record(number)[1])
+
+    def forget(self, time: float) -> None:
+        """Forget what was over at a time; the numbers of the others stay what they are."""
+        while len(self._begins) > 1 and self._begins[1] <= time:
+            self._parts.forget()
+            del self._begins[0]
+
+    def in_force(self, time: float) -> int:
+        """The number of the profile that was in force at a time; that of the first one where none was."""
+        part = max(bisect_right(self._begins, time) - 1, 0)
+        rows = self._parts.part(part)
+        return max(self._parts.firsts[part] + bisect_right(rows, time, key=_start) - 1, 0)
+
+
+def _start(row: tuple[float, object]) -> float:
+    return row[0]

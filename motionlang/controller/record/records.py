@@ -1,0 +1,67 @@
+"""What the records of a log are, kind by kind: their fields in the order in which they are written.
+
+A run writes plain tuples; a stream of the log gives them as these to whoever reads it. Times are seconds of the
+machine's clock. `at` is a place in the program, a token number, of which the dialect's `locate` makes line and column;
+`line` is a line.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Changed(NamedTuple):
+    """A channel has another value: an output that the program set, an input that the world did."""
+
+    time: float
+    channel: int
+    value: float
+
+
+class Printed(NamedTuple):
+    """A whole line that was printed."""
+
+    time: float
+    text: str
+
+
+# What a task may wait for: a time, axes, channels, whoever types, another task, a host, or any of these in a condition
+# such as that of PAUSE.
+CAUSES = ("time", "axis", "input", "operator", "task", "host", "condition")
+
+
+class Waited(NamedTuple):
+    """A task has waited, from `since` to `until`.
+
+    `cause` is one of `CAUSES`, `what` the numbers of its axes or channels, `why` how a person would say it ("" for a
+    time).
+    """
+
+    task: str
+    at: int
+    since: float
+    until: float
+    cause: str
+    what: tuple[int, ...]
+    why: str
+
+
+class Turns(NamedTuple):
+    """The tasks that have computed from `time` to `until`, in turn, while none of them began or ended a wait.
+
+    `seconds` says how long each of `tasks` had the machine. What the sum lacks of the whole are polls that were skipped.
+    """
+
+    time: float
+    until: float
+    tasks: tuple[str, ...]
+    seconds: tuple[float, ...]
+
+
+class Setting(NamedTuple):
+    """A setting of an axis has another value, in counts and seconds, by the controller's name for it."""
+
+    time: float
+    axis: int
+    name: str
+    value: object

@@ -1,0 +1,257 @@
+"""Records of one kind in their order, the newest as they are, the older ones packed: in memory, then on the disk.
+
+A packed part is one `marshal` of plain tuples. It is read back whole when something in it is asked for.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from marshal import dumps, loads
+
+from motionlang.controller.faults import Refusal
+from motionlang.files import reason, scratch
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import IO, Any, Generic, TypeVar, overload
+
+    T = TypeVar("T")
+
+    class _Of(Generic[T]):
+        """What is of a type."""
+else:
+    # To import typing takes longer than a short run.
+    T = None
+
+    class _Of:
+        """What is of a type."""
+
+        __slots__ = ()
+
+        def __class_getitem__(cls, item):
+            return cls
+
+    def overload(function):
+        return function
+
+
+# Bytes of packed records that are held in memory; those that come later are on the disk.
+MEMORY = 16_000_000
+# Bytes that a log may have on the disk before the run ends, unless somebody says otherwise.
+DISK = 8_000_000_000
+# Records of a stream that are not packed, before and after some are.
+MOST, LEFT = 24_576, 8_192
+# Records of a packed part.
+PART = 2048
+
+
+class Store:
+    """Packed parts of a log: bytes in memory, up to `memory` of them, then in a file that has no name.
+
+    The file is gone when the process is, however that ends. Refusal beyond `disk` bytes in it, and where it cannot be
+    written.
+    """
+
+    __slots__ = ("_file", "_written", "disk", "held", "memory")
+
+    def __init__(self, memory: int = MEMORY, disk: int = DISK) -> None:
+        self.memory, self.disk = memory, disk
+        self.held = self._written = 0
+        self._file: IO[bytes] | None = None
+
+    def __del__(self) -> None:
+        if self._file is not None:
+            self._file.close()
+
+    @property
+    def size(self) -> int:
+        """Bytes that were packed, in memory and on the disk."""
+        return self.held + self._written
+
+    def put(self, part: bytes) -> bytes | tuple[int, int]:
+        """Take a part; what it is asked for by."""
+        size = len(part)
+        if self.held + size <= self.memory:
+            self.held += size
+            return part
+        if self._written + size > self.disk:
+            words = f"the log of the run has come to {self.disk / 1e9:g} GB"
+            raise Refusal("limit", words, "shorten the run with --until")
+        try:
+            self._append(part)
+        except OSError as problem:
+            words = f"the log of the run cannot be written: {reason(problem)}"
+            raise Refusal("limit", words, "shorten the run with --until, or make room on the disk") from None
+        place = self._written, size
+        self._written += size
+        return place
+
+    def _append(self, part: bytes) -> None:
+        if self._file is None:
+            self._file = scratch()
+        self._file.seek(self._written)
+        self._file.write(part)
+
+    def get(self, place: bytes | tuple[int, int]) -> bytes:
+        """A part."""
+        if isinstance(place, bytes):
+            return place
+        assert self._file is not None
+        self._file.seek(place[0])
+        return self._file.read(place[1])
+
+    def drop(self, place: bytes | tuple[int, int]) -> None:
+        """Forget a part; its place on the disk stays taken."""
+        if isinstance(place, bytes):
+            self.held -= len(place)
+
+
+class Parts:
+    """Records that are packed, a part of them at a time; `count` is the number of the record behind the last one."""
+
+    __slots__ = ("_cached", "_places", "_read", "_store", "count", "firsts")
+
+    def __init__(self, store: Store, read: Callable[[list[Any], int], list[Any]]) -> None:
+        """`read(rows, first)` makes records of packed rows, the first of which has that number."""
+        self._store, self._read = store, read
+        self.firsts: list[int] = []
+        self._places: list[bytes | tuple[int, int]] = []
+        self.count = 0
+        self._cached: tuple[int, list[Any]] = (-1, [])
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    @property
+    def first(self) -> int:
+        """The number of the oldest record that is kept."""
+        return self.firsts[0] if self.firsts else self.count
+
+    def append(self, rows: list[Any]) -> None:
+        """Pack a part."""
+        self._places.append(self._store.put(dumps(rows)))
+        self.firsts.append(self.count)
+        self.count += len(rows)
+
+    def part(self, number: int) -> list[Any]:
+        """The records of a part."""
+        first = self.firsts[number]
+        if self._cached[0] != first:
+            self._cached = first, self._read(loads(self._store.get(self._places[number])), first)
+        return self._cached[1]
+
+    def record(self, index: int) -> Any:
+        """A record by its number; IndexError where it is not kept."""
+        number = bisect_right(self.firsts, index) - 1
+        if number < 0:
+            raise IndexError(index)
+        return self.part(number)[index - self.firsts[number]]
+
+    def forget(self) -> int:
+        """Forget the oldest part: how many records it had."""
+        gone = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]
+        self._store.drop(self._places.pop(0))
+        del self.firsts[0]
+        return gone
+
+
+class Stream(_Of[T]):
+    """Records of one kind, read as a sequence; `add` is all that a run does to it.
+
+    A record is written as a plain tuple of numbers, texts and tuples, and read as the type of that name in `records`,
+    where one is given. A subclass that keeps something else says how that is packed.
+    """
+
+    __slots__ = ("_kind", "_parts", "_tail")
+
+    def __init__(self, store: Store, kind: str = "") -> None:
+        self._kind = kind
+        self._parts = Parts(store, self._records)
+        self._tail: list[T] = []
+
+    def add(self, record: T | tuple[object, ...]) -> None:
+        """Append a record."""
+        tail = self._tail
+        tail.append(record)  # type: ignore[arg-type]
+        if len(tail) >= MOST:
+            self.pack(MOST - LEFT)
+
+    @property
+    def first(self) -> int:
+        """The number of the oldest record that is kept."""
+        return self._parts.first
+
+    @property
+    def packed(self) -> int:
+        """How many of them are packed, or forgotten."""
+        return self._parts.count
+
+    def __len__(self) -> int:
+        return self._parts.count + len(self._tail)
+
+    def __bool__(self) -> bool:
+        return bool(self._tail) or len(self._parts) > 0
+
+    def __iter__(self) -> Iterator[T]:
+        for number in range(len(self._parts)):
+            yield from self._parts.part(number)
+        yield from self._typed(self._tail)
+
+    def __reversed__(self) -> Iterator[T]:
+        yield from reversed(self._typed(self._tail))
+        for number in reversed(range(len(self._parts))):
+            yield from reversed(self._parts.part(number))
+
+    @overload
+    def __getitem__(self, index: int) -> T: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[T]: ...
+
+    def __getitem__(self, index: int | slice) -> T | list[T]:
+        if isinstance(index, slice):
+            begin, end, step = index.indices(len(self))
+            return [self[i] for i in range(max(begin, self._parts.first), end, step)]
+        index += len(self) if index < 0 else 0
+        behind = index - self._parts.count
+        if behind >= 0:
+            return self._typed([self._tail[behind]])[0]
+        found: T = self._parts.record(index)
+        return found
+
+    def forget(self, kept: int) -> None:
+        """Forget all but the newest records, about `kept` of them; the numbers of the others stay what they are."""
+        while len(self._parts) and len(self) - self._parts.first > 2 * kept:
+            self._parts.forget()
+        if not len(self._parts) and len(self._tail) > 2 * kept:
+            gone = len(self._tail) - kept
+            del self._tail[:gone]
+            self._parts.count += gone
+
+    def pack(self, count: int) -> None:
+        """Pack the oldest records of the tail, so many of them."""
+        while count > 0:
+            part = self._tail[: min(PART, count)]
+            self._parts.append(self._rows(part, self._parts.count))
+            del self._tail[: len(part)]
+            count -= len(part)
+
+    # ------------------------------------------------------------------------------- what a subclass says
+
+    def _rows(self, records: list[T], first: int) -> list[Any]:
+        """Records, the first one of that number, as they are packed."""
+        return records
+
+    def _records(self, rows: list[Any], first: int) -> list[T]:
+        """The same the other way round."""
+        return self._typed(rows)
+
+    # -------------------------------------------------------------------------------------------- inside
+
+    def _typed(self, rows: list[Any]) -> list[T]:
+        if not self._kind:
+            return rows
+        from motionlang.controller.record import records
+
+        return list(map(getattr(records, self._kind)._make, rows))

@@ -1,0 +1,104 @@
+"""The whole motion of an axis: packed profiles and those of now, read like two lists."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.controller.axis import Axis
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.move import Move
+    from motionlang.controller.record.moves import Profiles
+    from motionlang.controller.scale import Scale
+    from motionlang.controller.servo.feedback import Feedback
+    from motionlang.profile import Profile, State
+
+
+class WholeTrack:
+    """An axis as the log has it: `starts[i]` is when `profiles[i]` began, from power-up on."""
+
+    __slots__ = ("_a", "index", "profiles", "starts")
+
+    def __init__(self, a: Axis) -> None:
+        self._a, self.index = a, a.index
+        older = a.older
+        self.starts: Sequence[float] = a.starts
+        self.profiles: Sequence[Profile] = a.profiles
+        if older is not None:
+            self.starts = _Joined(older, 0, a.starts)  # type: ignore[assignment]
+            self.profiles = _Joined(older, 1, a.profiles)  # type: ignore[assignment]
+
+    @property
+    def scale(self) -> Scale:
+        """The scale of the axis now."""
+        return self._a.scale
+
+    @property
+    def move(self) -> Move | None:
+        """The move in progress."""
+        return self._a.move
+
+    @property
+    def feedback(self) -> Feedback | None:
+        """Its motor, where one is simulated."""
+        return self._a.feedback
+
+    def at(self, time: float) -> State:
+        """Position, velocity, acceleration and jerk at a time, counts and seconds."""
+        return self._a.at(time)
+
+    def position(self, time: float) -> float:
+        """The demanded position at a time, counts."""
+        return self._a.position(time)
+
+    def place(self, time: float) -> int:
+        """The number of the profile in force at a time; -1 before power-up."""
+        older = self._a.older
+        if older is None or time >= self._a.starts[0]:
+            return len(self.starts) - len(self._a.starts) + bisect_right(self._a.starts, time) - 1
+        return older.in_force(time)
+
+    def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
+        """Starts and profiles of all that was in force from `begin` to `end`, and what was before; all if unpacked."""
+        if self._a.older is None:
+            return self.starts, self.profiles
+        some = slice(max(self.place(begin) - 1, 0), self.place(end) + 1)
+        return self.starts[some], self.profiles[some]
+
+
+class _Joined:
+    """Packed profiles, or their starts, and those of now, as one sequence."""
+
+    __slots__ = ("_column", "_now", "_older")
+
+    def __init__(self, older: Profiles, column: int, now: list[Any]) -> None:
+        self._older, self._column, self._now = older, column, now
+
+    def __len__(self) -> int:
+        return self._older.count + len(self._now)
+
+    def __iter__(self) -> Iterator[Any]:
+        column = self._column
+        for pair in self._older:
+            yield pair[column]
+        yield from self._now
+
+    def __getitem__(self, index: int | slice) -> Any:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        index += len(self) if index < 0 else 0
+        behind = index - self._older.count
+        if behind >= 0:
+            return self._now[behind]
+        return self._older.profile(index) if self._column else self._older.start(index)
+
+
+class Recorded:
+    """A controller as its log has it: its axes with their whole motion, and the moves."""
+
+    def __init__(self, controller: Controller) -> None:
+        self.axes = {number: WholeTrack(a) for number, a in controller.axes.items()}
+        self.moves = controller.log.moves

@@ -1,0 +1,152 @@
+"""The log of a run: packed or not it reads the same, and packed it is small."""
+
+from __future__ import annotations
+
+import gc
+from math import fsum
+from pathlib import Path
+
+import pytest
+
+from motionlang import report
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import Refusal
+from motionlang.controller.move import Move
+from motionlang.controller.record import log as log_module
+from motionlang.controller.record import stream
+from motionlang.controller.record.log import Log
+from motionlang.controller.record.stream import Store, Stream
+from motionlang.controller.record.track import WholeTrack
+from motionlang.execution import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+SCRIPTS = Path(__file__).parents[3] / "scripts"
+SHUTTLE = """
+Dim n As Integer
+SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
+For n = 1 To 500
+  MOVER(0) = 20
+  GO(0)
+  PAUSE IDLE(0)
+  OUT(0) = 1 - OUT(0)
+  MOVEA(0) = 0
+  GO(0)
+  PAUSE IDLE(0)
+  WAIT(100)
+Next
+Print "done"
+"""
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A log that packs at once, and has all but a few hundred bytes on the disk."""
+    for name, value in (("MOST", 6), ("LEFT", 3), ("PART", 2), ("MEMORY", 400)):
+        monkeypatch.setattr(stream, name, value)
+    monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
+    monkeypatch.setattr(log_module, "MOST_PROFILES", 16)
+    monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
+
+
+def gallery() -> list[str]:
+    """Every fifth program of the gallery."""
+    return [str(path) for path in sorted(SCRIPTS.rglob("*")) if path.suffix in (".mcl", ".mnt")][::5]
+
+
+def figures(result: Run) -> tuple[str, object]:
+    rows = result.trace.sample(100.0).data if result.time < 600.0 else ()
+    return report.text(result), [column.tolist() for column in rows]
+
+
+def test_packed_or_not_a_run_reads_the_same(request: pytest.FixtureRequest) -> None:
+    whole = {name: figures(run(name)) for name in gallery()}
+    request.getfixturevalue("small")
+    packed = 0
+    for name, expected in whole.items():
+        result = run(name)
+        assert figures(result) == expected, name
+        packed += result.controller.log.store.size > 0
+    assert packed > len(whole) // 2
+
+
+def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(log_module, "MOST_PROFILES", 500)
+    monkeypatch.setattr(log_module, "LEFT_PROFILES", 10)
+    monkeypatch.setattr(stream, "PART", 200)
+    result = run(Source("shuttle.mnt", SHUTTLE), cache=False)
+    log = result.controller.log
+    assert len(log.moves) == 1000
+    assert log.moves.packed > 700
+    assert log.store.size / log.moves.packed <= 200
+    gc.collect()
+    assert len([each for each in gc.get_objects() if isinstance(each, Move)]) < 300
+    assert {move.line for move in log.moves} == {5, 9}
+    assert log.moves[700].profile is not None
+    assert log.moves[700].profile.distance == 20.0
+
+
+def test_what_a_program_waited_for_is_in_the_log() -> None:
+    log = run(Source("shuttle.mnt", SHUTTLE), cache=False).controller.log
+    waits = list(log.waits)
+    assert len(waits) == 1500
+    assert [each.cause for each in waits[:3]] == ["condition", "condition", "time"]
+    assert waits[2].until - waits[2].since == pytest.approx(0.1, abs=1e-9)
+    moving = log.moves[0]
+    assert moving.profile is not None
+    assert waits[0].until == pytest.approx(moving.start_time + moving.profile.duration)
+    assert [text for _, text in log.prints] == ["done"]
+    assert [change.value for change in log.outputs][:3] == [1, 0, 1]
+
+
+def test_the_turns_of_tasks_add_up() -> None:
+    program = """Dim n As Integer
+Run Counting
+For n = 1 To 5000 : Next
+Wait(100)
+End
+Task Counting
+  Dim k As Integer
+  For k = 1 To 5000 : Next
+End Task
+"""
+    turns = list(run(Source("two.mnt", program), cache=False).controller.log.turns)
+    assert [each.tasks for each in turns] == [("ParentTask", "counting"), ("counting",)]
+    for each in turns:
+        assert fsum(each.seconds) == pytest.approx(each.until - each.time)
+
+
+@pytest.mark.usefixtures("small")
+def test_a_track_is_read_as_one_list() -> None:
+    axis = run(Source("shuttle.mnt", SHUTTLE), cache=False).controller.axes[0]
+    track = WholeTrack(axis)
+    starts, profiles = list(track.starts), list(track.profiles)
+    assert len(starts) == len(track.starts) == 2001
+    assert starts == sorted(starts)
+    for i in (0, 1, 500, 1999, 2000):
+        assert (track.starts[i], track.profiles[i].end) == (starts[i], profiles[i].end)
+        assert track.place(starts[i]) == i
+    assert axis.position(0.5 * (starts[1] + starts[2])) == pytest.approx(
+        profiles[1].position(0.5 * (starts[2] - starts[1]))
+    )
+
+
+def test_a_stream_forgets_and_keeps_its_numbers(small: None) -> None:
+    numbers: Stream[tuple[int]] = Stream(Store())
+    for k in range(100):
+        numbers.add((k,))
+    numbers.forget(10)
+    kept = [k for (k,) in numbers]
+    assert 10 <= len(kept) <= 20
+    assert (kept[-1], len(numbers), numbers[99]) == (99, 100, (99,))
+    with pytest.raises(IndexError):
+        numbers[0]
+
+
+def test_a_log_that_is_full_ends_the_run_and_keeps_what_is_there(small: None) -> None:
+    controller = Controller(log=Log(disk=2000))
+    with pytest.raises(Refusal, match="the log of the run has come to"):
+        for k in range(10_000):
+            controller.set_output(0, k % 2 + 1)
+    assert 50 < len(controller.log.outputs) < 10_000
+    assert [change.value for change in controller.log.outputs][:2] == [1, 2]
