@@ -103,5 +103,7 @@ def _formula(name: str, parts: tuple[object, ...]) -> Profile:
     from motionlang.profile.rate import Rate
     from motionlang.profile.summed import Sum
 
-    made: Profile = {"Ahead": Ahead, "Chain": Chain, "Composed": Composed, "Rate": Rate, "Sum": Sum}[name](*parts)
+    made: Profile = {"Ahead": Ahead, "Chain": Chain, "Composed": Composed, "Rate": Rate, "Sum": Sum}[name](
+        *parts
+    )
     return made

@@ -167,7 +167,9 @@ def _derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
     return p, v, a, j
 
 
-def _judge_path(proof: Proof, controller: Recorded, master: WholeTrack, i: int, order: Order, end: float) -> None:
+def _judge_path(
+    proof: Proof, controller: Recorded, master: WholeTrack, i: int, order: Order, end: float
+) -> None:
     """The speed along a path and how it changes, and the limits of each axis on it."""
     begin = master.starts[i]
     proof.counts["paths"] += 1
@@ -294,7 +296,9 @@ def _bend(controller: Recorded, order: Order, time: float) -> float:
     return abs(rates[1] - rates[0])
 
 
-def _both(controller: Recorded, order: Order, time: float) -> tuple[list[WholeTrack], list[State], list[State]]:
+def _both(
+    controller: Recorded, order: Order, time: float
+) -> tuple[list[WholeTrack], list[State], list[State]]:
     """The axes of a path, and their states just before a moment and from then on."""
     axes = [controller.axes[number] for number in order.members]
     places = [_place(a, time) for a in axes]

@@ -32,9 +32,6 @@ else:
         def __class_getitem__(cls, item):
             return cls
 
-    def overload(function):
-        return function
-
 
 # Bytes of packed records that are held in memory; those that come later are on the disk.
 MEMORY = 16_000_000
@@ -203,22 +200,25 @@ class Stream(_Of[T]):
         for number in reversed(range(len(self._parts))):
             yield from reversed(self._parts.part(number))
 
-    @overload
-    def __getitem__(self, index: int) -> T: ...
+    if TYPE_CHECKING:
 
-    @overload
-    def __getitem__(self, index: slice) -> list[T]: ...
+        @overload
+        def __getitem__(self, index: int) -> T: ...
 
-    def __getitem__(self, index: int | slice) -> T | list[T]:
-        if isinstance(index, slice):
-            begin, end, step = index.indices(len(self))
-            return [self[i] for i in range(max(begin, self._parts.first), end, step)]
-        index += len(self) if index < 0 else 0
-        behind = index - self._parts.count
-        if behind >= 0:
-            return self._typed([self._tail[behind]])[0]
-        found: T = self._parts.record(index)
-        return found
+        @overload
+        def __getitem__(self, index: slice) -> list[T]: ...
+
+        def __getitem__(self, index: int | slice) -> T | list[T]: ...
+
+    else:
+
+        def __getitem__(self, index):
+            if isinstance(index, slice):
+                begin, end, step = index.indices(len(self))
+                return [self[i] for i in range(max(begin, self._parts.first), end, step)]
+            index += len(self) if index < 0 else 0
+            behind = index - self._parts.count
+            return self._typed([self._tail[behind]])[0] if behind >= 0 else self._parts.record(index)
 
     def forget(self, kept: int) -> None:
         """Forget all but the newest records, about `kept` of them; the numbers of the others stay what they are."""

@@ -253,7 +253,9 @@ class Machine:
         if found is None:
             from motionlang.lang.machine.terminal import labelled
 
-            found = self.terminals[label] = labelled(label, self.terminal, self.clock, self.log.new("Printed"))
+            found = self.terminals[label] = labelled(
+                label, self.terminal, self.clock, self.log.new("Printed")
+            )
         return found
 
     def close_terminals(self) -> None:
