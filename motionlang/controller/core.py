@@ -198,7 +198,7 @@ class Core(Readings):
             buffer.taken(self, a)
 
     def empty(self, a: Axis, ended: str) -> None:
-        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; the log tells of them."""
+        """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; the log tells."""
         entries, a.buffer = a.buffer, []
         for move in entries:
             gone = [move] if move.action is None else [move, *move.action.purge(a)]

@@ -1,7 +1,7 @@
 """The log of a run: everything that happened, in order, kind by kind; report, trace and proof read nothing else.
 
-It is only ever added to. What is old is packed (`stream.py`), in memory and then in a file without a name, so that a run
-takes no more memory the longer it lasts.
+It is only ever added to. What is old is packed (`stream.py`), in memory and then in a file without a name, so that a
+run takes no more memory the longer it lasts.
 """
 
 from __future__ import annotations

@@ -23,8 +23,8 @@ _OTHER = Action()
 class Moves(Stream[Move]):
     """Moves as they are; of one that is packed all is kept but its `action`: only whether it has one.
 
-    A move that is under way as its neighbours are packed stays as it is. What an axis did by a move is in its track, and
-    not packed twice.
+    A move that is under way as its neighbours are packed stays as it is. What an axis did by a move is in its track,
+    and not packed twice.
     """
 
     __slots__ = ("_under_way", "axes")

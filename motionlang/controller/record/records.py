@@ -49,7 +49,7 @@ class Waited(NamedTuple):
 class Turns(NamedTuple):
     """The tasks that have computed from `time` to `until`, in turn, while none of them began or ended a wait.
 
-    `seconds` says how long each of `tasks` had the machine. What the sum lacks of the whole are polls that were skipped.
+    `seconds` says how long each of `tasks` had the machine. What the sum lacks of the whole were skipped polls.
     """
 
     time: float
