@@ -30,12 +30,19 @@ def build(run: Run) -> Row:
     report = _head(run)
     report["moves"] = list(moves(run))
     report |= _tail(run)
+    report["readings"] = readings(run)
     return report
 
 
-def text(run: Run) -> str:
-    """The report as one JSON document, a line a move; it reads back as `build` gives it, in ASCII."""
-    return _document(_head(run), moves(run), _tail(run))
+def text(run: Run, *, whole: bool = True) -> str:
+    """The report as one JSON document, a line a move; it reads back as `build` gives it, in ASCII.
+
+    Where it is not to be `whole` it is what the program does, without the readings that this rests on.
+    """
+    tail = _tail(run)
+    if whole:
+        tail["readings"] = readings(run)
+    return _document(_head(run), moves(run), tail)
 
 
 def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:
@@ -43,6 +50,7 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     head: Row = {"schema": SCHEMA, "program": program, "dialect": dialect, "status": status}
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "not_counted": []}
+    tail["readings"] = []
     return _document(head, iter(()), tail)
 
 
@@ -103,6 +111,13 @@ def axes(run: Run) -> list[Row]:
         for axis in run.controller.axes.values()
         if axis.index in moved or _is_touched(axis)
     ]
+
+
+def readings(run: Run) -> list[str]:
+    """The open readings that the program depended on, by the names under which docs/fidelity.md explains them."""
+    from motionlang.readings.used import depended_on
+
+    return depended_on(run.dialect, run.source.text, run.machine.settings)
 
 
 def written(run: Run) -> list[Row]:

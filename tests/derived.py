@@ -13,6 +13,7 @@ import sys
 WRITERS = (
     "motionlang.lang.parsing.generate",
     "motionlang.mint.keywords.indexing",
+    "motionlang.readings.indexing",
     "tests.keyword_pages",
     "tests.mint_manual",
     "tests.machine_page",

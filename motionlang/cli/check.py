@@ -16,6 +16,7 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
+from motionlang.views.terminal import wants_colour, width_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,9 +27,9 @@ SCHEMA = "motionlang.check/1"
 
 
 class CheckOptions:
-    """What the command line asks of a check: `strict` counts warnings as mistakes."""
+    """What the command line asks of a check: `strict` counts warnings as mistakes, `evidence` lists open readings."""
 
-    __slots__ = ("as_json", "dialect", "machine", "model", "strict")
+    __slots__ = ("as_json", "dialect", "evidence", "machine", "model", "strict")
 
     def __init__(
         self,
@@ -38,9 +39,10 @@ class CheckOptions:
         machine: str | None = None,
         model: str | None = None,
         strict: bool = False,
+        evidence: bool = False,
     ) -> None:
         self.dialect, self.as_json, self.machine = dialect, as_json, machine
-        self.model, self.strict = model, strict
+        self.model, self.strict, self.evidence = model, strict, evidence
 
 
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
@@ -55,7 +57,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         sys.stderr.write(f"no programs in {', '.join(files)}\n")
         return 1
     for file in found_files:
-        language, source, diagnostics = _check(file, options)
+        language, source, settings, diagnostics = _check(file, options)
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file
         complain(
@@ -65,35 +67,58 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         rows.append({"program": name, "dialect": language, "diagnostics": found})
         if not options.as_json:
             sys.stdout.write(f"{name}: {tally(diagnostics) or 'no mistakes'}\n")
+        if options.evidence and settings is not None and source is not None:
+            _tell_evidence(language, source, settings, rows[-1], options.as_json)
     if options.as_json:
         sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
     return 1 if wrong else 0
 
 
-def _check(file: str, options: CheckOptions) -> tuple[str, Source | None, list[Diagnostic]]:
-    """The language, the source that the diagnostics are about (the program or its machine file), the diagnostics."""
+def _tell_evidence(
+    language: str, source: Source, settings: dict[str, object], row: dict[str, object], as_json: bool
+) -> None:
+    """The open readings that a program depends on, with their strength: printed, or put into its row."""
+    from motionlang.readings.entries import readings
+    from motionlang.readings.used import depended_on
+    from motionlang.views.readings import as_dict, listing
+
+    known = readings()
+    found = [known[name] for name in depended_on(dialect(language), source.text, settings)]
+    if as_json:
+        row["readings"] = [as_dict(each) for each in found]
+    else:
+        sys.stdout.write(listing(found, width=width_of(sys.stdout), colour=wants_colour(sys.stdout)))
+
+
+def _check(
+    file: str, options: CheckOptions
+) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic]]:
+    """The language, the source that the diagnostics are about (the program or its machine file), the diagnostics.
+
+    Before the diagnostics stand the settings of its machine, None where the program could not be looked at.
+    """
     language = dialect(options.dialect) if options.dialect is not None else dialect_of(file)
     if language is None:
-        return "", None, [no_dialect(file)]
+        return "", None, None, [no_dialect(file)]
     try:
         source = read_source(file)
     except OSError as error:
-        return language.name, None, [unreadable(file, error)]
+        return language.name, None, None, [unreadable(file, error)]
     path = machine_of(file, options.machine)
     settings: dict[str, object] = {}
     if path is not None:
         try:
             machine = Source.read(path)
         except OSError as error:
-            return language.name, None, [unreadable(path, error)]
+            return language.name, None, None, [unreadable(path, error)]
         try:
             settings = read_machine(machine)
         except ProgramError as error:
-            return language.name, machine, error.diagnostics
+            return language.name, machine, None, error.diagnostics
         axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]
         wrong = missing_axes(settings, axes, language.first_axis)
         if wrong:
-            return language.name, machine, wrong
+            return language.name, machine, None, wrong
     if options.model is not None:
         settings["controller.model"] = options.model
-    return language.name, source, language.check(source, settings)
+    return language.name, source, settings, language.check(source, settings)

@@ -134,6 +134,11 @@ def _add_check(commands: Commands) -> None:
         f"{', '.join(_mccl_models())}",
     )
     parser.add_argument("--strict", action="store_true", help="count warnings as mistakes")
+    parser.add_argument(
+        "--evidence",
+        action="store_true",
+        help="list the open readings that each program depends on, and how strong each is",
+    )
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
@@ -161,6 +166,7 @@ def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> in
         machine=arguments.machine,
         model=arguments.model,
         strict=arguments.strict,
+        evidence=arguments.evidence,
     )
     return check_command(arguments.files, options)
 

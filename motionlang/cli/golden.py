@@ -50,7 +50,7 @@ def differences(program: str, result: Run) -> list[str]:
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
-    found = list(_compare("", expected, json.loads(text(result))))
+    found = list(_compare("", expected, json.loads(text(result, whole=False))))
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read()
@@ -67,7 +67,7 @@ def update(program: str, result: Run) -> bool:
     except (OSError, ValueError):
         pass  # one is missing, or is no JSON
     report, printed = golden_files(program)
-    _write(report, text(result))
+    _write(report, text(result, whole=False))
     if result.output:
         _write(printed, _printed(result))
     elif os.path.exists(printed):

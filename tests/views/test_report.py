@@ -53,6 +53,7 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
         ],
         "diagnostics": [],
         "not_counted": [],
+        "readings": ["mint.statement-time"],
     }
 
 

@@ -1,0 +1,97 @@
+"""Writes `tables.py`, by which a report finds the readings of a program: `python -m motionlang.readings.indexing`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import fill
+from typing import TYPE_CHECKING
+
+from motionlang.files import replacing
+from motionlang.lang.dialect import dialect, dialects
+from motionlang.mint.keywords.switchable import has_default, name_of
+from motionlang.readings.entries import readings
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.readings.entries import Reading
+
+PLACE = Path(__file__).with_name("tables.py")
+HEAD = '''"""The open readings by the words that depend on them. Written by `indexing`; do not edit."""
+
+from __future__ import annotations
+
+'''
+# What puts an axis in motion by its speed and its rates.
+ROLES = ("move", "path", "act")
+# So many letters of words stand on the line of their reading.
+SHORT = 70
+
+
+def written() -> str:
+    """The text of `tables.py`."""
+    tables = {name: dialect(name).table() for name in dialects()}
+    mint = tables["mint"]
+    settings = {name_of(row): row for row in mint if has_default(row)}
+    lines = [
+        HEAD,
+        "# Reading: the words of a language whose use makes a program depend on it.\n",
+        "OPEN = {\n",
+    ]
+    for language, table in tables.items():
+        lines += [f'    "{language}": {{\n', *_open(language, table, settings), "    },\n"]
+    lines += [
+        "}\n",
+        "# Setting at power-up: its word, and what is written instead of it where it shapes a move.\n",
+    ]
+    lines += ["DEFAULTS = {\n", '    "mint": {\n', *_defaults(mint, settings), "    },\n", "}\n"]
+    moves = [word for row in mint if row.role in ROLES for word in _spellings(row)]
+    return "".join((*lines, f"MOTIONS = {_text(moves)}\n"))
+
+
+def _open(language: str, table: Table, settings: dict[str, Keyword]) -> Iterator[str]:
+    for name, each in readings().items():
+        if each.is_open and name not in settings:
+            words = _words(language, table, each)
+            if words:
+                yield f'        "{name}": {_text(words)},\n'
+
+
+def _text(words: list[str]) -> str:
+    """Words as a text in quotes, of several lines where they are many."""
+    joined = " ".join(words).replace("\\", "\\\\")
+    return f'"{joined}"' if len(joined) < SHORT else f'"""\n{fill(joined, 110)}\n"""'
+
+
+def _words(language: str, table: Table, reading: Reading) -> list[str]:
+    """The words of a reading that are of a language, in every spelling."""
+    prefix = reading.name.partition(".")[0]
+    if prefix in dialects() and prefix != language:
+        return []
+    found: list[str] = []
+    for word in reading.words:
+        row = table.get(word)
+        if row is not None:
+            found += _spellings(row)
+        elif word.startswith("@") or prefix == language or not any(map(str.isalpha, word)):
+            found.append(word.lower())
+    return found
+
+
+def _defaults(table: Table, settings: dict[str, Keyword]) -> Iterator[str]:
+    for name, row in settings.items():
+        if readings()[name].is_open:
+            given = set(row.gives.split())
+            same = [each for each in table if given & set(each.gives.split())] if given else []
+            instead = " ".join(word for each in same for word in _spellings(each))
+            yield f'        "{name}": ("{row.name.lower()}", "{instead}"),\n'
+
+
+def _spellings(row: Keyword) -> list[str]:
+    return [spelling.lower() for spelling in (row.name, row.short) if spelling]
+
+
+if __name__ == "__main__":
+    with replacing(str(PLACE)) as file:
+        file.write(written().encode())
