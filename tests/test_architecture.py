@@ -24,6 +24,7 @@ LEVELS: dict[str, int] = {
     "views": 10,
     "execution": 9,
     "remarks": 8,
+    "measured": 8,
     "report": 7,
     "result": 7,
     "readings": 6,

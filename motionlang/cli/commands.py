@@ -26,6 +26,10 @@ PROGRAM = "motionlang"
 FAMILIES = {
     "pvt": ("motionlang.cli.pvt", "position-velocity-time moves for Copley drives"),
     "servo": ("motionlang.cli.servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
+    "compare": (
+        "motionlang.cli.compare",
+        "hold what a real controller recorded against the run: residuals, lag and overshoot, line by line",
+    ),
     "serve": ("motionlang.cli.serve", "let hosts talk to a virtual board, or to a Mint program over Modbus"),
 }
 

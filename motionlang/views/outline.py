@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from motionlang.profile.sample import ORDERS
+from motionlang.profile.sample import ORDERS, piece_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,7 +34,7 @@ def outline(
     span = span or (0.0, trace.end)
     piece, inside = _points(trace, axis, span, bins)
     table = trace.table(axis)
-    values = _evaluate(table.columns[:, piece], inside, ORDERS[quantity])
+    values = piece_values(table.columns[:, piece], inside, ORDERS[quantity])
     times = np.maximum.accumulate(table.origins[piece] + inside)
     trace.to_user(axis, quantity, values)
     return thinned(times, values, span, bins)
@@ -71,19 +71,6 @@ def _points(trace: Trace, axis: int, span: tuple[float, float], bins: int) -> tu
     inside = np.concatenate((inside, np.clip(grid - begins[owner], skipped[owner], lengths[owner])))
     order = np.lexsort((inside, piece))
     return piece[order], inside[order]
-
-
-def _evaluate(columns: Array, x: Array, order: int) -> Array:
-    """Derivative `order` of p(x) = c0 + c1 x + c2 x^2 + c3 x^3 + a sin(w x + f)."""
-    c0, c1, c2, c3, amplitude, omega, phase = columns
-    cubic = [
-        lambda: ((c3 * x + c2) * x + c1) * x + c0,
-        lambda: (3.0 * c3 * x + 2.0 * c2) * x + c1,
-        lambda: 6.0 * c3 * x + 2.0 * c2,
-        lambda: 6.0 * c3,
-    ][order]()
-    wave: Array = amplitude * omega**order * np.sin(omega * x + phase + order * np.pi / 2.0)
-    return np.asarray(cubic + wave, dtype=np.float64)
 
 
 def _extremes(times: Array, values: Array, span: tuple[float, float], bins: int) -> tuple[Array, Array]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from motionlang.controller.record.track import WholeTrack
 from motionlang.controller.record.trajectory_points import AT_ONCE, Points
-from motionlang.profile.sample import ORDERS, PieceTable
+from motionlang.profile.sample import ORDERS, PieceTable, piece_values
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -206,6 +206,14 @@ class Trace:
         """The pieces from one time to another; all of them where the log has packed none."""
         a = self.controller.axes[axis]
         return self.table(axis) if a.older is None else PieceTable(*WholeTrack(a).between(begin, end))
+
+    def at(self, axis: int, quantity: str, times: Array) -> Array:
+        """A quantity of an axis in user units at any `times` (s), in any order."""
+        table = self.table(axis)
+        piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
+        values = piece_values(table.columns[:, piece], times - table.origins[piece], ORDERS[quantity])
+        self.to_user(axis, quantity, values)
+        return values
 
     def resolution(self, axis: int) -> float:
         """One count of an axis in user units."""

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.record.trace import Array, Trace
     from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.measured.comparison import Comparison
     from motionlang.result import Run
     from motionlang.views.panels import Curve
     from motionlang.views.window import Window
@@ -51,23 +52,33 @@ def write_scope(
         file.write(text.encode("utf-8"))
 
 
+def write_comparison(made: Comparison, path: str) -> None:
+    """Write the page of a run with what was measured drawn over it. Raises OSError."""
+    measured = [(each.axis, each.quantity, each.times - made.delay, each.values) for each in made.found]
+    text = page(made.run, measured=measured)
+    with replacing(path) as file:
+        file.write(text.encode("utf-8"))
+
+
 def page(
     run: Run,
     servos: Mapping[int, ServoTrace] = MappingProxyType({}),
     window: Window = WHOLE,
     against: Run | None = None,
+    measured: Sequence[tuple[int, str, Array, Array]] = (),
 ) -> str:
     """The whole page; the same text for the same run.
 
     `servos` has what the motors did, by axis, where that was simulated; the page begins with `window`, and has the rest
-    of the run for whoever looks further; the axes of the run `against` are drawn behind those of the same number.
+    of the run for whoever looks further; the axes of the run `against` are drawn behind those of the same
+    number, and over them what was `measured`: axis, quantity, times (s) and values.
     """
     name = printable(run.source.name)
     return Template(_part("page.html")).substitute(
         generator=f"motionlang {__version__}",
         title=name.replace("&", "&amp;").replace("<", "&lt;"),
         style=_part("style.css"),
-        data=_embedded(_data(run, servos, window, against)),
+        data=_embedded(_data(run, servos, window, against, measured)),
         **{part: _part(f"{part}.js") for part in PARTS},
     )
 
@@ -81,7 +92,13 @@ def _embedded(data: Row) -> str:
     return json.dumps(finite(data), separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
-def _data(run: Run, servos: Mapping[int, ServoTrace], window: Window, against: Run | None) -> Row:
+def _data(
+    run: Run,
+    servos: Mapping[int, ServoTrace],
+    window: Window,
+    against: Run | None,
+    measured: Sequence[tuple[int, str, Array, Array]],
+) -> Row:
     trace = run.trace
     rows: list[Row] = list(moves_of(run))
     lines = sorted({row["line"] for row in rows if row["line"]})
@@ -97,6 +114,15 @@ def _data(run: Run, servos: Mapping[int, ServoTrace], window: Window, against: R
         "events": [],
         "bands": [],
         "axes": [_axis(trace, axis, rows, servos.get(axis)) for axis in trace.axes],
+        "measured": [
+            {
+                "axis": f"axis {axis}",
+                "quantity": quantity,
+                "times": _numbers(times),
+                "values": _numbers(values),
+            }
+            for axis, quantity, times, values in measured
+        ],
         "lanes": [
             {"name": lane.name, "digital": lane.is_digital, "times": lane.times, "values": lane.values}
             for lane in lanes(run.controller)

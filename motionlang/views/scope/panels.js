@@ -39,6 +39,8 @@ function motionPanel(axis, [quantity, unit]) {
   if (quantity === "jerk" && !axis.jerks && !(other && other.jerks)) return null;
   const curves = [trackCurve(axis.track, quantity, order)];
   if (quantity === "position" && axis.motor) curves.unshift(seriesCurve(axis.motor, "motor"));
+  const recorded = data.measured.find((each) => each.axis === axis.name && each.quantity === quantity);
+  if (recorded) curves.unshift(seriesCurve(recorded, "measured"));
   if (other) curves.unshift(trackCurve(other.track, "against", order));
   return { quantity, unit, height: HEIGHTS[quantity], curves, zero: quantity !== "position" };
 }

@@ -1,0 +1,178 @@
+"""`motionlang compare`: what a real controller recorded, held against what the run says."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.input_files import read_machine_file, read_source
+from motionlang.cli.machine_options import add_machine, set_values
+from motionlang.cli.options import Options
+from motionlang.cli.parser import add_command
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect_of, machine_of, run
+from motionlang.measured.comparison import Mapped, compare
+
+if TYPE_CHECKING:
+    from motionlang.cli.parser import Commands
+    from motionlang.measured.comparison import Comparison
+    from motionlang.result import Run
+
+PIPED_WIDTH = 160
+EPILOG = """\
+A column is given a meaning by --map: time, or a quantity and the number of its axis; *FACTOR turns its numbers into
+seconds or user units. Columns that are called as those of --trace need no --map. The delay between the two is found by
+least squares; scale, offset and lag are told, not taken out.
+
+exit status: 0 compared, and within the tolerance; 1 beyond it, or not compared; 2 the command line is wrong
+
+examples:
+  motionlang compare pick.mnt drive.csv --map time=t*0.001 --map position.0=PosAct --tolerance 0.05
+  motionlang compare pick.mnt scope.txt --map position.0=3 --map velocity.0=4 --plot both.html
+"""
+
+
+def add_parser(commands: Commands) -> None:
+    """`motionlang compare` and its options."""
+    parser = add_command(
+        commands,
+        "compare",
+        "hold what a real controller recorded against the run: residuals, lag and overshoot, line by line",
+        _command,
+        EPILOG,
+    )
+    parser.add_argument("file", metavar="FILE", help="the program")
+    parser.add_argument(
+        "recording", metavar="CSV", help="what was recorded, in columns; - reads standard input"
+    )
+    add_machine(parser)
+    parser.add_argument(
+        "--map",
+        action="append",
+        default=[],
+        type=_mapped,
+        metavar="WHAT=COLUMN",
+        help="which column has the time, position.0, velocity.1 …, by its name or number, and times what; may be "
+        "repeated",
+    )
+    parser.add_argument(
+        "--tolerance",
+        action="append",
+        default=[],
+        type=_tolerance,
+        metavar="[WHAT=]X",
+        help="the largest residual allowed in user units: of every position, of position.0 …; may be repeated",
+    )
+    parser.add_argument(
+        "--delay",
+        type=float,
+        metavar="S",
+        help="seconds that the recording is later than the run; found without it",
+    )
+    parser.add_argument(
+        "--until", type=float, metavar="S", help="end the run after S seconds of machine time"
+    )
+    parser.add_argument("--plot", metavar="OUT", help="draw both into an .html page to look around in")
+    parser.add_argument(
+        "--all", action="store_true", help="every move with its phases, however many there are"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+
+
+def _mapped(text: str) -> Mapped:
+    what, equals, column = text.partition("=")
+    name, star, factor = column.rpartition("*")
+    if not equals or not column:
+        raise argparse.ArgumentTypeError(f"{text!r} is not WHAT=COLUMN, such as position.0=PosAct")
+    if not star:
+        return Mapped(what.strip(), column.strip(), None)
+    try:
+        return Mapped(what.strip(), name.strip(), float(factor))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r}: {factor!r} is not a number to multiply by") from None
+
+
+def _tolerance(text: str) -> tuple[str, float]:
+    what, equals, number = text.rpartition("=")
+    try:
+        value = float(number)
+    except ValueError:
+        value = -1.0
+    if not 0.0 <= value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a tolerance: a number of 0 or more, such as 0.05")
+    return (what.strip() if equals else "position"), value
+
+
+def _command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
+        parser.error("--plot draws .html pages here")
+    result = _ran(arguments, parser)
+    if result is None:
+        return 1
+    try:
+        recording = read_source(arguments.recording)
+    except OSError as error:
+        complain([unreadable(arguments.recording, error)], None, arguments.recording)
+        return 1
+    try:
+        made = compare(
+            result, recording, arguments.map, tolerances=dict(arguments.tolerance), delay=arguments.delay
+        )
+    except ProgramError as error:
+        complain(error.diagnostics, recording, arguments.recording)
+        return 1
+    _show(made, arguments)
+    complain(made.remarks, recording, arguments.recording)
+    status = _plot(made, arguments.plot) if arguments.plot is not None else 0
+    return 1 if made.is_within is False else status
+
+
+def _ran(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Run | None:
+    """The run; None where there is none to compare with."""
+    settings: dict[str, object] = {}
+    overrides: dict[str, float | str] = {}
+    set_values(arguments.set, settings, overrides, parser)
+    if arguments.dialect is None and dialect_of(arguments.file) is None:
+        complain([no_dialect(arguments.file)], None, arguments.file)
+        return None
+    options = Options(arguments.file)
+    options.machine = machine_of(arguments.file, arguments.machine)
+    if options.machine is not None and read_machine_file(options, settings):
+        return None
+    try:
+        source = read_source(arguments.file)
+    except OSError as error:
+        complain([unreadable(arguments.file, error)], None, arguments.file)
+        return None
+    result = run(
+        source, dialect=arguments.dialect, machine=settings, overrides=overrides, until=arguments.until
+    )
+    complain(result.diagnostics, result.source, arguments.file)
+    return result if result.time > 0.0 else None
+
+
+def _show(made: Comparison, arguments: argparse.Namespace) -> None:
+    if arguments.json:
+        sys.stdout.write(json.dumps(made.report(), indent=1) + "\n")
+        return
+    from motionlang.views.comparison import render_comparison
+    from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+    width = width_of(sys.stdout) if is_terminal(sys.stdout) else PIPED_WIDTH
+    text = render_comparison(made, width=width, colour=wants_colour(sys.stdout), everything=arguments.all)
+    sys.stdout.write(text if draws(sys.stdout) else plain(text))
+
+
+def _plot(made: Comparison, path: str) -> int:
+    from motionlang.views.scope import write_comparison
+
+    try:
+        write_comparison(made, path)
+    except OSError as error:
+        complain([unwritten(path, error)], None, os.path.basename(path))
+        return 1
+    return 0

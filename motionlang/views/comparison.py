@@ -1,0 +1,138 @@
+"""A recording against a run, for a person: how far each signal is off, and each move with its lag and overshoot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from motionlang.views.grid import Column, decimals_of, grid
+from motionlang.views.terminal import printable, styled
+from motionlang.views.words import dialect_name, figure, outcome
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.measured.comparison import Comparison
+
+    Row = dict[str, Any]
+
+# Up to so many moves are shown with their phases; of more than `MOST`, those that are furthest off.
+WITH_PHASES, MOST = 6, 40
+
+_SIGNALS = (
+    Column("signal", align="<", style="word"),
+    Column("column", align="<", drop=2),
+    Column("points", drop=3),
+    Column("scale", drop=1),
+    Column("offset", "uu", drop=1),
+    Column("lag", "ms"),
+    Column("largest", "uu"),
+    Column("at", "s"),
+    Column("RMS", "uu"),
+    Column("", align="<"),
+)
+_MOVES = (
+    Column("signal", align="<", style="word"),
+    Column("move", align="<"),
+    Column("line"),
+    Column("start", "s", drop=1),
+    Column("lag", "ms"),
+    Column("largest", "uu"),
+    Column("at", "s", drop=1),
+    Column("RMS", "uu"),
+    Column("overshoot", "uu"),
+    Column("", align="<"),
+)
+
+
+def render_comparison(
+    made: Comparison, *, width: int = 100, colour: bool = False, everything: bool = False
+) -> str:
+    """The comparison as text that ends with a newline; of very many moves the worst, or all of them."""
+    run = made.run
+    head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"
+    later = "later" if made.delay >= 0.0 else "earlier"
+    parts = [[head, f"the recording is {abs(made.delay):.6f} s {later} than the run"]]
+    parts.append(
+        grid(_SIGNALS, [_signal(row, made.signals) for row in made.signals], width=width, colour=colour)
+    )
+    if made.moves:
+        parts.append(_moves(made.moves, width, colour, everything))
+    if made.is_within is not None:
+        verdict = "every residual keeps its tolerance" if made.is_within else _verdict(made)
+        parts.append([styled(verdict, "note" if made.is_within else "error", colour)])
+    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+
+
+def _verdict(made: Comparison) -> str:
+    beyond = [row for row in made.moves if row["within"] is False]
+    if not beyond:
+        return "a residual is beyond its tolerance while nothing moved"
+    if len(made.moves) == 1:
+        return "the move is beyond its tolerance"
+    return f"{len(beyond)} of {len(made.moves)} moves are beyond their tolerance"
+
+
+def _signal(row: Row, rows: Sequence[Row]) -> list[str]:
+    return [
+        row["signal"],
+        printable(row["column"]),
+        str(row["points"]),
+        f"{row['scale']:.6g}",
+        figure(row["offset"], 6),
+        _lag(row["lag"]),
+        *_peaks(row, rows),
+    ]
+
+
+def _peaks(row: Row, rows: Sequence[Row]) -> list[str]:
+    """The largest residual, when, the RMS, and whether that is too much."""
+    if row["peak"] is None:
+        return ["", "", "", "not recorded"]
+    places = decimals_of(
+        [each[name] for each in rows for name in ("peak", "rms") if each["peak"] is not None]
+    )
+    verdict = {None: "", True: "within", False: "beyond"}[row["within"]]
+    return [figure(row["peak"], places), figure(row["peak_time"], 6), figure(row["rms"], places), verdict]
+
+
+def _lag(seconds: float | None) -> str:
+    return "" if seconds is None else f"{1000.0 * seconds:.3f}"
+
+
+def _moves(rows: Sequence[Row], width: int, colour: bool, everything: bool) -> list[str]:
+    shown = list(rows)
+    if len(rows) > MOST and not everything:
+        worst = sorted(rows, key=lambda row: (-abs(row["peak"] or 0.0), row["start_time"]))[:MOST]
+        shown = sorted(worst, key=lambda row: row["start_time"])
+    texts, styles = [], []
+    for row in shown:
+        texts.append(_move(row, shown))
+        styles.append("")
+        for k, phase in enumerate(row["phases"] if everything or len(rows) <= WITH_PHASES else []):
+            mark = "└" if k == len(row["phases"]) - 1 else "├"
+            peak, at, rms, verdict = _peaks(phase, shown)
+            texts.append(["", f"{mark} {phase['name']}", "", "", "", peak, at, rms, "", verdict])
+            styles.append(phase["name"])
+    lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
+    if len(shown) < len(rows):
+        lines.append(
+            styled(f"the {len(shown)} worst of {len(rows)} moves; --all shows the others", "dim", colour)
+        )
+    return lines
+
+
+def _move(row: Row, rows: Sequence[Row]) -> list[str]:
+    overshoot = row.get("overshoot")
+    peak, at, rms, verdict = _peaks(row, rows)
+    return [
+        row["signal"],
+        printable(row["command"] or "move"),
+        str(row["line"] or ""),
+        figure(row["start_time"], 6),
+        _lag(row["lag"]),
+        peak,
+        at,
+        rms,
+        "" if overshoot is None else figure(overshoot, 6),
+        verdict,
+    ]
