@@ -68,7 +68,7 @@ def test_the_same_motion_is_found_wherever_the_recording_begins(delay: float) ->
 def test_what_was_put_in_comes_out() -> None:
     """Two axes, one 5 ms behind the other; 3 uu of overshoot; one reading that is 2 uu off while at speed."""
     end = simulated().trace.end
-    second = next(move for move in simulated().controller.moves if move.line == 8)
+    second = next(move for move in simulated().controller.log.moves if move.line == 8)
     over = second.start_time + (second.profile.duration if second.profile else 0.0) + 0.05
 
     def real(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
