@@ -76,7 +76,7 @@ def add_parser(commands: Commands) -> None:
     parser.add_argument(
         "--until", type=float, metavar="S", help="end the run after S seconds of machine time"
     )
-    parser.add_argument("--plot", metavar="OUT", help="draw both into an .html page to look around in")
+    parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page to look around in")
     parser.add_argument(
         "--all", action="store_true", help="every move with its phases, however many there are"
     )
