@@ -43,7 +43,6 @@ NAMED = {
     "lang/machine/nonvolatile.py": "NVLONG",
     # Commands that the code around them speaks of to the user, or that open a block.
     "mccl/lint/check.py": "MD",
-    "mccl/motion/contour.py": "CP",
     "mccl/motion/gear.py": "SM",
     "mccl/motion/joystick.py": "JN",
     "mccl/motion/path.py": "CM VA VD VO VV",

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.motion.sampled_velocity import Track
     from motionlang.controller.moves.entries import Make, Table
+    from motionlang.controller.moves.geometry import Arc, Line
+    from motionlang.controller.moves.guide import Guide
     from motionlang.controller.readers import Reader, Writer
     from motionlang.controller.record.trace import Trace
     from motionlang.controller.triggers.latch import Compare, Latch
@@ -115,6 +117,27 @@ class Controller(AxisVerbs):
         from motionlang.controller.moves import path
 
         path.load_arc(self, axes, centre, angle, rest, relative, command, line)
+
+    def load_guided(
+        self,
+        axes: Sequence[int],
+        geometry: Line | Arc,
+        guide: Guide,
+        command: str = "",
+        line: int = 0,
+    ) -> None:
+        """Put a path into the buffers of its axes that goes by what its guide says of its pace and of what it joins."""
+        from motionlang.controller.moves import path
+
+        path.load_guided(self, axes, geometry, guide, command, line)
+
+    def replan_path(self, axis: int) -> None:
+        """Go on along the path that the axis is on at the pace that its guide says now."""
+        from motionlang.controller.moves.path import run_of
+
+        run = run_of(self.axes[axis])
+        if run is not None:
+            run.replan()
 
     def blend(self, axis: int) -> None:
         """Begin the next path of the axis now, on top of what remains of the present one."""

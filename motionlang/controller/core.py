@@ -19,6 +19,8 @@ from motionlang.profile.relief import onset
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from motionlang.controller.axis import Axis
     from motionlang.profile import Profile
 
@@ -207,6 +209,13 @@ class Core(Readings):
             if move.action is None or not move.action.is_sequel:
                 for each in gone:
                     self.log.dropped.add(each)
+
+    def drop(self, axes: Iterable[int], command: str, line: int, ended: str) -> None:
+        """Tell of a motion that a language kept back and will not do."""
+        for axis in axes:
+            move = Move(axis, command, line, self.axes[axis].target)
+            move.ended = ended
+            self.log.dropped.add(move)
 
     def replan_move(self, a: Axis) -> None:
         """Go on to the same target with the settings as they are now."""

@@ -10,17 +10,21 @@ from motionlang.profile.total import total
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import TypeVar
 
     from motionlang.profile import Profile
+
+    _Value = TypeVar("_Value")
 
 
 class Segment:
     """One path laid out: its `length` in user units, and each axis's curve over that length, in counts.
 
-    `entry` and `leaving` are unit tangents in user units; `turn` is the curvature (1/radius) of the path.
+    `entry` and `leaving` are tangents in user units per unit of length; `turn` is the curvature (1/radius) of the path.
+    `starts` are where it begins, to the last figure, of an arc that arrives where a language says.
     """
 
-    __slots__ = ("curves", "ends", "entry", "leaving", "length", "turn")
+    __slots__ = ("curves", "ends", "entry", "leaving", "length", "starts", "turn")
 
     def __init__(
         self,
@@ -33,6 +37,20 @@ class Segment:
     ) -> None:
         self.length, self.curves, self.ends = length, curves, ends
         self.entry, self.leaving, self.turn = entry, leaving, turn
+        self.starts: Sequence[float] | None = None
+
+    @property
+    def stretch(self) -> float:
+        """The way in space per unit of length: 1, but where a language counts the length of a path otherwise."""
+        return hypot(*self.entry) if self.length else 1.0
+
+    def shift(self, k: int, by: float) -> None:
+        """Axis number k of the path counts from another zero: the same places have positions `by` counts higher."""
+        if self.length:
+            self.curves = [each.shifted(by) if i == k else each for i, each in enumerate(self.curves)]
+        self.ends = [each + by if i == k else each for i, each in enumerate(self.ends)]
+        if self.starts is not None:
+            self.starts = [each + by if i == k else each for i, each in enumerate(self.starts)]
 
     def steepest(self, k: int) -> float:
         """The largest number of counts that axis number k of the path moves per user unit of path."""
@@ -40,21 +58,29 @@ class Segment:
 
 
 class Line:
-    """Straight to `targets`, counts."""
+    """Straight to `targets`, counts; `length` is what it counts as where that is not the way in space."""
 
-    __slots__ = ("targets",)
+    __slots__ = ("length", "targets")
 
-    def __init__(self, targets: Sequence[float]) -> None:
-        self.targets = targets
+    def __init__(self, targets: Sequence[float], length: float | None = None) -> None:
+        self.targets, self.length = targets, length
 
     def moved(self, starts: Sequence[float]) -> Line:
         """The same with its numbers counted from `starts`."""
-        return Line([start + target for start, target in zip(starts, self.targets, strict=True)])
+        return Line([start + target for start, target in zip(starts, self.targets, strict=True)], self.length)
+
+    def shift(self, k: int, by: float) -> None:
+        """Axis number k counts from another zero, `by` counts higher."""
+        self.targets = [each + by if i == k else each for i, each in enumerate(self.targets)]
+
+    def ends(self, starts: Sequence[float], scales: Sequence[float]) -> Sequence[float]:
+        """Where it ends, counts."""
+        return self.targets
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
         """The segment from `starts`."""
         way = [(end - start) / k for start, end, k in zip(starts, self.targets, scales, strict=True)]
-        length = hypot(*way)
+        length = hypot(*way) if self.length is None else self.length
         if length == 0.0:
             return Segment(0.0, (), self.targets, (), ())
         curves = [line_over(length, a, b) for a, b in zip(starts, self.targets, strict=True)]
@@ -63,54 +89,97 @@ class Line:
 
 
 class Arc:
-    """About `centre` (counts of the first two axes) by `angle` degrees, positive from the first axis to the second.
+    """About `centre` (counts of two axes) by `angle` degrees, positive from the first of them to the second.
 
-    Further axes go evenly to `targets`: a helix, whose length is that of the line in space.
+    Further axes go evenly to `rest`: a helix, whose length is that of the line in space unless `length` says what it
+    counts as. `plane` are the places of the two among the axes; `arrives` is where they end, where a language says so.
     """
 
-    __slots__ = ("angle", "centre", "rest")
+    __slots__ = ("angle", "arrives", "centre", "length", "plane", "rest")
 
-    def __init__(self, centre: tuple[float, float], angle: float, rest: Sequence[float] = ()) -> None:
+    def __init__(
+        self,
+        centre: Sequence[float],
+        angle: float,
+        rest: Sequence[float] = (),
+        length: float | None = None,
+        plane: tuple[int, int] = (0, 1),
+        arrives: Sequence[float] | None = None,
+    ) -> None:
         self.centre, self.angle, self.rest = centre, angle, rest
+        self.length, self.plane, self.arrives = length, plane, arrives
 
     def moved(self, starts: Sequence[float]) -> Arc:
         """The same with its numbers counted from `starts`."""
-        x, y, *others = starts
+        (x, y), others = self._split(starts)
         rest = [start + value for start, value in zip(others, self.rest, strict=True)]
-        return Arc((self.centre[0] + x, self.centre[1] + y), self.angle, rest)
+        arrives = None if self.arrives is None else (self.arrives[0] + x, self.arrives[1] + y)
+        centre = self.centre[0] + x, self.centre[1] + y
+        return Arc(centre, self.angle, rest, self.length, self.plane, arrives)
 
-    def ends(self, starts: Sequence[float], scales: Sequence[float]) -> list[float]:
+    def shift(self, k: int, by: float) -> None:
+        """Axis number k counts from another zero, `by` counts higher."""
+        if k not in self.plane:
+            place = [i for i in range(len(self.rest) + 2) if i not in self.plane].index(k)
+            self.rest = [each + by if i == place else each for i, each in enumerate(self.rest)]
+            return
+        ways = [by if each == k else 0.0 for each in self.plane]
+        self.centre = self.centre[0] + ways[0], self.centre[1] + ways[1]
+        if self.arrives is not None:
+            self.arrives = self.arrives[0] + ways[0], self.arrives[1] + ways[1]
+
+    def ends(self, starts: Sequence[float], scales: Sequence[float]) -> Sequence[float]:
         """Where it ends, counts."""
-        (cx, cy), (kx, ky) = self.centre, scales[:2]
+        start, _ = self._split(starts)
+        if self.arrives is not None:
+            return self._joined(self.arrives, self.rest)
         if self.angle % 360.0 == 0.0:
-            return [*starts[:2], *self.rest]
-        x, y = rotated((starts[0] - cx) / kx, (starts[1] - cy) / ky, self.angle)
-        return [cx + x * kx, cy + y * ky, *self.rest]
+            return self._joined(start, self.rest)
+        (cx, cy), (kx, ky) = self.centre, self._split(scales)[0]
+        x, y = rotated((start[0] - cx) / kx, (start[1] - cy) / ky, self.angle)
+        return self._joined((cx + x * kx, cy + y * ky), self.rest)
 
     def lay(self, starts: Sequence[float], scales: Sequence[float]) -> Segment:
         """The segment from `starts`."""
-        (cx, cy), (kx, ky) = self.centre, scales[:2]
-        x, y = (starts[0] - cx) / kx, (starts[1] - cy) / ky
+        (cx, cy), ((kx, ky), along) = self.centre, self._split(scales)
+        start, others = self._split(starts)
+        x, y = (start[0] - cx) / kx, (start[1] - cy) / ky
         radius, sweep = hypot(x, y), radians(self.angle)
-        climbs = [(end - start) / k for start, end, k in zip(starts[2:], self.rest, scales[2:], strict=True)]
+        climbs = [(end - start) / k for start, end, k in zip(others, self.rest, along, strict=True)]
         round_ = radius * abs(sweep)
-        length, ends = hypot(round_, *climbs), self.ends(starts, scales)
+        length = hypot(round_, *climbs) if self.length is None else self.length
+        ends = self.ends(starts, scales)
         if length == 0.0:
             return Segment(0.0, (), ends, (), ())
         if round_ == 0.0:
-            return Line(ends).lay(starts, scales)
-        angle = direction(x, y)
-        curves = [
-            arc_over(length, cx, radius * kx, angle, sweep, ends[0], True),
-            arc_over(length, cy, radius * ky, angle, sweep, ends[1], False),
-            *(line_over(length, a, b) for a, b in zip(starts[2:], self.rest, strict=True)),
-        ]
+            return Line(ends, self.length).lay(starts, scales)
+        angle, (end_x, end_y) = direction(x, y), self._split(ends)[0]
+        curves = self._joined(
+            (
+                arc_over(length, cx, radius * kx, angle, sweep, end_x, True),
+                arc_over(length, cy, radius * ky, angle, sweep, end_y, False),
+            ),
+            [line_over(length, a, b) for a, b in zip(others, self.rest, strict=True)],
+        )
         slopes = [climb / length for climb in climbs]
         flat = (round_ / length) * (1.0 if sweep > 0.0 else -1.0)
         out_x, out_y = rotated(x, y, self.angle)
-        entry = [-y / radius * flat, x / radius * flat, *slopes]
-        leaving = [-out_y / radius * flat, out_x / radius * flat, *slopes]
-        return Segment(length, curves, ends, entry, leaving, abs(sweep) / length)
+        entry = self._joined((-y / radius * flat, x / radius * flat), slopes)
+        leaving = self._joined((-out_y / radius * flat, out_x / radius * flat), slopes)
+        laid = Segment(length, curves, ends, entry, leaving, abs(sweep) / length)
+        laid.starts = starts if self.arrives is not None else None
+        return laid
+
+    def _split(self, values: Sequence[float]) -> tuple[tuple[float, float], list[float]]:
+        """Those of the two axes that go round, and those of the others."""
+        i, j = self.plane
+        return (values[i], values[j]), [each for k, each in enumerate(values) if k not in self.plane]
+
+    def _joined(self, plane: Sequence[_Value], others: Sequence[_Value]) -> list[_Value]:
+        """The reverse: one for each axis."""
+        left = iter(others)
+        i, j = self.plane
+        return [plane[0] if k == i else plane[1] if k == j else next(left) for k in range(2 + len(others))]
 
 
 def corner(before: Segment, after: Segment) -> float:

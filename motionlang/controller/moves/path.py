@@ -8,7 +8,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
-from motionlang.controller.moves.geometry import Arc, Line, limits
+from motionlang.controller.moves.geometry import Arc, Line, corner, limits
 from motionlang.profile.lookahead import Pace
 
 TYPE_CHECKING = False
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
     from motionlang.controller.moves.geometry import Segment
+    from motionlang.controller.moves.guide import Guide
     from motionlang.controller.moves.path_run import PathRun
     from motionlang.profile import Profile
 
@@ -25,25 +26,45 @@ if TYPE_CHECKING:
 class PathMove(Action):
     """One path: its `moves`, one an axis, and its geometry; `run` once it is under way.
 
-    The geometry of a `relative` one counts from where its axes are when it begins.
+    The geometry of a `relative` one counts from where its axes are when it begins. A path with a `guide` goes by what
+    that says, and not by the settings of its axes.
     """
 
-    __slots__ = ("axes", "geometry", "moves", "relative", "run")
+    __slots__ = ("axes", "geometry", "guide", "moves", "relative", "run")
 
     def __init__(
-        self, axes: Sequence[Axis], moves: Sequence[Move], geometry: Line | Arc, relative: bool
+        self,
+        axes: Sequence[Axis],
+        moves: Sequence[Move],
+        geometry: Line | Arc,
+        relative: bool,
+        guide: Guide | None = None,
     ) -> None:
         self.axes, self.moves, self.geometry, self.relative = tuple(axes), tuple(moves), geometry, relative
+        self.guide = guide
         self.run: PathRun | None = None
 
     @property
     def live(self) -> bool:
-        return True
+        return self.guide is None
 
     @property
     def scales(self) -> list[float]:
         """Counts per user unit of each axis."""
-        return [a.scale.counts for a in self.axes]
+        return [a.scale.counts for a in self.axes] if self.guide is None else self.guide.scales
+
+    @property
+    def may_join(self) -> bool:
+        """Whether it may go on into the next path at all."""
+        return self.guide is not None or self.axes[0].contour_mode
+
+    def joins(self, own: Segment, following: PathMove, its: Segment) -> bool:
+        """Whether it goes on into the next path without coming to rest, both laid out."""
+        if not its.length:
+            return False
+        if self.guide is None or following.guide is None:
+            return self.guide is following.guide and corner(own, its) <= self.axes[0].contour_angle
+        return self.guide.joins(own, following.guide, its)
 
     def lay(self, starts: Sequence[float]) -> Segment:
         """The path from where its axes are, or will be."""
@@ -52,6 +73,8 @@ class PathMove(Action):
 
     def pace(self, controller: Core, segment: Segment) -> Pace:
         """Speed and rates along the path in user units: the master's, as far as the limits of each axis allow."""
+        if self.guide is not None:
+            return self.guide.pace()
         master, move = self.axes[0], self.moves[0]
         speed = master.speed if move.speed is None else move.speed
         if not speed > 0.0:
@@ -168,6 +191,10 @@ class PathMove(Action):
         self.run.abandon(a, ended)
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        """The axis gets another zero: the places of guided paths stay, those of others are not given one."""
+        if self.guide is not None and self.run is not None:
+            self.run.shift(a, shift)
+            return
         raise Refusal(
             "moving",
             f"axis {a.index} is on a path: its position cannot be given a new value",
@@ -216,6 +243,15 @@ def load_arc(
     _put(members, geometry, ends, command, line, relative)
 
 
+def load_guided(
+    controller: Core, axes: Sequence[int], geometry: Line | Arc, guide: Guide, command: str, line: int
+) -> None:
+    """Put a path that goes by its guide, its geometry in counts, into the buffers of its axes."""
+    members = [controller.movable(axis) for axis in axes]
+    ends = geometry.ends(_starts(members), guide.scales)
+    _put(members, geometry, ends, command, line, guide=guide)
+
+
 def _members(controller: Core, axes: Sequence[int]) -> list[Axis]:
     if len(set(axes)) != len(axes) or len(axes) < 2:
         raise Refusal("axis", "a path needs two or more different axes", "MOVEA and MOVER move one axis")
@@ -240,6 +276,7 @@ def _put(
     command: str,
     line: int,
     relative: bool = False,
+    guide: Guide | None = None,
 ) -> None:
     """Put a path into the buffers of its axes; `targets` are its ends, counted from where those before it end."""
     for a, target in zip(members, targets, strict=True):
@@ -248,7 +285,7 @@ def _put(
         if not abs(target) < 1e300:
             raise Refusal("range", f"axis {a.index} cannot move to {target:g}")
     moves = [Move(a.index, command, line, target) for a, target in zip(members, targets, strict=True)]
-    action = PathMove(members, moves, geometry, relative)
+    action = PathMove(members, moves, geometry, relative, guide)
     for a, move in zip(members, moves, strict=True):
         move.action = action
         move.base = buffer.end(a) if relative else None

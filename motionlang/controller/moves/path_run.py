@@ -79,6 +79,8 @@ class PathRun:
 
     def plan(self) -> None:
         """Make ready to begin, at rest on the path."""
+        if self.here.guide is not None:
+            self.here.guide.starts()
         try:
             self._look_ahead()
             self._adopt(0.0)
@@ -117,6 +119,8 @@ class PathRun:
         for each in self.axes:
             each.held &= ~BY_WORD
         controller.empty(a, ended)
+        if self.here.guide is not None:
+            self.here.guide.stops()
         if self.ended and not (hard and (ended == "fault" or not self._hard)):
             return
         decel = None
@@ -150,9 +154,19 @@ class PathRun:
             return
         self._over = True
         self._cancel()
+        self._left(False)
         for a in self.axes:
             if a is not leaving:
                 self._controller.freeze(a, ended)
+
+    def shift(self, a: Axis, by: float) -> None:
+        """An axis counts from another zero, `by` counts higher: the paths stay where they are."""
+        k = self.axes.index(a)
+        for segment in (self.segment, *(each for _, each in self.ahead)):
+            segment.shift(k, by)
+        for move in motions(a):
+            move.action.geometry.shift(k, by)  # type: ignore[union-attr]
+            move.target += by
 
     def blend(self) -> None:
         """Begin the next path now, on top of what remains of this one."""
@@ -193,17 +207,16 @@ class PathRun:
 
     def _look_ahead(self) -> None:
         """Lay out the paths of the buffers that can be entered without coming to rest."""
-        master = self.axes[0]
-        if not master.contour_mode or self.ended:
+        if not self.here.may_join or self.ended:
             return
         before = self.ahead[-1] if self.ahead else (self.here, self.segment)
-        entries = motions(master)
+        entries = motions(self.axes[0])
         while len(entries) > len(self.ahead):
             action = entries[len(self.ahead)].action
             if not _continues(action, self.axes, len(self.ahead)):
                 return
             segment = action.lay(before[1].ends)  # type: ignore[union-attr]
-            if not segment.length or corner(before[1], segment) > master.contour_angle:
+            if not before[0].joins(before[1], action, segment):  # type: ignore[arg-type]
                 return
             before = (action, segment)  # type: ignore[assignment]
             self.ahead.append(before)
@@ -288,6 +301,8 @@ class PathRun:
         controller = self._controller
         self.here.run = self
         self.began = controller.clock.now
+        if self.here.guide is not None:
+            self.here.guide.begins()
         part = self._part()
         with controller.together():
             for k, (a, move) in enumerate(zip(self.axes, self.here.moves, strict=True)):
@@ -326,6 +341,8 @@ class PathRun:
         if not self.segment.length:
             return hold(self.segment.ends[k]).cut(0.0)
         made = travelled(part, self.segment.curves[k])
+        if self.segment.starts is not None and part.start == 0.0:
+            made.start = self.segment.starts[k]
         arrives = self.goal is not None or part.end >= self.segment.length * (1.0 - 1e-12)
         if arrives and part.duration < INFINITY:
             made.end = self.segment.ends[k]
@@ -358,9 +375,15 @@ class PathRun:
         else:
             self._finish()
 
+    def _left(self, whole: bool) -> None:
+        """The path is under way no more."""
+        if self.here.guide is not None:
+            self.here.guide.ends(whole)
+
     def _go_on(self, rest: Profile) -> None:
         """Enter the next path without coming to rest, on the rest of the profile."""
         controller = self._controller
+        self._left(True)
         for a in self.axes:
             a.move = None
         self.here.run = None
@@ -380,6 +403,7 @@ class PathRun:
         controller = self._controller
         self._over = True
         self._cancel()
+        self._left(self.profile.end >= self.segment.length * (1.0 - _SLACK))
         for a, move in zip(self.axes, self.here.moves, strict=True):
             end = a.profiles[-1].end
             a.move = None

@@ -41,6 +41,8 @@ class Order(NamedTuple):
 
 
 REST = Order("rest", 0)
+# The corner, degrees, that is none: guided paths join where they go on in the same direction.
+STRAIGHT = 1e-4
 
 
 class Orders:
@@ -84,6 +86,8 @@ def _order(a: Axis) -> Order:
         master, leader = action.axes[0], action.moves[0]
         members = tuple(each.index for each in action.axes)
         most = tuple(each.max_speed for each in action.axes)
+        if action.guide is not None:
+            return Order("path", move.line, *_guided(action), members, most, STRAIGHT)
         return Order("path", move.line, *_bounds(master, leader), members, most, master.contour_angle)
     kind = "move" if action is None else "jog" if isinstance(action, Jog) else "stop"
     speed, accel, decel, jerk = _bounds(a, move)
@@ -95,6 +99,14 @@ def _order(a: Axis) -> Order:
         kind = "stop"
     speed = min(speed, a.max_speed) if kind != "stop" else INFINITY
     return Order(kind, move.line, speed, accel, decel, jerk)
+
+
+def _guided(path: PathMove) -> tuple[float, float, float, float]:
+    """The same of a path that goes by its guide; the speeds are those in space, whatever its length counts as."""
+    assert path.guide is not None
+    pace = path.guide.pace()
+    k = abs(path.axes[0].scale.counts) * (path.run.segment.stretch if path.run is not None else 1.0)
+    return pace.speed * k, pace.accel * k, pace.decel * k, INFINITY
 
 
 def _bounds(a: Axis, move: Move) -> tuple[float, float, float, float]:

@@ -40,7 +40,7 @@ def path(task: CommandTask, command: Command) -> None:
             f"{axis.number}CM{axis.number} makes it",
             "axis",
         )
-    task.path_open = Path(axis, task.board.contour(axis), task.whole(command), task.source_line)
+    task.path_open = Path(axis, task.board.contour(axis), task.whole(command), task.word, task.source_line)
 
 
 def vector_velocity(task: CommandTask, command: Command) -> None:

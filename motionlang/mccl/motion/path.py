@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import hypot, radians
 
+from motionlang.controller.moves.geometry import Arc, Line
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.motion.segment import (
-    Segment,
-    VectorMotion,
-    arc_by_angle,
-    arc_to,
-    center_by_radius,
-    line,
-    sweep_to_angle,
-)
+from motionlang.mccl.motion.arcs import angle_to, angle_until, centre_by_radius, end_of, radius_of
+from motionlang.mccl.motion.contour import Vector
+from motionlang.profile.lookahead import Pace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,13 +36,14 @@ DESCRIBES = frozenset(
 
 
 class Path:
-    """What is known so far: user units and degrees, by axis number."""
+    """What is known so far, by axis number: `targets` in counts, all else in user units and degrees."""
 
     __slots__ = (
         "_axis",
         "_contour",
         "_kind",
         "_line",
+        "_word",
         "center",
         "distance",
         "end_angle",
@@ -56,8 +52,8 @@ class Path:
         "targets",
     )
 
-    def __init__(self, axis: AxisState, contour: Contour, kind: int, line: int) -> None:
-        self._axis, self._contour, self._kind, self._line = axis, contour, kind, line
+    def __init__(self, axis: AxisState, contour: Contour, kind: int, word: str, line: int) -> None:
+        self._axis, self._contour, self._kind, self._word, self._line = axis, contour, kind, word, line
         self.targets: dict[int, float] = {}
         self.center: dict[int, float] = {}
         self.end_angle: float | None = None
@@ -67,7 +63,7 @@ class Path:
 
     def end_of(self, axis: AxisState) -> float:
         """Where the axis is before this path, counts."""
-        return axis.scale.position_to_counts(self._contour.end(axis))
+        return self._contour.end(axis)
 
     def member(self, axis: AxisState) -> None:
         """Fault unless the axis is in contour mode under the controlling axis."""
@@ -97,7 +93,7 @@ class Path:
                     f"{axis.number}MN switches it on",
                     "disabled-axis",
                 )
-            self.targets[axis.number] = axis.scale.position_to_user(target)
+            self.targets[axis.number] = target
 
     def close(self, task: CommandTask) -> None:
         """The path is described: queue it. Fault where it makes no sense."""
@@ -116,16 +112,19 @@ class Path:
                     f"{axis.number}MN switches it on",
                     "disabled-axis",
                 )
-        start = {axis.number: self._contour.end(axis) for axis in axes}
-        end = {**start, **self.targets}
+        start = [self._contour.end(axis) for axis in axes]
+        ends = [self.targets.get(axis.number, here) for axis, here in zip(axes, start, strict=True)]
         try:
-            segment = self._segment(start, end, self._motion(task))
-            segment.fix({axis.number: axis.scale for axis in axes})
-            self._contour.add(segment, self._line)
+            geometry, length = self._laid(axes, start, ends)
         except ValueError as problem:
             raise Fault(codes.PARAMETER, f"the contour path cannot be run: {problem}", kind="range") from None
+        scales, is_arc = [axis.scale.counts for axis in axes], isinstance(geometry, Arc)
+        vector = Vector(self._contour, scales, self._pace(task), length, is_arc)
+        numbers = tuple(axis.number for axis in axes)
+        where = dict(zip(numbers, geometry.ends(start, scales), strict=True))
+        self._contour.add((numbers, geometry, vector, self._word, self._line), where)
 
-    def _motion(self, task: CommandTask) -> VectorMotion:
+    def _pace(self, task: CommandTask) -> Pace:
         """The vector settings of the controlling axis, in its user units."""
         axis, controller = self._axis, task.board.controller
         counts, vector = abs(axis.scale.counts), axis.vector
@@ -140,39 +139,47 @@ class Path:
                 raise Fault(codes.PARAMETER, f"a contour path cannot be run: {name} is {value:g}", kind=code)
         shape = str(controller.setting(axis.number, "shape"))
         ramp = float(controller.setting(axis.number, "ramp") or 0.0)
-        return VectorMotion(
-            shape, ramp, vector.velocity / counts, vector.accel / counts, vector.decel / counts
+        return Pace(shape, vector.velocity / counts, vector.accel / counts, vector.decel / counts, ramp)
+
+    def _laid(self, axes: list[AxisState], start: list[float], ends: list[float]) -> tuple[Line | Arc, float]:
+        """Where the path leads, counts, and its length, user units; ValueError where it makes no sense."""
+        here, there = (
+            [axis.scale.position_to_user(at) for axis, at in zip(axes, each, strict=True)]
+            for each in (start, ends)
         )
-
-    def _segment(self, start: dict[int, float], end: dict[int, float], motion: VectorMotion) -> Segment:
-        if self._kind == LINE:
-            return line(start, end, motion)
-        if self._kind == USER:
-            return line(start, end, motion, self.distance)
+        if self._kind in (LINE, USER):
+            length = hypot(*(b - a for a, b in zip(here, there, strict=True)))
+            if self._kind == USER and self.distance is not None:
+                length = self.distance
+            return Line(ends, length), length
         turn = -1 if self._kind == CLOCKWISE else 1
-        plane = self._plane(end)
-        center = self._center(start, end, plane, turn)
+        i, j = plane = self._plane([axis.number for axis in axes])
+        first, last = (here[i], here[j]), (there[i], there[j])
+        if self.center:
+            centre = self.center[axes[i].number], self.center[axes[j].number]
+        elif self.radius is not None:
+            centre = centre_by_radius(first, last, self.radius, turn)
+        else:
+            raise ValueError("an arc needs a centre (CA or CR) or a radius (RR)")
+        length = radius_of(first, centre)
         if self.sweep is not None:
-            return arc_by_angle(start, end, motion, plane, center, turn * radians(abs(self.sweep)))
-        if self.end_angle is not None:
-            sweep = sweep_to_angle(start, plane, center, self.end_angle, turn)
-            return arc_by_angle(start, end, motion, plane, center, sweep)
-        return arc_to(start, end, motion, plane, center, turn)
+            angle = turn * abs(self.sweep)
+            last = end_of(first, centre, angle)
+        elif self.end_angle is not None:
+            angle = angle_until(first, centre, self.end_angle, turn)
+            last = end_of(first, centre, angle)
+        else:
+            angle = angle_to(first, last, centre, turn)
+        length *= radians(abs(angle))
+        x, y = (axes[k].scale.position_to_counts for k in plane)
+        rest = [end for k, end in enumerate(ends) if k not in plane]
+        return Arc((x(centre[0]), y(centre[1])), angle, rest, length, plane, (x(last[0]), y(last[1]))), length
 
-    def _plane(self, end: dict[int, float]) -> tuple[int, int]:
-        """The two axes that go round: those with a centre, else the first two of the path."""
-        axes = sorted(self.center or end)
+    def _plane(self, numbers: list[int]) -> tuple[int, int]:
+        """The places of the two axes that go round: those with a centre, else the first two of the path."""
+        axes = sorted(self.center or numbers)
         if len(axes) < 2:
             raise ValueError("an arc needs two axes")
         if len(axes) > 2:
             raise ValueError("an arc lies in the plane of two axes")
-        return axes[0], axes[1]
-
-    def _center(
-        self, start: dict[int, float], end: dict[int, float], plane: tuple[int, int], turn: int
-    ) -> tuple[float, float]:
-        if self.center:
-            return self.center[plane[0]], self.center[plane[1]]
-        if self.radius is not None:
-            return center_by_radius(start, end, plane, self.radius, turn)
-        raise ValueError("an arc needs a centre (CA or CR) or a radius (RR)")
+        return numbers.index(axes[0]), numbers.index(axes[1])

@@ -11,7 +11,7 @@ from motionlang.mccl.axis.axis import AxisState
 from motionlang.mccl.axis.limits import ALL, Inputs, Limits
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.models import DEFAULT, MODELS
-from motionlang.mccl.motion.contour import Contour
+from motionlang.mccl.motion.contour import LONGEST_QUEUE, Contour
 from motionlang.mccl.motion.joystick import Joysticks
 from motionlang.mccl.runtime.task import BackgroundTask
 
@@ -337,6 +337,7 @@ class Board:
 
 # What the controller's axes start with on this board; the rest is as the controller has it.
 AXIS_SETTINGS: dict[str, float | str] = {
+    "buffer_size": LONGEST_QUEUE,
     "shape": "trapezoid",
     "speed": 40_000.0,
     "accel": 100_000.0,

@@ -37,9 +37,11 @@ def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
     text = f"{HEAD}1CP1,1MA100000,2MA0\n1CP3,1CA100000,2CA50000,1MA100000,2MA100000\n1CP1,1MA0,2MA100000\n1WS,1TX"
     result = mccl(text)
     assert result.output == ["01 3"]
-    assert [move.ended for move in result.controller.log.moves] == ["", ""]
+    assert [(move.axis, move.line, move.ended) for move in result.controller.log.moves] == [
+        (axis, line, "") for line in (2, 3, 4) for axis in (1, 2)
+    ]
     length = 200000 + 50000 * pi
-    duration = result.controller.log.moves[0].profile.duration  # type: ignore[union-attr]
+    duration = sum(move.profile.duration for move in result.controller.log.moves[::2])  # type: ignore[misc, union-attr]
     assert duration == pytest.approx(length / 20000 + 0.1, rel=1e-9)
     for time in (2.0, 6.0, 9.0, 12.0):
         assert hypot(*state(result, time)[2:]) == pytest.approx(20000, rel=1e-6)
