@@ -7,6 +7,7 @@ again and again until something happens: an event, a level that is passed, the e
 
 from __future__ import annotations
 
+from motionlang.lang.attention import CLOSE
 from motionlang.lang.task import INFINITY, Delay
 
 TYPE_CHECKING = False
@@ -16,15 +17,15 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.statement_time import StatementTime
-    from motionlang.lang.task import Task
+    from motionlang.lang.task import Task, Wait
 
-# What ends later than this, in seconds, is no part of a period but its limit.
-FAR = 0.03
+    # When a state was met: the time, the statement time's base and count, until when what was read holds.
+    Met = tuple[float, float, float, float]
+
+# Waits that are so many times as long as the shortest one are also taken as what ends a short period.
+LONGER = 4.0
 # So many states are remembered; where none has come back by then, none is looked for until something happens.
 MOST = 20_000
-# What leads no further than this, in seconds, is passed state by state, so that a longer period is found; until one has
-# been, or there are so many states without one.
-SHORT, ENOUGH = 0.3, 3000
 # Times are compared in nanoseconds.
 _UNITS = 1e9
 
@@ -35,91 +36,78 @@ class Recurrence:
     def __init__(self, machine: Controller | Machine) -> None:
         self._clock = machine.clock
         self._statements: StatementTime | None = getattr(machine, "statements", None)
-        self._key, self._short = (-1, -1), SHORT
-        self._seen: dict[tuple[object, ...], tuple[float, float, float]] = {}
-
-    def forget(self) -> None:
-        """A task has done something."""
         self._key = (-1, -1)
+        self._met: dict[tuple[object, ...], Met] = {}
 
     def leap(
         self, tasks: Sequence[Task], turn: int, until: float, pace: Callable[[float], None] | None
     ) -> None:
-        """After a slice: go on over as many whole periods as fit before anything can change, if they are known."""
-        clock = self._clock
+        """After a turn: go on over as many whole periods as fit before anything can change, if they are known."""
+        looks = [task.look for task in tasks if task.look is not None]
+        acts = looks[-1][0]
+        if any(look[0] != acts for look in looks) or len(self._met) > MOST:
+            return
+        if self._key != (self._clock.fired, acts):
+            self._key, self._met = (self._clock.fired, acts), {}
+        if any(task.wait is None and task.look is None for task in tasks):
+            return  # it runs, and nobody knows what it does
+        lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
+        longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)
+        for most in (longest, LONGER * shortest)[: 1 + (longest > LONGER * shortest)]:
+            inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
+            others = [task.wait for task in tasks if task.wait is not None and task not in inner]
+            if self._leap(inner, others, (turn, most), until, pace):
+                return
+
+    def _leap(
+        self,
+        tasks: list[Task],
+        others: list[Wait],
+        signature: tuple[object, ...],
+        until: float,
+        pace: Callable[[float], None] | None,
+    ) -> bool:
+        """The same for a period of some `tasks`, while the `others` wait."""
+        clock, statements = self._clock, self._statements
         now = clock.now
-        acts, state = _state(tasks, now)
-        if acts is None or len(self._seen) > MOST:
-            return
-        key = (clock.fired, acts)
-        if key != self._key:
-            self._key, self._seen, self._short = key, {}, SHORT
-        signature = (turn, *state)
-        statements = self._statements
-        here = (now, 0.0, 0.0) if statements is None else (now, statements.base, statements.count)
-        before = self._seen.setdefault(signature, here)
-        if before[0] == now:
-            return
-        limit = min(_limit(tasks, now), clock.next_time())
+        for task in tasks:
+            left = 0.0 if task.wait is None else task.wait.due() - now
+            signature += (task.look[1], round(task.into * _UNITS), round(left * _UNITS))  # type: ignore[index]
+        dues = [wait.due() for wait in others]
+        level = min([task.level for task in tasks], default=INFINITY)
+        here = (now, statements.base, statements.count, level) if statements else (now, 0.0, 0.0, level)
+        signature += tuple(dues)
+        before = self._met.get(signature)
+        if before is None or before[3] <= now:  # what passes a level sees another world from then on
+            self._met[signature] = here
+            return False
+        limit = min(level, clock.next_time(), *dues)
+        if any(wait.ready() for wait in others):
+            return False
         if limit == INFINITY:
             _note_vain(tasks, now)
-        period = now - before[0]
-        count = int((min(limit, until) - now) / period)
-        if count * period > self._short or (count > 0 and len(self._seen) > ENOUGH):
-            self._short = 0.0
-            time = now + count * period
-            if statements is not None and statements.reached == now:
-                statements.repeat(before[1], before[2], count)
-                time = statements.reached
-            self._go_on(tasks, time, pace)
-
-    def _go_on(self, tasks: Sequence[Task], time: float, pace: Callable[[float], None] | None) -> None:
-        clock = self._clock
+        count = int((min(limit, until) - CLOSE - now) / (now - before[0]))
+        if count < 1:
+            return False
+        time = now + count * (now - before[0])
+        if statements is not None and statements.reached == now:
+            statements.repeat(before[1], before[2], count)
+            time = statements.reached
         if pace is not None:
             pace(time)
         for task in tasks:
-            if _is_near(task, clock.now):
-                task.wait.shift(time - clock.now)  # type: ignore[union-attr]
+            if task.wait is not None:
+                task.wait.shift(time - now)  # type: ignore[attr-defined]
         clock.leaps += 1
         clock.now = time
+        return True
 
 
-def _state(tasks: Sequence[Task], now: float) -> tuple[int | None, list[object]]:
-    """How much had been done when the tasks last looked, and how they stand; None where they act."""
-    acts: int | None = None
-    found: list[object] = []
-    for task in tasks:
-        wait, look = task.wait, task.look
-        if wait is not None and not _is_near(task, now):
-            found.append(wait.due())  # no part of a period: the same for as long as this very wait lasts
-            continue
-        if look is None or (acts is not None and look[0] != acts):
-            return None, []
-        acts = look[0]
-        left = 0.0 if wait is None else wait.due() - now
-        found += (look[1], round(task.into * _UNITS), round(left * _UNITS))
-    return acts, found
-
-
-def _limit(tasks: Sequence[Task], now: float) -> float:
-    """Until when they go on like this: no level is passed, and nobody's wait ends that is no part of it."""
-    limit = INFINITY
-    for task in tasks:
-        wait = task.wait
-        if wait is None or _is_near(task, now):
-            limit = min(limit, task.level)
-        elif wait.ready():
-            return now
-        else:
-            due = wait.due()
-            limit = min(limit, due - FAR if wait.__class__ is Delay and task.look is not None else due)
-    return limit
-
-
-def _is_near(task: Task, now: float) -> bool:
-    """Whether a task waits for a moment that is part of a period."""
-    wait = task.wait
-    return wait.__class__ is Delay and task.look is not None and wait.due() - now <= FAR
+def _lasts(wait: Wait | None) -> float:
+    """How long a wait takes; infinite where it is not known."""
+    if wait is None:
+        return 0.0
+    return wait.length if isinstance(wait, Delay) else INFINITY
 
 
 def _note_vain(tasks: Sequence[Task], now: float) -> None:

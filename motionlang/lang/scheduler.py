@@ -70,9 +70,15 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
-        # When the running task was resumed, and whether no other could have been.
-        self.began = 0.0
+        # When the running task was resumed, when its turn began, whether no other could have had it, and when it ends;
+        # an event cuts a turn in two, and does not end it.
+        self.began = self.turn_began = 0.0
         self._alone = False
+        self._end = 0.0
+        # The others that wait, for what has not come about yet.
+        self._waiting: list[Task] = []
+        # How many turns in a row have brought nothing about.
+        self._calm = 0
         self.until = INFINITY
         self._recurrence: Recurrence | None = None
         self._turn = 0
@@ -104,28 +110,33 @@ class Scheduler:
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
         clock = self.clock
-        self.until = until
+        self.until, self._end = until, 0.0
         while not self.parent.done:
             if clock.now >= until:
                 return False
-            task = self._runnable()
+            task = self.current if self._end else self._runnable()
             if task is None:
                 self._jump(until)
                 continue
             horizon = min(clock.next_time(), until)
             several = len(self.tasks) > 1 or self.outside is not None
+            event, self.began = horizon, clock.now
+            if not self._end:
+                self.turn_began = clock.now
             if several:
-                # Less than whole, as a number of statements may fill it exactly.
-                turn = self._turn_length(horizon) - ROUNDING
-                horizon = min(horizon, clock.now + turn, self._next_due())
-            began = self.began = clock.now
-            time, task.wait = task.resume(began, horizon)
+                if not self._end:
+                    # Less than whole, as a number of statements may fill it exactly.
+                    self._end = clock.now + min(self._turn_length(horizon) - ROUNDING, task.turn)
+                horizon = min(horizon, self._end, self._next_due(task))
+            time, task.wait = task.resume(self.began, horizon)
             self._advance(time)
             while clock.now < time:
                 self._advance(time)
             if several:
-                self._took_turn(task, began)
-                self._compare(task, began)
+                self._took_turn(task, self.began)
+            if self._end and not (event <= time < self._end and self._goes_on(task)):
+                self._end = 0.0
+                self._compare(task)
             if task.done and task is not self.parent:
                 self._forget(task)
         return True
@@ -160,14 +171,26 @@ class Scheduler:
         took, self._took = self._took, {}
         self._log.turns.add((self._turns_began, self.clock.now, tuple(took), tuple(took.values())))
 
-    def _compare(self, task: Task, began: float) -> None:
+    def _goes_on(self, task: Task) -> bool:
+        """Whether what has cut the turn of a task was nothing to anybody else: then it goes on with it."""
+        if task.wait is not None or task.done or self.interrupts:
+            return False
+        for self.current in self._waiting:
+            if self.current.wait is not None and self.current.wait.ready():
+                return False
+        self.current = task
+        return True
+
+    def _compare(self, task: Task) -> None:
         """Where nobody does more than poll and wait, and all stand as they did before: go on to what may change it."""
-        clock = self.clock
-        task.into = clock.now - task.looked if task.looked >= began else task.into + clock.now - began
+        now, began = self.clock.now, self.turn_began
+        task.into = now - task.looked if task.looked >= began else task.into + now - began
         if task.look is None or task.done or self.interrupts or self.outside is not None:
-            if self._recurrence is not None:
-                self._recurrence.forget()
+            self._calm = 0
             return
+        self._calm += 1
+        if self._calm < len(self.tasks):
+            return  # not everybody has looked in vain yet
         if self._recurrence is None:
             from motionlang.lang.recurrence import Recurrence
 
@@ -223,15 +246,17 @@ class Scheduler:
         self._length, self._left = turns * QUANTUM, len(running) - 1
         return self._length
 
-    def _next_due(self) -> float:
-        """When the first of the tasks that wait may go on: a turn does not outlast it, so nobody oversleeps."""
-        now, first = self.clock.now, INFINITY
-        for task in self.interrupts[-1:] or self.tasks:
-            if task.wait is not None:
-                due = task.wait.due()
-                if now + ROUNDING < due < first:
-                    first = due
-        return first
+    def _next_due(self, task: Task) -> float:
+        """When the first of the others that still wait may go on: a turn does not outlast it, so nobody oversleeps."""
+        self._waiting.clear()
+        first = INFINITY
+        for self.current in self.interrupts[-1:] or self.tasks:
+            wait = self.current.wait
+            if wait is not None and not wait.ready():
+                self._waiting.append(self.current)
+                first = min(first, wait.due())
+        self.current = task
+        return first - 0.5 * ROUNDING  # where a statement meets it, rounding does not decide which comes first
 
     def _advance(self, time: float) -> None:
         if self.outside is not None:

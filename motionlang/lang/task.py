@@ -58,6 +58,11 @@ class Delay(Wait):
     def __init__(self, clock: Clock, since: float, time: float) -> None:
         self.since, self._clock, self._time = since, clock, time
 
+    @property
+    def length(self) -> float:
+        """How long all of it takes, s."""
+        return self._time - self.since
+
     def shift(self, seconds: float) -> None:
         """All of it happens so much later."""
         self.since += seconds
@@ -123,6 +128,11 @@ class Task:
     def at(self) -> int:
         """Where the task stands."""
         return 0
+
+    @property
+    def turn(self) -> float:
+        """The most that it may run, s, while others can."""
+        return INFINITY
 
     @property
     def running(self) -> bool:

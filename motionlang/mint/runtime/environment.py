@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import ceil, floor
+
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import TICK, Attention, Condition
 from motionlang.lang.task import Wait, wait_until
@@ -260,8 +262,10 @@ class Environment:
         return int((self.clock.now - base) * 1000.0 + _MILLISECOND)
 
     def _counted(self, base: float, level: float) -> float:
-        """When the milliseconds since a moment next pass `level`: they reach it, and one later are beyond it."""
-        for milliseconds in (level, level + 1.0):
+        """When the milliseconds since a moment next pass `level`: they reach it, or are the first ones beyond it."""
+        if not -INFINITY < level < INFINITY:
+            return INFINITY
+        for milliseconds in (ceil(level), floor(level) + 1):
             moment = base + milliseconds / 1000.0
             if moment > self.clock.now:
                 return moment

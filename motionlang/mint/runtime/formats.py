@@ -13,10 +13,10 @@ WIDEST = 255
 
 
 def using_float(value: float, width: int, decimals: int = 0) -> str:
-    """A Float: `%w.df`, with a sign for a negative width, `%w.de` for negative decimals."""
+    """A Float: `%w.df`, with a sign for a negative width, `%w.de` for negative decimals; what rounds to 0 is not negative."""
     sign, width = _width(width)
     kind = "f" if decimals >= 0 else "e"
-    return f"{value + 0.0:{sign}{width}.{_decimals(decimals)}{kind}}"
+    return f"{value:{sign}z{width}.{_decimals(decimals)}{kind}}"
 
 
 def using_integer(value: float, width: int, decimals: int | None = None) -> str:

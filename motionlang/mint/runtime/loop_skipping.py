@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     State = tuple[object, ...]
 
 # So many turns at most pass unlooked at.
-MOST_ALONE = 256
+MOST_ALONE = 4096
 
 
 class Look:
@@ -109,7 +109,7 @@ class Skipper:
             return None
         now, level = statements.at(t), INFINITY
         if len(look.notes) > look.first:
-            level = attention.until(look.began, look.notes[look.first :])
+            level = attention.sure_until(look.began, look.notes[look.first :])
             if level <= now:
                 return None
         task.look, task.looked, task.level = (environment.acts, state[1:], asks), now, level

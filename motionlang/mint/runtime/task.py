@@ -40,7 +40,7 @@ class MintTask(GeneratorTask):
         self.held: Wait | None = None
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
-        """As every task; to the end of its time slice at most, and what others did meanwhile is noticed."""
+        """As every task; what others did meanwhile is noticed."""
         environment = self.environment
         environment.task = self
         clock = environment.clock
@@ -52,10 +52,6 @@ class MintTask(GeneratorTask):
             environment.resumed += 1
             environment.leaps = clock.leaps
         acts = environment.acts
-        quantum = environment.quanta.get(self.name)
-        if quantum is not None:
-            # Half a statement less, so that it is never rounding that decides whether the last one still fits.
-            horizon = min(horizon, now + (quantum - 0.5) * environment.machine.instruction_time)
         attention = environment.attention
         attention.notes = self.notes
         statements = environment.statements
@@ -80,6 +76,13 @@ class MintTask(GeneratorTask):
         if self.suspended:
             self.held, wait = wait, self.never()
         return time, wait
+
+    @property
+    def turn(self) -> float:
+        """TASKQUANTUM, less half a statement, so that it is never rounding that decides whether the last one still fits."""
+        environment = self.environment
+        quantum = environment.quanta.get(self.name)
+        return INFINITY if quantum is None else (quantum - 0.5) * environment.machine.instruction_time
 
     def time_at_error(self, error: BaseException) -> float:
         reached = super().time_at_error(error)

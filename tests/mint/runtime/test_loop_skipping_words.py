@@ -50,7 +50,7 @@ def outcome(row: Keyword, motion: str, until: int) -> list[object]:
     word = row.name if row.index == "none" else f"{row.name}(0)"
     text = PROGRAM.format(word=word, motion=motion, until=until)
     result = run(Source("a.mnt", text), machine=MACHINE, cache=False, until=1.0)
-    return [result.output, [each.message for each in result.diagnostics], round(result.time, 6)]
+    return [result.output, [each.message for each in result.diagnostics], result.time]
 
 
 def compare(monkeypatch: pytest.MonkeyPatch, motion: str, until: int) -> None:
