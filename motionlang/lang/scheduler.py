@@ -175,8 +175,9 @@ class Scheduler:
         """Whether what has cut the turn of a task was nothing to anybody else: then it goes on with it."""
         if task.wait is not None or task.done or self.interrupts:
             return False
-        for self.current in self._waiting:
-            if self.current.wait is not None and self.current.wait.ready():
+        for other in self._waiting:
+            self.current = other
+            if other.wait is not None and other.wait.ready():
                 return False
         self.current = task
         return True
@@ -250,13 +251,15 @@ class Scheduler:
         """When the first of the others that still wait may go on: a turn does not outlast it, so nobody oversleeps."""
         self._waiting.clear()
         first = INFINITY
-        for self.current in self.interrupts[-1:] or self.tasks:
-            wait = self.current.wait
-            if wait is not None and not wait.ready():
-                self._waiting.append(self.current)
-                first = min(first, wait.due())
+        for other in self.interrupts[-1:] or self.tasks:
+            self.current = other
+            if other.wait is not None and not other.wait.ready():
+                self._waiting.append(other)
+                first = min(first, other.wait.due())
         self.current = task
-        return first - 0.5 * ROUNDING  # where a statement meets it, rounding does not decide which comes first
+        return (
+            first - 0.5 * ROUNDING
+        )  # where a statement meets it, rounding does not decide which comes first
 
     def _advance(self, time: float) -> None:
         if self.outside is not None:

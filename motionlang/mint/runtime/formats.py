@@ -13,7 +13,7 @@ WIDEST = 255
 
 
 def using_float(value: float, width: int, decimals: int = 0) -> str:
-    """A Float: `%w.df`, with a sign for a negative width, `%w.de` for negative decimals; what rounds to 0 is not negative."""
+    """A Float: `%w.df`, with a sign for a negative width, `%w.de` for negative decimals; 0 has no minus."""
     sign, width = _width(width)
     kind = "f" if decimals >= 0 else "e"
     return f"{value:{sign}z{width}.{_decimals(decimals)}{kind}}"

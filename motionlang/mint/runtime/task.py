@@ -79,7 +79,7 @@ class MintTask(GeneratorTask):
 
     @property
     def turn(self) -> float:
-        """TASKQUANTUM, less half a statement, so that it is never rounding that decides whether the last one still fits."""
+        """TASKQUANTUM; less half a statement, so that rounding does not decide whether the last one still fits."""
         environment = self.environment
         quantum = environment.quanta.get(self.name)
         return INFINITY if quantum is None else (quantum - 0.5) * environment.machine.instruction_time
