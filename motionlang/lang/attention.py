@@ -8,7 +8,7 @@ for the first of these moments, and has no need to look before it.
 
 from __future__ import annotations
 
-from motionlang.lang.task import INFINITY, Wait
+from motionlang.lang.task import CLOSE, INFINITY, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 MOST = 500
 # The profiler's period: how often a condition is looked at while what it reads cannot be solved.
 TICK = 1e-3
-# So much before a solved moment what was read is no longer relied upon: the solution is rounded, and so is the reading.
-CLOSE = 2e-9
 # How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
 _AFTER = (0.0, 1e-12, 1e-10, 1e-8)
 
@@ -67,7 +65,7 @@ class Attention:
 
     def sure_until(self, since: float, notes: Iterable[Note]) -> float:
         """The moment up to which every reading of `notes` is sure to answer as it did, rounding and all."""
-        return self.until(since, notes) - CLOSE
+        return self.until(since - CLOSE, notes) - CLOSE
 
     def at_once(self) -> float:
         """What may change at any moment."""

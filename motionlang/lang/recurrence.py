@@ -7,8 +7,7 @@ again and again until something happens: an event, a level that is passed, the e
 
 from __future__ import annotations
 
-from motionlang.lang.attention import CLOSE
-from motionlang.lang.task import INFINITY, Delay
+from motionlang.lang.task import CLOSE, INFINITY, Delay
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

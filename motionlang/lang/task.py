@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Times that are nearer to each other than this are one: it is not rounding that decides who comes first.
 ROUNDING = 1e-9
+# So near to a solved moment, s, what was read is not relied upon: the solution is rounded, and so is the reading.
+CLOSE = 1e-7
 
 
 class Wait:
