@@ -111,6 +111,25 @@ class Condition:
         return False
 
 
+class Undirected(Condition):
+    """An error that no direction matters to, such as an error input, for as long as it is `active`."""
+
+    __slots__ = ("_active",)
+
+    def __init__(self, controller: Controller, axis: int, sign: int, bit: int, action: str) -> None:
+        super().__init__(controller, axis, sign, bit, action)
+        self._active = False
+
+    @property
+    def met(self) -> bool:
+        return self._active
+
+    def set_active(self, active: bool) -> None:
+        """What it goes by has changed."""
+        self._active = active
+        self.look()
+
+
 class Together:
     """A block in which several axes are given their motion: their conditions are looked at when all have it."""
 

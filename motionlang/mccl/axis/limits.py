@@ -15,9 +15,10 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
 )
+from motionlang.controller.triggers.conditions import Undirected
 from motionlang.controller.triggers.limit import Limit
 from motionlang.mccl.axis import flags
-from motionlang.mccl.axis.inputs import ORDER, channel_of, is_channel_active
+from motionlang.mccl.axis.inputs import ORDER, SWITCHES, channel_of, is_channel_active
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,9 +48,9 @@ _FAULT_BITS = {
 
 
 class Limits:
-    """The four limits of one axis."""
+    """The four limits of one axis, and its amplifier-fault input."""
 
-    __slots__ = ("_axis", "_board", "_hard", "_soft", "amplifier_watched")
+    __slots__ = ("_amplifier", "_axis", "_board", "_hard", "_soft")
 
     def __init__(self, board: Board, axis: AxisState) -> None:
         self._board, self._axis = board, axis
@@ -58,7 +59,8 @@ class Limits:
             SOFT_HIGH: self._new(1, SOFT_LIMIT_FORWARD),
             SOFT_LOW: self._new(-1, SOFT_LIMIT_REVERSE),
         }
-        self.amplifier_watched = False
+        self._amplifier = Undirected(board.controller, axis.number, 0, ERROR_INPUT, "off")
+        self.watch_amplifier(False)
         self.set_mode(0)
         self.disable(ALL)
 
@@ -69,6 +71,8 @@ class Limits:
             limit.action = _HARD_ACTIONS.get(mode & 3, "stop")
         for limit in self._soft.values():
             limit.action = _SOFT_ACTIONS.get(mode & 12, "stop")
+        for name in SWITCHES:  # which it may have inverted
+            self.look_at(name)
 
     def enable(self, which: int) -> None:
         """LN: `which` holds bits of limits."""
@@ -77,9 +81,6 @@ class Limits:
                 self._axis.flags |= shown
                 self._limit(bit).enabled = True
         self.place_soft()
-        for bit, name in ((HARD_PLUS, "limit_plus"), (HARD_MINUS, "limit_minus")):
-            if which & bit and is_channel_active(self._board, self._axis, name):
-                self._hard[bit].set_active(True)
 
     def disable(self, which: int) -> None:
         """LF: `which` holds bits of limits."""
@@ -96,20 +97,19 @@ class Limits:
             limit = self._soft[bit]
             limit.place(position if limit.enabled else None)
 
-    def channel_changed(self, name: str) -> None:
-        """One of the axis's inputs has another level."""
+    def watch_amplifier(self, on: bool) -> None:
+        """FN and FF: whether the amplifier-fault input switches the motor off."""
+        self._amplifier.enabled = on
+
+    def look_at(self, name: str) -> None:
+        """One of the axis's inputs has another level, or means something else by it."""
         active = is_channel_active(self._board, self._axis, name)
         if name == "limit_plus":
             self._hard[HARD_PLUS].set_active(active)
         elif name == "limit_minus":
             self._hard[HARD_MINUS].set_active(active)
-        elif name == "amplifier_fault" and active:
-            self.amplifier_tripped()
-
-    def amplifier_tripped(self) -> None:
-        """The amplifier says that it is in trouble."""
-        if self.amplifier_watched:
-            self._board.controller.fault(self._axis.number, ERROR_INPUT, "off")
+        elif name == "amplifier_fault":
+            self._amplifier.set_active(active)
 
     def happened(self) -> None:
         """The controller has raised a fault on the axis: show it in the status word."""
@@ -135,16 +135,17 @@ class Limits:
 
 
 class Inputs:
-    """Tells the limits of every axis when one of their channels changes."""
+    """Has the limits of every axis look at a channel of theirs that has changed."""
 
     __slots__ = ("_board", "_names")
 
     def __init__(self, board: Board) -> None:
         self._board = board
         self._names = {channel_of(number, name): (number, name) for number in board.numbers for name in ORDER}
-        board.controller.inputs.listeners.append(self._changed)
+        board.controller.inputs.listeners.append(lambda channel, value: self.look_at(channel))
 
-    def _changed(self, channel: int, value: float) -> None:
+    def look_at(self, channel: int) -> None:
+        """A channel has another level, or another polarity."""
         found = self._names.get(channel)
         if found is None:
             return
@@ -152,4 +153,4 @@ class Inputs:
         if name == "home":
             self._board.home_changed(number)
         else:
-            self._board.limits[number].channel_changed(name)
+            self._board.limits[number].look_at(name)

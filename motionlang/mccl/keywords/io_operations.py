@@ -42,11 +42,15 @@ def channel_output(task: CommandTask, command: Command) -> None:
 
 
 def channel_high(task: CommandTask, command: Command) -> None:
-    task.board.low_true.discard(task.whole(command))
+    channel = task.whole(command)
+    task.board.low_true.discard(channel)
+    task.board.inputs.look_at(channel)
 
 
 def channel_low(task: CommandTask, command: Command) -> None:
-    task.board.low_true.add(task.whole(command))
+    channel = task.whole(command)
+    task.board.low_true.add(channel)
+    task.board.inputs.look_at(channel)
 
 
 def tell_channel(task: CommandTask, command: Command) -> None:

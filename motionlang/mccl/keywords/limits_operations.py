@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from motionlang.mccl import codes
-from motionlang.mccl.axis.inputs import is_active
 from motionlang.mccl.axis.limits import ALL
 from motionlang.mccl.codes import Fault
 
@@ -47,15 +46,12 @@ def soft_low(task: CommandTask, command: Command) -> None:
 
 def amplifier_fault_on(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
-        limits = task.board.limits[axis.number]
-        limits.amplifier_watched = True
-        if is_active(task.board, axis, "amplifier_fault"):
-            limits.amplifier_tripped()
+        task.board.limits[axis.number].watch_amplifier(True)
 
 
 def amplifier_fault_off(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
-        task.board.limits[axis.number].amplifier_watched = False
+        task.board.limits[axis.number].watch_amplifier(False)
 
 
 ACTIONS: dict[str, Action] = {

@@ -76,7 +76,7 @@ class Board:
         self.outputs: set[int] = set()
         self.joysticks = Joysticks(self)
         self.limits = {axis.number: Limits(self, axis) for axis in self.all_axes}
-        self._inputs = Inputs(self)
+        self.inputs = Inputs(self)
         self.controller.listeners.append(self._happened)
         self.reset()
 
@@ -108,6 +108,7 @@ class Board:
         axis.reset()
         self.limits[number].set_mode(0)
         self.limits[number].disable(ALL)
+        self.limits[number].watch_amplifier(False)
         controller.disable(number)
         if controller.position(number) != 0.0:
             self.define_position(axis, 0.0)

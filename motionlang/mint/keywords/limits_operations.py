@@ -17,7 +17,7 @@ from motionlang.controller.faults import (
     SOFT_LIMIT_FORWARD,
     SOFT_LIMIT_REVERSE,
 )
-from motionlang.controller.triggers.conditions import Condition
+from motionlang.controller.triggers.conditions import Undirected
 from motionlang.controller.triggers.limit import Limit
 from motionlang.mint.keywords.defaults import MODES
 from motionlang.mint.runtime.binding import axis_of, scale_of
@@ -45,23 +45,6 @@ ERRORS: dict[str, tuple[int, ...]] = {
     "ADCERRORMODE": (ANALOGUE_LIMIT,),
 }
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
-
-
-class Undirected(Condition):
-    """An error that no direction matters to, such as an error input, for as long as it is `active`."""
-
-    __slots__ = ("_active",)
-
-    _active: bool
-
-    @property
-    def met(self) -> bool:
-        return self._active
-
-    def set_active(self, active: bool) -> None:
-        """What it goes by has changed."""
-        self._active = active
-        self.look()
 
 
 class AxisErrors:
