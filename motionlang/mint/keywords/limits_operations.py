@@ -55,7 +55,7 @@ class AxisErrors:
         self._world = environment.machine.world
         self._modes: dict[tuple[str, int], int] = {}
         self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
-        self._inputs: dict[tuple[int, int], Undirected] = {}
+        self._inputs: dict[tuple[int, int, int], Undirected] = {}
         self._going_off: set[int] = set()
         self._controller.listeners.append(self._heard)
 
@@ -71,8 +71,9 @@ class AxisErrors:
             if self._world is not None:
                 self._world.actions[axis, bit] = ACTIONS[mode]
             self._controller.set_limit_action(axis, bit, ACTIONS[mode])
-            if (axis, bit) in self._inputs:
-                self._inputs[axis, bit].action = ACTIONS[mode]
+            for (number, about, _), condition in self._inputs.items():
+                if (number, about) == (axis, bit):
+                    condition.action = ACTIONS[mode]
 
     def action(self, axis: int, bit: int) -> str:
         """What an axis does about an error."""
@@ -107,12 +108,17 @@ class AxisErrors:
         physical = bit in (LIMIT_FORWARD, LIMIT_REVERSE)
         return self._controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
 
-    def set_input(self, axis: int, bit: int, active: bool) -> None:
-        """An input of an axis that is an error in every direction has come to be so, or is so no longer."""
-        found = self._inputs.get((axis, bit))
+    def set_input(self, axis: int, bit: int, active: bool, channel: int = 0) -> None:
+        """An input of an axis that is an error in every direction has come to be so, or is so no longer.
+
+        `channel` tells apart several inputs that are the same error, each of which is one by itself.
+        """
+        found = self._inputs.get((axis, bit, channel))
         if found is None:
+            if not active:
+                return
             found = Undirected(self._controller, axis, 0, bit, self.action(axis, bit))
-            self._inputs[axis, bit] = found
+            self._inputs[axis, bit, channel] = found
         found.set_active(active)
 
     def is_active(self, axis: int, bit: int) -> bool:

@@ -38,7 +38,6 @@ class Monitors:
         self._errors = environment.part(AxisErrors)
         self._limits: dict[tuple[str, int], float] = {}
         self.minded: dict[int, int] = {}
-        self._beyond: dict[int, int] = {}
         self._controller.analogue_inputs.listeners.append(lambda channel, value: self._look())
 
     def limit(self, name: str, channel: int) -> float:
@@ -50,8 +49,8 @@ class Monitors:
 
     def mind(self, axis: int, pattern: int) -> None:
         """Say which inputs the axis minds from now on; one that is beyond its limits already counts at once."""
-        self.minded[axis] = pattern
-        self._look()
+        before, self.minded[axis] = self.minded.get(axis, 0), pattern
+        self._look_at(axis, before | pattern)
 
     def beyond(self, axis: int) -> int:
         """The inputs that an axis minds and that are beyond their limits."""
@@ -60,8 +59,7 @@ class Monitors:
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        self.minded.pop(axis, None)
-        self._beyond.pop(axis, None)
+        self._look_at(axis, self.minded.pop(axis, 0))
 
     def _is_beyond(self, channel: int) -> bool:
         return (
@@ -69,13 +67,16 @@ class Monitors:
         )
 
     def _look(self) -> None:
-        """Inputs that were within their limits and are not any more are an error of the axis."""
-        for axis in self.minded:
-            before, now = self._beyond.get(axis, 0), self.beyond(axis)
-            self._beyond[axis] = now
-            action = self._errors.action(axis, ANALOGUE_LIMIT)
-            if now & ~before and action != "ignore":
-                self._controller.fault(axis, ANALOGUE_LIMIT, action)
+        """A value or a limit has changed."""
+        for axis, pattern in self.minded.items():
+            self._look_at(axis, pattern)
+
+    def _look_at(self, axis: int, pattern: int) -> None:
+        """Let the axis know of the inputs of a pattern, each of which is an error of its own while it is beyond."""
+        beyond = self.beyond(axis)
+        for k in range(MONITORED):
+            if pattern >> k & 1:
+                self._errors.set_input(axis, ANALOGUE_LIMIT, bool(beyond >> k & 1), k)
 
 
 def read_limit(environment: Environment, row: Row) -> Operation:
