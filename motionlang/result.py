@@ -9,7 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.record.orders import Orders
-    from motionlang.controller.record.proof import Proof
+    from motionlang.controller.record.judge import Proof
     from motionlang.controller.record.trace import Trace
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect

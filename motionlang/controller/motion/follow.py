@@ -228,6 +228,11 @@ class Gear(Follow):
         # The rates of the ramp to that velocity.
         self._chased_at = (0.0, 0.0)
 
+    @property
+    def locked(self) -> float:
+        """The time from which the slave has, or will have, the velocity that the ratio wants."""
+        return self._locks_at
+
     def set_ratio(self, ratio: float, ramp: bool) -> None:
         """Another ratio from now on; the one in force changes nothing."""
         if ratio == self.ratio and ramp == self.ramp:

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 
 class Stopping(Action):
-    """Coming to rest after a stop: nothing changes that any more but a harder one."""
+    """Coming to rest after a stop: nothing changes that any more but a harder one. `rate` is one of its own, or 0."""
 
-    __slots__ = ("hard",)
+    __slots__ = ("hard", "rate")
 
-    def __init__(self, hard: bool = False) -> None:
-        self.hard = hard
+    def __init__(self, hard: bool = False, rate: float = 0.0) -> None:
+        self.hard, self.rate = hard, rate
 
     def stop(self, controller: Core, a: Axis, ended: str, hard: bool) -> bool:
         if hard and (ended == "fault" or not self.hard):

@@ -77,7 +77,7 @@ class SpeedReference(Reference):
             return False
         controller.empty(a, ended)
         profile = halt.braking(controller, a, self.error_rate)
-        self.move.action = halt.Stopping(hard=True)
+        self.move.action = halt.Stopping(True, self.error_rate)
         controller.continue_with(a, profile, ended)
         a.target = self.move.target = profile.end
         return True

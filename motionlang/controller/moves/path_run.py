@@ -46,7 +46,7 @@ class PathRun:
         "_blend_event",
         "_controller",
         "_event",
-        "_hard",
+        "hard",
         "_over",
         "ahead",
         "axes",
@@ -68,7 +68,7 @@ class PathRun:
         self.goal: PathMove | None = here
         self.began = 0.0
         self.ended = ""
-        self._hard = False
+        self.hard = False
         self._event: Event | None = None
         self._blend_event: Event | None = None
         self._over = False
@@ -121,12 +121,12 @@ class PathRun:
         controller.empty(a, ended)
         if self.here.guide is not None:
             self.here.guide.stops()
-        if self.ended and not (hard and (ended == "fault" or not self._hard)):
+        if self.ended and not (hard and (ended == "fault" or not self.hard)):
             return
         decel = None
         if hard:
             decel = self.axes[0].error_decel / abs(self.axes[0].scale.counts)
-        self.ended, self._hard = ended, hard
+        self.ended, self.hard = ended, hard
         self._cancel_blend()
         profile = self._braking(self._elapsed(), decel)
         if profile is None:

@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from motionlang.controller.motion.follow import Gear
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.motion.jog import Jog
+from motionlang.controller.moves.cam import CurveFollow
+from motionlang.controller.moves.geometry import Line
 from motionlang.controller.moves.path import PathMove
 
 if TYPE_CHECKING:
@@ -19,30 +22,63 @@ if TYPE_CHECKING:
     from motionlang.profile import Profile
 
 INFINITY = float("inf")
+ENDLESS = (INFINITY, INFINITY)
+
+
+class PathOrder(NamedTuple):
+    """A path as the program ordered it: its axes, its master first, and where it leads.
+
+    `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its further
+    axes. Of a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
+    began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
+    run through. It is `cut` where a stop has been ordered on it.
+    """
+
+    members: tuple[int, ...]
+    scales: tuple[float, ...]
+    begun: float
+    relative: bool
+    line: tuple[float, ...]
+    centre: tuple[float, float]
+    angle: float
+    rest: tuple[float, ...]
+    most: tuple[float, ...]
+    most_accel: tuple[float, ...]
+    most_decel: tuple[float, ...]
+    angle_through: float
+
+
+class Tie(NamedTuple):
+    """What an axis follows: a track, at a `ratio` (once it is `locked`), or on a `curve` from `origin` on."""
+
+    master: Axis
+    ratio: float = 0.0
+    locked: float = INFINITY
+    curve: Profile | None = None
+    origin: float = 0.0
+    direction: int = 1
 
 
 class Order(NamedTuple):
     """What holds for one profile: its kind, the line it comes from, and its bounds in counts and seconds.
 
     `kind` is "rest", "move", "jog", "stop", "path", or the name of the action that makes the profile; of the last the
-    bounds are infinite. `members` are the axes of a path, its master first, `most` their limits of speed,
-    `angle` is up to which corners are run through. `jerk` is infinite but for S-ramps.
+    bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite but for
+    S-ramps. `goal` is the velocity that a jog goes to.
     """
 
     kind: str
     line: int
     speed: float = INFINITY
-    accel: float = INFINITY
-    decel: float = INFINITY
-    jerk: float = INFINITY
-    members: tuple[int, ...] = ()
-    most: tuple[float, ...] = ()
-    angle: float = 0.0
+    rates: tuple[float, float] = ENDLESS
+    jerks: tuple[float, float] = ENDLESS
+    shape: str = ""
+    goal: float = 0.0
+    path: PathOrder | None = None
+    tie: Tie | None = None
 
 
 REST = Order("rest", 0)
-# The corner, degrees, that is none: guided paths join where they go on in the same direction.
-STRAIGHT = 1e-4
 
 
 class Orders:
@@ -80,45 +116,80 @@ def _order(a: Axis) -> Order:
     if move is None:
         return REST
     action = move.action
-    if action is not None and not isinstance(action, (Stopping, Jog, PathMove)):
-        return Order(type(action).__name__, move.line)
     if isinstance(action, PathMove):
-        master, leader = action.axes[0], action.moves[0]
-        members = tuple(each.index for each in action.axes)
-        most = tuple(each.max_speed for each in action.axes)
-        if action.guide is not None:
-            return Order("path", move.line, *_guided(action), members, most, STRAIGHT)
-        return Order("path", move.line, *_bounds(master, leader), members, most, master.contour_angle)
-    kind = "move" if action is None else "jog" if isinstance(action, Jog) else "stop"
-    speed, accel, decel, jerk = _bounds(a, move)
+        return _path(action, move)
+    if isinstance(action, (Gear, CurveFollow)) and not a.suspended:
+        return Order(type(action).__name__, move.line, rates=_rates(a, move), tie=_tie(action))
+    if isinstance(action, Gear):
+        return _stopped(a, move)
+    if action is not None and not isinstance(action, (Stopping, Jog)):
+        return Order(type(action).__name__, move.line)
+    speed, rates, jerks = _bounds(a, move)
+    if isinstance(action, Stopping) or a.suspended:
+        return _stopped(a, move)
     if isinstance(action, Jog):
-        speed = abs(action.velocity)
-    elif isinstance(action, Stopping):
-        speed = INFINITY
-    elif a.suspended:
-        kind = "stop"
-    speed = min(speed, a.max_speed) if kind != "stop" else INFINITY
-    return Order(kind, move.line, speed, accel, decel, jerk)
+        goal = max(-a.max_speed, min(action.velocity, a.max_speed))
+        return Order("jog", move.line, abs(goal), rates, jerks, a.shape, goal)
+    if not speed:  # an override of 0
+        return _stopped(a, move)
+    return Order("move", move.line, min(speed, a.max_speed), rates, jerks, a.shape)
 
 
-def _guided(path: PathMove) -> tuple[float, float, float, float]:
-    """The same of a path that goes by its guide; the speeds are those in space, whatever its length counts as."""
-    assert path.guide is not None
-    pace = path.guide.pace()
-    k = abs(path.axes[0].scale.counts) * (path.run.segment.stretch if path.run is not None else 1.0)
-    return pace.speed * k, pace.accel * k, pace.decel * k, INFINITY
+def _stopped(a: Axis, move: Move) -> Order:
+    return Order("stop", move.line, INFINITY, *_bounds(a, move)[1:], a.shape)
 
 
-def _bounds(a: Axis, move: Move) -> tuple[float, float, float, float]:
-    """Speed, rates and jerk of a move: its own where it has some, those of the axis otherwise, within its limits."""
-    speed = a.speed if move.speed is None else move.speed
-    accel, decel = a.rates(speed)
+def _tie(action: Gear | CurveFollow) -> Tie:
+    if isinstance(action, Gear):
+        return Tie(action.master, action.ratio, action.locked)
+    return Tie(action.master, curve=action.curve, origin=action.origin, direction=action.direction)
+
+
+def _path(action: PathMove, move: Move) -> Order:
+    master, leader, axes = action.axes[0], action.moves[0], action.axes
+    speed, (accel, decel), jerks = _bounds(master, leader)
+    run = action.run
+    if run is not None and run.ended and run.hard:
+        decel = master.error_decel
+    k = abs(master.scale.counts)
+    geometry = action.geometry
+    straight = isinstance(geometry, Line)
+    path = PathOrder(
+        tuple(each.index for each in axes),
+        tuple(action.scales),
+        move.start_time,
+        action.relative,
+        tuple(geometry.targets) if isinstance(geometry, Line) else (),
+        (0.0, 0.0) if straight else geometry.centre,  # type: ignore[union-attr]
+        0.0 if straight else geometry.angle,  # type: ignore[union-attr]
+        () if straight else tuple(geometry.rest),  # type: ignore[union-attr]
+        tuple(each.max_speed for each in axes),
+        tuple(each.max_accel for each in axes),
+        tuple(each.max_decel for each in axes),
+        master.contour_angle if master.contour_mode else 0.0,
+    )
+    bounds = speed / k, (accel / k, decel / k), (jerks[0] / k, jerks[1] / k)
+    return Order("path", move.line, *bounds, master.shape, path=path)
+
+
+def _rates(a: Axis, move: Move) -> tuple[float, float]:
+    """The rates of a move: its own where it has some, those of the axis otherwise."""
+    accel, decel = a.rates(a.speed if move.speed is None else move.speed)
     if move.rates is not None:
         accel, decel = move.rates[0] or accel, move.rates[1] or decel
+    return accel, decel
+
+
+def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[float, float]]:
+    """Speed, rates and jerks of a move: its own where it has some, those of the axis otherwise, within its limits."""
+    speed = a.speed if move.speed is None else move.speed
+    accel, decel = _rates(a, move)
     if move.overridden:
         speed *= a.override
     accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
-    if move.ended == "fault" or (isinstance(move.action, Stopping) and move.action.hard):
-        decel = max(decel, a.error_decel)
-    jerk = max(a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else INFINITY
-    return speed, accel, decel, jerk
+    if isinstance(move.action, Stopping) and move.action.rate:
+        decel = move.action.rate
+    elif isinstance(move.action, Stopping) and move.action.hard:
+        decel = a.error_decel if move.ended == "fault" else min(a.error_decel, a.max_decel)
+    jerks = (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
+    return speed, (accel, decel), jerks

@@ -51,7 +51,7 @@ def test_a_sound_run_is_proved() -> None:
     assert proof.holds
     assert proof.counts == {"moves": 1, "profiles": 1, "joins": 2, "paths": 0}
     assert {name: round(share, 6) for name, share in proof.worst.items()} == {
-        "speed": 1.0, "acceleration": 1.0, "deceleration": 1.0, "rate at rest": 1.0,
+        "speed": 1.0, "acceleration": 1.0, "deceleration": 1.0,
     }  # fmt: skip
 
 
