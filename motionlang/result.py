@@ -8,8 +8,8 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
-    from motionlang.controller.record.orders import Orders
     from motionlang.controller.record.judge import Proof
+    from motionlang.controller.record.orders import Orders
     from motionlang.controller.record.trace import Trace
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect

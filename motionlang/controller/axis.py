@@ -72,6 +72,7 @@ class Axis:
         "followers",
         "gains",
         "held",
+        "held_with",
         "home",
         "index",
         "index_every",
@@ -132,6 +133,7 @@ class Axis:
         # Its own rates, and the times for them, while others are lent to it.
         self.lent: dict[str, float | None] = {}
         self.held = 0  # the reasons for which it is suspended, bits of `triggers.conditions`
+        self.held_with: tuple[Axis, ...] = ()  # the axes that one word has suspended with it
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.
         self.max_speed = self.max_accel = self.max_decel = INFINITY

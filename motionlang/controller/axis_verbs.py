@@ -12,7 +12,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import feedrate, halt
 from motionlang.controller.move import Move
 from motionlang.controller.moves import buffer
-from motionlang.controller.triggers.conditions import BY_WORD
+from motionlang.controller.triggers.conditions import BY_WORD, release
 from motionlang.profile import hold
 
 TYPE_CHECKING = False
@@ -289,12 +289,15 @@ class AxisVerbs(Core):
         """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the buffer."""
         a = self.axes[axis]
         self._hold(a)
-        a.held &= ~BY_WORD
+        freed = release(a)
         if a.sequence is not None:
             a.sequence.cancel()
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
             halt.stop(self, a, ended, hard)
+        for each in freed:
+            if each is not a and not each.suspended:
+                self.start_next(each)
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
         """Decelerate to rest at the set rate and keep what the buffer holds: it is next."""

@@ -12,7 +12,7 @@ from motionlang.controller.motion import halt
 from motionlang.controller.move import Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
-from motionlang.controller.triggers.conditions import BY_WORD, Together, refuse_motion
+from motionlang.controller.triggers.conditions import Together, refuse_motion, release
 from motionlang.controller.triggers.watch import arm
 from motionlang.profile import hold, plan
 from motionlang.profile.relief import onset
@@ -252,7 +252,7 @@ class Core(Readings):
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
-        a.held &= ~BY_WORD
+        release(a)
         if a.sequence is not None:
             a.sequence.cancel()
         self.empty(a, ended)

@@ -69,7 +69,7 @@ def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: fl
     if ramps.squares is not None:
         up, down = ramps.squares
         if v0 > speed:
-            return speed if 0.5 * down * (v0 * v0 - v1 * v1) <= length else v1
+            return max(speed, v1) if 0.5 * down * (v0 * v0 - v1 * v1) <= length else v1
         best = sqrt((2.0 * length + up * v0 * v0 + down * v1 * v1) / (up + down))
         return max(min(best, speed), v1)
 

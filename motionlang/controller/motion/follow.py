@@ -319,7 +319,7 @@ class Gear(Follow):
             self._locks_at = now
             return self._geared(coming, position)
         sign = 1.0 if want > have else -1.0
-        chase = _ramp(position, have, sign * (accel if have * sign >= 0.0 else decel))
+        chase = _ramp(position, have, sign, accel, decel)
         gap = added(wanted, chase.scaled(0.0, -1.0), "gap")
         meets = gap.velocity_crossing(0.0)
         if meets is None:
@@ -330,10 +330,10 @@ class Gear(Follow):
         return relabelled(head.then(self._geared(coming.after(meets), head.end)), self.move.shape)
 
 
-def _ramp(position: float, velocity: float, rate: float) -> Profile:
-    """Speeding up without end."""
-    far = plan_velocity("trapezoid", position, velocity, velocity + rate * 1e6, abs(rate), abs(rate))
-    return far.cut(1e6 * 0.999)
+def _ramp(position: float, velocity: float, sign: float, accel: float, decel: float) -> Profile:
+    """Ever faster in a direction, without end; what runs the other way is slowed down first."""
+    far = plan_velocity("trapezoid", position, velocity, sign * (abs(velocity) + accel * 1e6), accel, decel)
+    return far.cut(far.knots[-2] * 0.999)
 
 
 def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, command: str, line: int) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action
-from motionlang.controller.triggers.conditions import BY_WORD
+from motionlang.controller.triggers.conditions import BY_WORD, release
 from motionlang.profile import halted
 from motionlang.profile.relief import stop_under_way
 
@@ -89,13 +89,15 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
     fresh = not any(each.suspended for each in sharing)
     for each in sharing if reason == BY_WORD else (a,):
         each.held |= reason
+        if reason == BY_WORD:
+            each.held_with = tuple(dict.fromkeys((*each.held_with, *sharing)))
     if not fresh or move is None:
         return
     try:
         held = move.action is not None and move.action.suspend(controller, a)
     except Refusal as refusal:
         if reason == BY_WORD:
-            a.held &= ~reason
+            release(a)
             raise
         controller.mishap(refusal)
         return
@@ -106,10 +108,17 @@ def suspend(controller: Core, a: Axis, reason: int) -> None:
 def resume(controller: Core, a: Axis, reason: int) -> None:
     """Take a reason off; where none is left go on to where the axis was going."""
     sharing = _sharing(a)
-    if not any(each.held & reason for each in (sharing if reason == BY_WORD else (a,))):
+    if reason == BY_WORD:
+        if not any(each.held & reason for each in sharing):
+            return
+        freed = [other for each in sharing for other in release(each)]
+        for each in dict.fromkeys(freed):
+            if each not in sharing and not each.suspended and each.move is None:
+                controller.start_next(each)
+    elif not a.held & reason:
         return
-    for each in sharing if reason == BY_WORD else (a,):
-        each.held &= ~reason
+    else:
+        a.held &= ~reason
     if a.move is None or any(each.suspended for each in sharing):
         return
     if a.move.action is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, degrees, hypot, inf, radians, sqrt
+from math import acos, atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt
 
 from motionlang.profile.arc import arc_over, direction, line_over, rotated
 from motionlang.profile.total import total
@@ -198,20 +198,44 @@ def limits(
 ) -> tuple[float, float, float]:
     """Speed, acceleration and deceleration along the path at which every axis keeps its own limits (infinite: none).
 
-    On an arc half of the square of an axis's acceleration is left for changing direction, half for changing speed.
+    On an arc an axis turns and changes its speed at once: each may take the same share of its limit, as large as lets
+    both keep it wherever on the arc they meet (half of its square each, on a whole circle).
     """
     speed = accel = decel = inf
     if not segment.length:
         return speed, accel, decel
-    share = sqrt(0.5) if segment.turn else 1.0
     for k, (most, up, down) in enumerate(zip(speeds, accels, decels, strict=True)):
         if most == up == down == inf:
             continue
         steepest = segment.steepest(k)
-        if steepest == 0.0:
-            continue
-        speed = min(speed, most / steepest)
-        if segment.turn:
-            speed = min(speed, sqrt(share * min(up, down) / steepest / segment.turn))
-        accel, decel = min(accel, share * up / steepest), min(decel, share * down / steepest)
+        bend, share = _bend(segment.curves[k])
+        if steepest:
+            speed = min(speed, most / steepest)
+            accel, decel = min(accel, share * up / steepest), min(decel, share * down / steepest)
+        if bend:
+            speed = min(speed, sqrt(share * min(up, down) / bend))
     return speed, accel, decel
+
+
+def _bend(curve: Profile) -> tuple[float, float]:
+    """The largest second derivative of a curve over its way, and the share of a limit for it, and for the slope."""
+    slope = bend = 0.0
+    angles: list[float] = []
+    for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):
+        _, _, _, _, amplitude, omega, phase = piece
+        if amplitude:
+            last = phase + omega * (finish - begin)
+            inside = [0.5 * pi] if phase < 0.5 * pi < last else []
+            angles += [phase, *inside, last]
+            slope = max(slope, *(abs(cos(angle)) for angle in (phase, *inside, last)))
+            bend = max(bend, *(abs(sin(angle)) for angle in (phase, *inside, last)))
+    if not bend:
+        return 0.0, 1.0
+    if slope:
+        both = atan2(slope, bend)
+        for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):
+            last = piece[6] + piece[5] * (finish - begin)
+            angles += [angle for angle in (both, pi - both) if piece[6] < angle < last]
+    worst = max((abs(cos(x)) / slope if slope else 0.0) + abs(sin(x)) / bend for x in angles)
+    _, _, _, _, amplitude, omega, _ = curve.pieces[0]
+    return abs(amplitude) * omega * omega * bend, 1.0 / worst

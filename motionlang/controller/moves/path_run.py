@@ -10,12 +10,13 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.geometry import corner
-from motionlang.controller.triggers.conditions import BY_WORD
+from motionlang.controller.triggers.conditions import release
 from motionlang.profile import halted, hold
 from motionlang.profile.composed import travelled
 from motionlang.profile.lookahead import plan_course
 from motionlang.profile.relief import onset, stop_under_way
 from motionlang.profile.summed import added
+from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,13 +47,13 @@ class PathRun:
         "_blend_event",
         "_controller",
         "_event",
-        "hard",
         "_over",
         "ahead",
         "axes",
         "began",
         "ended",
         "goal",
+        "hard",
         "here",
         "profile",
         "segment",
@@ -117,7 +118,7 @@ class PathRun:
         """
         controller = self._controller
         for each in self.axes:
-            each.held &= ~BY_WORD
+            release(each)
         controller.empty(a, ended)
         if self.here.guide is not None:
             self.here.guide.stops()
@@ -241,7 +242,8 @@ class PathRun:
     def _planned(self, time: float) -> tuple[Profile, PathMove | None] | None:
         """From what the present profile does at `time` to rest at the end of the paths, and the last of them.
 
-        None where there is no room left to come to rest there.
+        None where there is no room left to come to rest there. What is coming to rest already, with an acceleration
+        that can only be taken back at rest, goes on from there.
         """
         pace = self.here.pace(self._controller, self.segment)
         if self._suspended() or not pace.speed:
@@ -256,8 +258,18 @@ class PathRun:
         except ValueError as problem:
             raise Refusal("range", f"axis {self.axes[0].index} cannot move: {problem}") from None
         if profile is None:
-            return None
+            return self._from_rest(time, stretches, goal)
         return profile if eased is None else eased.then(profile), goal
+
+    def _from_rest(
+        self, time: float, stretches: list[tuple[float, Pace]], goal: PathMove
+    ) -> tuple[Profile, PathMove | None] | None:
+        """The same after the rest that a stop leads to within the paths; None where none does."""
+        still = self.profile.velocity_crossing(0.0, time)
+        if self.goal is not None or still is None or still == INFINITY:
+            return None
+        profile = plan_course(stretches, self.profile.position(still), 0.0)
+        return None if profile is None else (self.profile.cut(still).after(time).then(profile), goal)
 
     def _stretches(self, pace: Pace) -> tuple[list[tuple[float, Pace]], PathMove]:
         """Length and pace of what is run as one, up to a path that may not move now; and the last path of it."""
@@ -274,22 +286,30 @@ class PathRun:
             goal = action
         return stretches, goal
 
-    def _braking(self, time: float, decel: float | None = None) -> Profile | None:
+    def _braking(self, time: float, decel: float | None = None, first: int = 0) -> Profile | None:
         """To rest from what the present profile does at `time`, at `decel` or as hard as the paths it takes allow.
 
-        None where the paths end before, which the run brakes for by itself.
+        The profile is on path number `first` then. A stop that would come into a path ahead faster than that allows
+        begins there, since the present plan brakes harder before it. None where the paths end before, which the run
+        brakes for by itself.
         """
         if self.profile.velocity(time) <= 0.0:
             return hold(self.profile.position(time)).cut(0.0)
-        room, most = 0.0, INFINITY
-        for action, segment in [(self.here, self.segment), *self.ahead]:
+        paths = [(self.here, self.segment), *self.ahead]
+        room, most = total(segment.length for _, segment in paths[:first]), INFINITY
+        for k, (action, segment) in enumerate(paths[first:], first):
             pace = action.pace(self._controller, segment)
-            room, most = room + segment.length, min(most, pace.decel)
+            place, room, most = room, room + segment.length, min(most, pace.decel)
             rates = decel or most, pace.ramp, pace.accel_jerk, pace.decel_jerk
             try:
                 stop = stop_under_way(self.profile, time, pace.shape, *rates)
             except ValueError as problem:
                 raise Refusal("range", f"axis {self.axes[0].index} cannot stop: {problem}") from None
+            if k > first and _speed_at(stop, place) > pace.speed * (1.0 + _SLACK):
+                due = self.profile.crossing(place, time)
+                if due is not None and _speed_at(stop, place) > self.profile.velocity(due) * (1.0 + _SLACK):
+                    later = self._braking(due, decel, k)
+                    return None if later is None else self.profile.cut(due).after(time).then(later)
             if stop.extrema()[1] <= room:
                 return stop
         return None
@@ -441,14 +461,21 @@ class PathRun:
         ):
             return
         place = max(self.segment.length - master.blend_distance, self.profile.start)
-        time = self.profile.crossing(place, clock.now - self.began)
-        when = clock.now if time is None else self.began + time
-        self._blend_event = clock.at(when, self.blend)
+        elapsed = self._elapsed()
+        time = elapsed if self.profile.position(elapsed) >= place else self.profile.crossing(place, elapsed)
+        if time is not None:
+            self._blend_event = clock.at(self.began + time, self.blend)
 
     def _cancel_blend(self) -> None:
         if self._blend_event is not None:
             self._blend_event.cancel()
             self._blend_event = None
+
+
+def _speed_at(profile: Profile, place: float) -> float:
+    """The speed with which a profile passes a place; 0 where it does not come to it."""
+    time = profile.crossing(place)
+    return 0.0 if time is None else profile.velocity(time)
 
 
 def _continues(action: object, axes: tuple[Axis, ...], place: int) -> bool:

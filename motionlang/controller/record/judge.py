@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from math import inf
 from typing import TYPE_CHECKING
 
+from motionlang.controller.record.track import WholeTrack
 from motionlang.errors import Diagnostic
 
 if TYPE_CHECKING:
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
-    from motionlang.controller.record.orders import Order, Orders
+    from motionlang.controller.record.orders import Order, Orders, PathOrder
 
 # A part of the largest figure that rounding may be worth.
 SLACK = 1e-6
 # Paths that may be blended into one another at one time.
-_AT_ONCE = 4
+_AT_ONCE = 100
 
 
 class Proof:
@@ -89,39 +89,65 @@ class Uses:
 class Run:
     """What a run left behind: the tracks of its axes, its log, what was ordered, and when it ended."""
 
-    def __init__(self, axes: Mapping[int, Axis], moves: Iterable[Move], orders: Orders, until: float) -> None:
+    def __init__(
+        self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: Orders, until: float
+    ) -> None:
         self.axes, self.moves, self.orders, self.until = axes, list(moves), orders, until
-        # The entries of paths by axis and beginning, and in the order in which they began.
-        self.entries: dict[tuple[int, float], Move] = {}
+        # The entries of paths by axis, beginning and number, as the orders name them; and in a row.
+        self.entries: dict[tuple[int, float, int], Move] = {}
         self.paths: dict[int, list[Move]] = {}
         self.offsets: dict[int, list[Move]] = {}
+        self._order_of: dict[int, Order] = {}
+        self._tracks: dict[int, WholeTrack] = {}
+        ordered = {
+            (number, order.path.begun, order.path.nth): order
+            for number, records in orders.of.items()
+            for order in records
+            if order.path is not None
+        }
         for move in self.moves:
             if move.overlaid:
                 self.offsets.setdefault(move.axis, []).append(move)
-            elif self.kind_at(axes[move.axis], move.start_time) == "path":
-                self.entries[move.axis, move.start_time] = move
+                continue
+            key = (move.axis, move.start_time, 0)
+            while key in self.entries:
+                key = (*key[:2], key[2] + 1)
+            if key in ordered:
+                self.entries[key] = move
                 self.paths.setdefault(move.axis, []).append(move)
+                self._order_of[id(move)] = ordered[key]
 
-    def span(self, a: Axis, i: int) -> tuple[float, float]:
+    def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
         """When a profile of a track was in force."""
         begin = a.starts[i]
         if i + 1 < len(a.starts):
             return begin, a.starts[i + 1]
         return begin, min(self.until, begin + a.profiles[i].duration)
 
-    def kind_at(self, a: Axis, time: float) -> str:
-        """The kind of what an axis did from a moment on."""
-        return self.order_at(a, time).kind
+    def track(self, a: Axis) -> WholeTrack:
+        """The whole motion of a master, an axis or an encoder."""
+        found = self._tracks.get(id(a))
+        if found is None:
+            found = self._tracks[id(a)] = WholeTrack(a)
+        return found
 
-    def order_at(self, a: Axis, time: float) -> Order:
-        """What holds for an axis from a moment on."""
-        return self.orders.of[a.index][place(a, time)]
+    def order_of(self, move: Move) -> Order:
+        """What holds for an entry of the log when it begins."""
+        found = self._order_of.get(id(move))
+        if found is None:
+            found = self.orders.of[move.axis][self.axes[move.axis].place(move.start_time)]
+        return found
 
-    def is_blended(self, a: Axis, time: float) -> bool:
+    def members(self, path: PathOrder) -> list[Move]:
+        """The entries of a path."""
+        found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
+        return [entry for entry in found if entry is not None and entry.profile is not None]
+
+    def is_blended(self, a: WholeTrack, time: float) -> bool:
         """Whether an axis is on two paths at once."""
-        return a.profiles[place(a, time)].shape == "blend"
+        return a.profiles[a.place(time)].shape == "blend"
 
-    def logged(self, a: Axis, move: Move, time: float) -> float:
+    def logged(self, a: WholeTrack, move: Move, time: float) -> float:
         """The position of a track as a log entry tells it: of paths that are blended without what the others add."""
         done = position(a, time)
         entries = self.paths.get(a.index, [])
@@ -144,12 +170,7 @@ def _gone(move: Move, time: float) -> tuple[float, float]:
     return here - profile.start, here - profile.end
 
 
-def place(a: Axis, time: float) -> int:
-    """The number of the profile of a track that is in force at a time."""
-    return bisect_right(a.starts, time) - 1
-
-
-def position(a: Axis, time: float) -> float:
+def position(a: WholeTrack, time: float) -> float:
     """The position of a track."""
-    i = place(a, time)
+    i = a.place(time)
     return a.profiles[i].position(time - a.starts[i])

@@ -7,14 +7,14 @@ from itertools import pairwise
 from math import inf, isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, Uses, place, position
+from motionlang.controller.record.judge import SLACK, Uses, position
 from motionlang.controller.record.spans import derivatives, due, due_from_rest, spans
 
 if TYPE_CHECKING:
-    from motionlang.controller.axis import Axis
     from motionlang.controller.record.judge import Proof, Run
-    from motionlang.controller.record.orders import Order, Tie
+    from motionlang.controller.record.orders import Order
     from motionlang.controller.record.spans import Span
+    from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile
 
 # Kinds that are planned from the settings of the axis, and so keep its rates.
@@ -23,7 +23,7 @@ PLANNED = frozenset({"move", "jog", "stop"})
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
-def judge_profile(proof: Proof, a: Axis, i: int, order: Order, length: float) -> None:
+def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, length: float) -> None:
     """Speed, rates, jerk and time of what was planned from the settings of the axis; continuity of all in pieces."""
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
@@ -80,7 +80,7 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, where: str) -> Non
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
 
 
-def _judge_knots(proof: Proof, a: Axis, i: int, order: Order, parts: list[Span]) -> None:
+def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:
     """Position goes on from piece to piece; the velocity of planned motion too, and the acceleration of S-ramps."""
     profile = a.profiles[i]
     names = ("position", "velocity", "acceleration")[
@@ -102,21 +102,21 @@ def _judge_knots(proof: Proof, a: Axis, i: int, order: Order, parts: list[Span])
 # ------------------------------------------------------------------------------------------------- followers
 
 
-def judge_tie(proof: Proof, run: Run, a: Axis, i: int, order: Order, end: float) -> None:
+def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
     """A slave is where its ratio, or its table, has it wherever its master is; before that it ramps at its rates."""
     tie = order.tie
     assert tie is not None
-    begin = a.starts[i]
+    track, begin = run.track(tie.master), a.starts[i]
     where = f"axis {a.index} from {begin:.6f} s"
     if tie.curve is None and tie.locked > begin:
         _judge_chase(proof, run, a, i, order, end)
         begin = tie.locked
-    times = [t for t in _moments(a, i, tie, begin, end) if t < end]
+    times = [t for t in _moments(a, track, begin, end) if t < end]
     base: float | None = None
     for time in times:
         offset = _offset(run, a, time)
         done = position(a, time) - offset
-        master = position(tie.master, time)
+        master = position(track, time)
         if tie.curve is None:
             wanted = done if base is None else base + tie.ratio * master
             base = done - tie.ratio * master if base is None else base
@@ -134,7 +134,7 @@ def judge_tie(proof: Proof, run: Run, a: Axis, i: int, order: Order, end: float)
             return
 
 
-def _judge_chase(proof: Proof, run: Run, a: Axis, i: int, order: Order, end: float) -> None:
+def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
     """Until it has the velocity of its ratio a slave changes its own at its rates."""
     tie = order.tie
     assert tie is not None
@@ -150,11 +150,11 @@ def _judge_chase(proof: Proof, run: Run, a: Axis, i: int, order: Order, end: flo
     uses.tell(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
 
 
-def _moments(a: Axis, i: int, tie: Tie, begin: float, end: float) -> list[float]:
+def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
     """Four places of every stretch on which both master and slave are one piece; some of many."""
     knots = {begin, end}
-    for track in (a, tie.master):
-        k = place(track, begin)
+    for track in (a, master):
+        k = track.place(begin)
         while k < len(track.starts) and track.starts[k] < end:
             knots.update(t for t in (track.starts[k] + x for x in track.profiles[k].knots) if begin < t < end)
             k += 1
@@ -172,7 +172,7 @@ def _on(curve: Profile, along: float) -> float:
     return p + slope * (along - x)
 
 
-def _offset(run: Run, a: Axis, time: float) -> float:
+def _offset(run: Run, a: WholeTrack, time: float) -> float:
     """What offsets on top of following have added up to a time."""
     total = 0.0
     for move in run.offsets.get(a.index, ()):
@@ -181,7 +181,7 @@ def _offset(run: Run, a: Axis, time: float) -> float:
     return total
 
 
-def _offset_moves(run: Run, a: Axis, time: float) -> bool:
+def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:
     return any(
         move.start_time <= time
         and move.profile is not None

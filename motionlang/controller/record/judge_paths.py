@@ -4,85 +4,116 @@ where it ends."""
 from __future__ import annotations
 
 from itertools import pairwise
-from math import fsum, hypot, inf, isfinite, pi
+from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, Uses, place
+from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.spans import combined, rotation, spans
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
     from motionlang.controller.record.judge import Proof, Run
     from motionlang.controller.record.orders import Order, PathOrder
     from motionlang.controller.record.spans import Span
+    from motionlang.controller.record.track import WholeTrack
     from motionlang.profile import Profile
+
+
+# A part of the time of the clock within which one path is told from the next.
+ROUNDED = 1e-12
 
 
 class Way:
     """A path as it was ordered, laid out from where it began, in user units.
 
-    `unit` is the direction of a line, None for an arc, whose `turn` is 1/radius as seen along the path. `steepest` is
-    the largest part of the speed along the path that each axis can have.
+    `unit` is the direction of a line, None for an arc, whose `turn` is the angle of the radius per way along the path
+    and `begin` its direction at first; `flat` is the part of the way that its plane has, `climbs` those of the further
+    axes. `stretch` is the way in space per unit of the length that the path counts as.
     """
 
     def __init__(self, path: PathOrder, starts: Sequence[float]) -> None:
         self.path, self.starts = path, starts
-        first = [start / k for start, k in zip(starts, path.scales, strict=True)]
+        self.first = [start / k for start, k in zip(starts, path.scales, strict=True)]
         self.ends = _ends(path, starts)
+        ways = [(end - start) / k for start, end, k in zip(starts, self.ends, path.scales, strict=True)]
         self.turn = 0.0
         self.unit: list[float] | None = None
         if path.line or not path.angle:
-            ways = [(end - start) / k for start, end, k in zip(starts, self.ends, path.scales, strict=True)]
-            self.length = hypot(*ways)
-            self.unit = [way / self.length for way in ways] if self.length else ways
-            self.steepest = [abs(each) for each in self.unit]
+            space = hypot(*ways)
+            self.length = space if path.length is None else path.length
+            self.unit = [way / space for way in ways] if space else ways
+            self.stretch = space / self.length if self.length else 1.0
             return
-        centre = self.centre()
-        x, y = first[0] - centre[0], first[1] - centre[1]
+        i, j = path.plane
+        self.centre = _centre(path, starts)
+        x, y = self.first[i] - self.centre[0], self.first[j] - self.centre[1]
         self.radius = hypot(x, y)
-        climbs = [
-            (end - start) / k
-            for start, end, k in zip(starts[2:], self.ends[2:], path.scales[2:], strict=True)
-        ]
+        climbs = [0.0 if k in path.plane else way for k, way in enumerate(ways)]
         round_ = self.radius * abs(path.angle) * pi / 180.0
-        self.length = hypot(round_, *climbs)
-        flat = round_ / self.length if self.length else 0.0
-        self.turn = abs(path.angle) * pi / 180.0 / self.length if self.length else 0.0
-        self.steepest = [flat, flat, *(abs(climb) / self.length if self.length else 0.0 for climb in climbs)]
+        self.length = hypot(round_, *climbs) if path.length is None else path.length
+        size = self.length or 1.0
+        self.stretch = 1.0
+        self.flat, self.turn = round_ / size, abs(path.angle) * pi / 180.0 / size
+        self.begin = atan2(y, x)
+        self.climbs = [abs(climb) / size for climb in climbs]
 
-    def centre(self) -> tuple[float, float]:
-        """The centre of an arc, user units."""
-        cx, cy = (c / k for c, k in zip(self.path.centre, self.path.scales, strict=False))
-        if self.path.relative:
-            return cx + self.starts[0] / self.path.scales[0], cy + self.starts[1] / self.path.scales[1]
-        return cx, cy
+    def slopes(self, first: float, last: float) -> list[float]:
+        """The largest part of the speed along the path that each axis has between two places of it."""
+        if self.unit is not None:
+            return [abs(each) * self.stretch for each in self.unit]
+        angles = self._angles(first, last, 0.0)
+        found = list(self.climbs)
+        found[self.path.plane[0]] = self.flat * max(abs(sin(angle)) for angle in angles)
+        found[self.path.plane[1]] = self.flat * max(abs(cos(angle)) for angle in angles)
+        return found
+
+    def rates(self, first: float, last: float, rate: float, speed: float) -> list[float]:
+        """The largest acceleration that each axis can have there at a rate and a speed along the path."""
+        if self.unit is not None:
+            return [abs(each) * self.stretch * rate for each in self.unit]
+        across = self.turn * speed * speed
+        both = atan2(across, rate)
+        x = max(abs(sin(a)) * rate + abs(cos(a)) * across for a in self._angles(first, last, 0.5 * pi - both))
+        y = max(abs(cos(a)) * rate + abs(sin(a)) * across for a in self._angles(first, last, both))
+        found = [climb * rate for climb in self.climbs]
+        found[self.path.plane[0]], found[self.path.plane[1]] = self.flat * x, self.flat * y
+        return found
+
+    def _angles(self, first: float, last: float, summit: float) -> list[float]:
+        """The directions of the radius at two places and, between, at all quarters and at a summit from these."""
+        way = copysign(self.turn, self.path.angle)
+        low, high = sorted((self.begin + way * first, self.begin + way * last))
+        found = [low, high]
+        for angle in (0.0, summit, -summit):
+            k = ceil((low - angle) / (0.5 * pi))
+            while angle + k * 0.5 * pi < high and len(found) < 16:
+                found.append(angle + k * 0.5 * pi)
+                k += 1
+        return found
 
     def off(self, places: Sequence[float]) -> float:
         """How far a point, counts, lies off the way, user units."""
         point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
-        first = [start / k for start, k in zip(self.starts, self.path.scales, strict=True)]
-        gone = [p - f for p, f in zip(point, first, strict=True)]
         if self.unit is not None:
+            gone = [p - f for p, f in zip(point, self.first, strict=True)]
             along = fsum(g * u for g, u in zip(gone, self.unit, strict=True))
             return max(abs(g - along * u) for g, u in zip(gone, self.unit, strict=True))
-        centre = self.centre()
-        return abs(hypot(point[0] - centre[0], point[1] - centre[1]) - self.radius)
+        i, j = self.path.plane
+        return abs(hypot(point[i] - self.centre[0], point[j] - self.centre[1]) - self.radius)
 
 
-def judge_path(proof: Proof, run: Run, master: Axis, i: int, order: Order, end: float) -> None:
+def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order, end: float) -> None:
     """The way, the speed along it and how that changes, and the limits of each axis, while one profile is in force."""
     path = order.path
     assert path is not None
     proof.counts["paths"] += 1
     begin = master.starts[i]
-    entries = [run.entries.get((number, path.begun)) for number in path.members]
-    if any(entry is None or entry.profile is None for entry in entries):
+    moves = run.members(path)
+    if len(moves) != len(path.members):
         proof.breaks(order.line, f"path from {begin:.6f} s: the log does not tell of all of its axes")
         return
-    moves = [entry for entry in entries if entry is not None]
     profiles = [entry.profile for entry in moves if entry.profile is not None]
     way = Way(path, [profile.start for profile in profiles])
     blended = run.is_blended(master, begin)
@@ -92,9 +123,10 @@ def judge_path(proof: Proof, run: Run, master: Axis, i: int, order: Order, end: 
         along = _along(profiles, way, begin - path.begun, end - begin)
     else:
         axes = [run.axes[number] for number in path.members]
-        tracks = [a.profiles[place(a, begin)] for a in axes]
+        tracks = [a.profiles[a.place(begin)] for a in axes]
         along = _along(tracks, way, 0.0, end - begin)
-    for share in (0.0, 0.3, 0.7, 1.0):
+    renamed = any(move.offset for move in moves)  # what was ordered counts from another zero
+    for share in () if renamed else (0.0, 0.3, 0.7, 1.0):
         time = begin - path.begun + share * (end - begin)
         off = way.off([profile.position(time) for profile in profiles])
         if off > SLACK * max(
@@ -103,40 +135,45 @@ def judge_path(proof: Proof, run: Run, master: Axis, i: int, order: Order, end: 
             proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
             break
     if along:
-        _judge_along(proof, order, way, along, where, blended)
+        _judge_along(proof, order, way, along, where)
 
 
-def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where: str, blended: bool) -> None:
+def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
     path = order.path
     assert path is not None
     smooth = order.jerks[0] < inf
     _, v0, a0, _ = along[0].at(0.0)
     came = abs(v0) + (0.5 * a0 * a0 / order.jerks[0] if smooth and a0 * v0 > 0.0 else 0.0)
     eased = abs(a0) if smooth else 0.0
-    # A path that begins too fast, since a limit has come down, has as much across it until it has slowed down.
-    across = way.turn * came * came if came > order.speed else 0.0
     uses = Uses(proof)
+    axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
+    late = ROUNDED * (1.0 + path.begun)
     for span in along:
-        top = span.peak(1)
-        uses.look("path speed", top, max(order.speed, came))
-        for steep, most, k, number in zip(way.steepest, path.most, path.scales, path.members, strict=True):
-            uses.look(f"speed of axis {number}", top * steep * abs(k), max(most, came * steep * abs(k)))
+        if span.length <= late:  # the time of a join is rounded
+            continue
+        uses.look("path speed", span.peak(1), max(order.speed, came))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, speed = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
-            if speed > SLACK:
-                uses.look(
-                    f"path {('acceleration', 'deceleration')[side]}", rate, max(order.rates[side], eased)
-                )
-                if smooth:
-                    uses.look("path jerk", max(abs(left[3]), abs(right[3])), max(order.jerks))
-            whole = hypot(rate, way.turn * speed * speed)
+            if speed <= SLACK * max(1.0, came):  # at rest but for rounding
+                continue
+            name = ("path acceleration", "path deceleration")[side]
+            uses.look(name, rate, max(order.rates[side], eased))
+            if smooth:
+                uses.look("path jerk", max(abs(left[3]), abs(right[3])), max(order.jerks))
+            first, last = left[0], right[0]
+            # What begins too fast, since a limit has come down, is excused until it has slowed down.
+            slow = [
+                max(x, came * s)
+                for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
+            ]
+            for (number, k), slope, most in zip(axes, way.slopes(first, last), slow, strict=True):
+                uses.look(f"speed of axis {number}", speed * slope * k, most)
             limits = path.most_decel if side else path.most_accel
-            for steep, most, k, number in zip(way.steepest, limits, path.scales, path.members, strict=True):
-                excused = hypot(eased, across, way.turn * came * came if came > speed else 0.0)
-                uses.look(
-                    f"rate of axis {number}", whole * steep * abs(k), max(most, excused * steep * abs(k))
-                )
+            own, excused = way.rates(first, last, rate, speed), way.rates(first, last, eased, came)
+            too_fast = eased > 0.0 or came > 0.0
+            for (number, k), figure, came_with, most in zip(axes, own, excused, limits, strict=True):
+                uses.look(f"rate of axis {number}", figure * k, max(most, came_with * k if too_fast else 0.0))
     uses.tell(order.line, where, "")
     names = ("speed", "acceleration")[: 2 if smooth else 1]
     for before, after in pairwise(along):
@@ -144,6 +181,10 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
             gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
             if gap > SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf)):
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
+
+
+def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:
+    return [part * k for part, (_, k) in zip(parts, axes, strict=True)]
 
 
 def _along(profiles: Sequence[Profile], way: Way, begin: float, length: float) -> list[Span]:
@@ -186,7 +227,7 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
         return None
     if way.unit is None:  # an arc of which every axis is straight is none, or stands
         return []
-    weights = [u / k for u, k in zip(way.unit, way.path.scales, strict=True)]
+    weights = [u / k / way.stretch for u, k in zip(way.unit, way.path.scales, strict=True)]
     rows = [spans(profile, begin, length) for profile, begin in parts]
     moving = [(row, w) for row, w, u in zip(rows, weights, way.unit, strict=True) if u]
     if not moving or len({len(row) for row, _ in moving}) != 1:
@@ -199,13 +240,13 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
 
 def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
     """A path ends where the program has it end, and takes time."""
-    a, profile = run.axes[move.axis], move.profile
+    profile = move.profile
     assert profile is not None
-    order = run.order_at(a, move.start_time)
-    path = order.path
+    path = run.order_of(move).path
     assert path is not None
-    starts = [entry.profile.start for entry in _members(run, path) if entry.profile is not None]
-    if len(starts) != len(path.members):
+    entries = run.members(path)
+    starts = [entry.profile.start for entry in entries if entry.profile is not None]
+    if len(starts) != len(path.members) or any(entry.offset for entry in entries):
         return
     which = path.members.index(move.axis)
     end = _ends(path, starts)[which]
@@ -217,17 +258,26 @@ def judge_path_end(proof: Proof, run: Run, move: Move, over: bool) -> None:
         proof.breaks(move.line, f"{where}: a path in no time")
 
 
-def _members(run: Run, path: PathOrder) -> list[Move]:
-    found = [run.entries.get((number, path.begun)) for number in path.members]
-    return [entry for entry in found if entry is not None]
+def _centre(path: PathOrder, starts: Sequence[float]) -> tuple[float, float]:
+    """The centre of an arc, user units."""
+    x, y = (
+        (c + (starts[k] if path.relative else 0.0)) / path.scales[k]
+        for c, k in zip(path.centre, path.plane, strict=True)
+    )
+    return x, y
 
 
 def _ends(path: PathOrder, starts: Sequence[float]) -> list[float]:
     """Where a path that begins at `starts` ends, counts."""
     if path.line:
         return [s + t for s, t in zip(starts, path.line, strict=True)] if path.relative else list(path.line)
-    rest = [s + r for s, r in zip(starts[2:], path.rest, strict=True)] if path.relative else list(path.rest)
-    centre = [c + s if path.relative else c for c, s in zip(path.centre, starts, strict=False)]
-    x, y = ((s - c) / k for s, c, k in zip(starts[:2], centre, path.scales, strict=False))
-    turned = rotation(x, y, path.angle)
-    return [*(c + t * k for c, t, k in zip(centre, turned, path.scales, strict=False)), *rest]
+    rest = iter(path.rest)
+    ends = [
+        s if k in path.plane else next(rest) + (s if path.relative else 0.0) for k, s in enumerate(starts)
+    ]
+    centre, (i, j) = _centre(path, starts), path.plane
+    x, y = rotation(
+        starts[i] / path.scales[i] - centre[0], starts[j] / path.scales[j] - centre[1], path.angle
+    )
+    ends[i], ends[j] = (centre[0] + x) * path.scales[i], (centre[1] + y) * path.scales[j]
+    return ends

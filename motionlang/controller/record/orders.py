@@ -29,19 +29,23 @@ class PathOrder(NamedTuple):
     """A path as the program ordered it: its axes, its master first, and where it leads.
 
     `line` are the ends of a straight one; an arc has `centre`, `angle` (degrees) and `rest`, the ends of its further
-    axes. Of a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
+    axes; `plane` are the places of the two that go round. `length` is what it counts as, None for its way in space. Of
+    a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
     began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
-    run through. It is `cut` where a stop has been ordered on it.
+    run through. Of several paths that begin at one moment, since they are blended into each other, it is the `nth`.
     """
 
     members: tuple[int, ...]
     scales: tuple[float, ...]
     begun: float
+    nth: int
     relative: bool
     line: tuple[float, ...]
     centre: tuple[float, float]
     angle: float
     rest: tuple[float, ...]
+    plane: tuple[int, int]
+    length: float | None
     most: tuple[float, ...]
     most_accel: tuple[float, ...]
     most_decel: tuple[float, ...]
@@ -79,6 +83,8 @@ class Order(NamedTuple):
 
 
 REST = Order("rest", 0)
+# The corner, degrees, that is none: guided paths join where they go on in the same direction.
+STRAIGHT = 1e-4
 
 
 class Orders:
@@ -95,6 +101,9 @@ class Orders:
             number: [a.datum] * len(a.profiles) for number, a in axes.items()
         }
         self.stands: dict[tuple[int, float], str] = {}
+        # The number of each path among those that its master began at one moment.
+        self._nth: dict[PathMove, int] = {}
+        self._counts: dict[tuple[int, float], int] = {}
         self._controller = controller
         self._extend, self._freeze = controller.extend_track, controller.freeze
         controller.extend_track = self._extended  # type: ignore[method-assign]
@@ -102,9 +111,22 @@ class Orders:
 
     def _extended(self, a: Axis, profile: Profile) -> None:
         if self._controller.axes.get(a.index) is a:
-            self.of[a.index].append(_order(a))
+            move = a.move
+            path = move is not None and isinstance(move.action, PathMove)
+            self.of[a.index].append(self._path(a) if path else _order(a))
             self.data[a.index].append(a.datum)
         self._extend(a, profile)
+
+    def _path(self, a: Axis) -> Order:
+        """That of a path; those that begin at one moment are numbered."""
+        move = a.move
+        assert move is not None
+        action = move.action
+        assert isinstance(action, PathMove)
+        if action not in self._nth:
+            key = action.axes[0].index, move.start_time
+            self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
+        return _path(action, move, self._nth[action])
 
     def _frozen(self, a: Axis, ended: str) -> None:
         self.stands[a.index, self._controller.clock.now] = ended
@@ -116,8 +138,6 @@ def _order(a: Axis) -> Order:
     if move is None:
         return REST
     action = move.action
-    if isinstance(action, PathMove):
-        return _path(action, move)
     if isinstance(action, (Gear, CurveFollow)) and not a.suspended:
         return Order(type(action).__name__, move.line, rates=_rates(a, move), tie=_tie(action))
     if isinstance(action, Gear):
@@ -145,33 +165,6 @@ def _tie(action: Gear | CurveFollow) -> Tie:
     return Tie(action.master, curve=action.curve, origin=action.origin, direction=action.direction)
 
 
-def _path(action: PathMove, move: Move) -> Order:
-    master, leader, axes = action.axes[0], action.moves[0], action.axes
-    speed, (accel, decel), jerks = _bounds(master, leader)
-    run = action.run
-    if run is not None and run.ended and run.hard:
-        decel = master.error_decel
-    k = abs(master.scale.counts)
-    geometry = action.geometry
-    straight = isinstance(geometry, Line)
-    path = PathOrder(
-        tuple(each.index for each in axes),
-        tuple(action.scales),
-        move.start_time,
-        action.relative,
-        tuple(geometry.targets) if isinstance(geometry, Line) else (),
-        (0.0, 0.0) if straight else geometry.centre,  # type: ignore[union-attr]
-        0.0 if straight else geometry.angle,  # type: ignore[union-attr]
-        () if straight else tuple(geometry.rest),  # type: ignore[union-attr]
-        tuple(each.max_speed for each in axes),
-        tuple(each.max_accel for each in axes),
-        tuple(each.max_decel for each in axes),
-        master.contour_angle if master.contour_mode else 0.0,
-    )
-    bounds = speed / k, (accel / k, decel / k), (jerks[0] / k, jerks[1] / k)
-    return Order("path", move.line, *bounds, master.shape, path=path)
-
-
 def _rates(a: Axis, move: Move) -> tuple[float, float]:
     """The rates of a move: its own where it has some, those of the axis otherwise."""
     accel, decel = a.rates(a.speed if move.speed is None else move.speed)
@@ -182,14 +175,55 @@ def _rates(a: Axis, move: Move) -> tuple[float, float]:
 
 def _bounds(a: Axis, move: Move) -> tuple[float, tuple[float, float], tuple[float, float]]:
     """Speed, rates and jerks of a move: its own where it has some, those of the axis otherwise, within its limits."""
-    speed = a.speed if move.speed is None else move.speed
     accel, decel = _rates(a, move)
-    if move.overridden:
-        speed *= a.override
     accel, decel = min(accel, a.max_accel), min(decel, a.max_decel)
     if isinstance(move.action, Stopping) and move.action.rate:
         decel = move.action.rate
     elif isinstance(move.action, Stopping) and move.action.hard:
         decel = a.error_decel if move.ended == "fault" else min(a.error_decel, a.max_decel)
-    jerks = (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
-    return speed, (accel, decel), jerks
+    return _speed(a, move), (accel, decel), _jerks(a)
+
+
+def _speed(a: Axis, move: Move) -> float:
+    speed = a.speed if move.speed is None else move.speed
+    return speed * a.override if move.overridden else speed
+
+
+def _jerks(a: Axis) -> tuple[float, float]:
+    return (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
+
+
+def _path(action: PathMove, move: Move, nth: int) -> Order:
+    master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
+    shape, k = master.shape, abs(master.scale.counts)
+    if guide is None:
+        speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
+        through = master.contour_angle if master.contour_mode else 0.0
+    else:
+        pace = guide.pace()
+        shape, k, through = pace.shape, 1.0, STRAIGHT
+        speed, rates, jerks = pace.speed, (pace.accel, pace.decel), ENDLESS
+    run = action.run
+    if guide is None and run is not None and run.ended and run.hard:
+        rates = rates[0], master.error_decel
+    geometry = action.geometry
+    straight = isinstance(geometry, Line)
+    path = PathOrder(
+        tuple(each.index for each in axes),
+        tuple(action.scales),
+        move.start_time,
+        nth,
+        action.relative,
+        tuple(geometry.targets) if isinstance(geometry, Line) else (),
+        (0.0, 0.0) if straight else tuple(geometry.centre),  # type: ignore[union-attr]
+        0.0 if straight else geometry.angle,  # type: ignore[union-attr]
+        () if straight else tuple(geometry.rest),  # type: ignore[union-attr]
+        (0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
+        geometry.length,
+        tuple(each.max_speed for each in axes),
+        tuple(each.max_accel for each in axes),
+        tuple(each.max_decel for each in axes),
+        through,
+    )
+    bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
+    return Order("path", move.line, *bounds, shape, path=path)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import acos, degrees, fsum, inf, isfinite, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, Proof, Run, place
+from motionlang.controller.record.judge import SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.spans import half_angle
@@ -16,17 +16,16 @@ from motionlang.controller.record.spans import half_angle
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.controller.axis import Axis
-    from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
     from motionlang.controller.record.orders import Order, Orders
+    from motionlang.controller.record.track import Recorded, WholeTrack
     from motionlang.profile import State
 
 # The part of the time of a log entry at which the track is compared with it, beside its ends.
 LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 
-def prove(controller: Controller, orders: Orders, until: float) -> Proof:
+def prove(controller: Recorded, orders: Orders, until: float) -> Proof:
     """Prove what a controller did up to a time."""
     proof, run = Proof(), Run(controller.axes, controller.moves, orders, until)
     for number, a in controller.axes.items():
@@ -50,7 +49,7 @@ def prove(controller: Controller, orders: Orders, until: float) -> Proof:
 # ------------------------------------------------------------------------------------------------------- joins
 
 
-def _judge_join(proof: Proof, run: Run, a: Axis, i: int) -> None:
+def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     """Position and velocity go on where one profile follows another, and the acceleration of S-ramps."""
     proof.counts["joins"] += 1
     orders = run.orders
@@ -95,7 +94,7 @@ def _judge_join(proof: Proof, run: Run, a: Axis, i: int) -> None:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
 
 
-def _excuse(run: Run, a: Axis, i: int, kinds: tuple[str, str]) -> str:
+def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     """What the program has ordered that makes the velocity jump; "" where nothing has."""
     if (a.index, a.starts[i]) in run.orders.stands:
         return "a stop at once: cancelled, switched off, or at a limit"
@@ -134,15 +133,15 @@ def _bend(run: Run, order: Order, time: float) -> float:
     return abs(rates[1] - rates[0])
 
 
-def _speed(axes: Sequence[Axis], states: Sequence[State]) -> float:
+def _speed(axes: Sequence[WholeTrack], states: Sequence[State]) -> float:
     return sqrt(fsum((s.velocity / a.scale.counts) ** 2 for a, s in zip(axes, states, strict=True)))
 
 
-def _both(run: Run, order: Order, time: float) -> tuple[list[Axis], list[State], list[State]]:
+def _both(run: Run, order: Order, time: float) -> tuple[list[WholeTrack], list[State], list[State]]:
     """The axes of a path, and their states just before a moment and from then on."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
-    places = [place(a, time) for a in axes]
+    places = [a.place(time) for a in axes]
     old = [a.profiles[k - 1].at(time - a.starts[k - 1]) for a, k in zip(axes, places, strict=True)]
     return axes, old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
 
@@ -166,7 +165,7 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
             proof.breaks(move.line, f"{where}: the phases take {time:g} s, the move {profile.duration:g} s")
         if abs(way - profile.distance) > SLACK * size:
             proof.breaks(move.line, f"{where}: the phases go {way:g} counts, the move {profile.distance:g}")
-    kind = run.kind_at(a, move.start_time)
+    kind = run.order_of(move).kind
     over = move.start_time + profile.duration <= run.until and a.move is not move and not move.ended
     if over and kind in ("move", "rest") and abs(profile.end + move.offset - move.target) > SLACK * size:
         proof.breaks(move.line, f"{where}: it ends at {profile.end + move.offset:g}, sent to {move.target:g}")

@@ -153,6 +153,15 @@ class Together:
                 condition.look()
 
 
+def release(a: Axis) -> tuple[Axis, ...]:
+    """Take the word off that suspends an axis, and off those that it has suspended with it; the axes concerned."""
+    freed = (a, *(each for each in a.held_with if each is not a))
+    for each in freed:
+        each.held &= ~BY_WORD
+        each.held_with = ()
+    return freed
+
+
 def refuse_motion(controller: Core, a: Axis) -> None:
     """Refusal of a motion while the axis has an error that locks it, is off, or its brake is set."""
     if a.faults & a.locks:

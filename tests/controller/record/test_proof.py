@@ -8,6 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.controller.axis import Axis
+from motionlang.controller.record.orders import Order
 from motionlang.profile import Profile, hold, plan
 from motionlang.result import Run
 from motionlang.source import Source
@@ -123,3 +124,64 @@ def test_a_run_that_kept_no_orders_cannot_be_proved() -> None:
     result = run(Source("move.mnt", MOVE), cache=False)
     with pytest.raises(ValueError, match="prove=True"):
         result.proof()
+
+
+# Orders that are forged afterwards: the motion then breaks them.
+ARC = "MAXACCEL(1) = 40\nCIRCLER(0, 1) = -10, 0, 300\nGO(0)\nPAUSE IDLE(0)\n"
+LINE = "VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"
+SLAVE = "MASTERSOURCE(1) = _msPOS : FOLLOW(1) = 0.5\nJOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n"
+CAM = (
+    "Dim rise(3) As Float = 2, 5, 9\nMASTERSOURCE(1) = _msPOS : MASTERDISTANCE(1) = 10\nCAMTABLE(1, rise)\n"
+    "CAM(1) = 0 : GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
+)
+RATES = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
+Forge = Callable[[Order], Order]
+
+
+def path_of(order: Order, **other: object) -> Order:
+    return order if order.path is None else order._replace(path=order.path._replace(**other))  # type: ignore[arg-type]
+
+
+def tie_of(order: Order, **other: object) -> Order:
+    return order if order.tie is None else order._replace(tie=order.tie._replace(**other))  # type: ignore[arg-type]
+
+
+BROKEN: dict[str, tuple[str, Forge, str]] = {
+    "a path that goes elsewhere": (LINE, lambda o: path_of(o, line=(30.0, 41.0)), "off the way that was ordered"),
+    "a path too long": (LINE, lambda o: path_of(o, line=(33.0, 44.0)), "ordered was 33"),
+    "another radius": (ARC, lambda o: path_of(o, centre=(-10.5, 0.0)), "off the way that was ordered"),
+    "an angle": (ARC, lambda o: path_of(o, angle=301.0), "its path ends at"),
+    "a path too fast": (LINE, lambda o: o._replace(speed=19.9), "the path speed reaches 20, above 19.9"),
+    "a path too hard": (LINE, lambda o: o._replace(rates=(99.0, 100.0)), "the path acceleration reaches 100"),
+    "too hard for one of its axes": (ARC, lambda o: path_of(o, most_accel=(1e9, 35.0)), "the rate of axis 1"),
+    "too fast for one of its axes": (LINE, lambda o: path_of(o, most=(1e9, 15.0)), "the speed of axis 1 reaches 16"),
+    "the jerk of a path": (JERKS + LINE, lambda o: o._replace(jerks=(300.0, 399.0)), "the path jerk reaches 400"),
+    "a fade that is too slow": (
+        "JOG(0) = 20\nWAIT 1000\nSTOP(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(rates=(100.0, 120.0)) if o.kind == "stop" else o,
+        "it takes 0.2 s where 0.166667 s are due",
+    ),
+    "a fade at a lower jerk": (
+        JERKS + "JOG(0) = 20\nWAIT 100\nSTOP(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(jerks=(500.0, 500.0)) if o.kind == "stop" else o,
+        "s are due",
+    ),
+    "a move that dawdles": (
+        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n",
+        lambda o: o._replace(speed=21.0) if o.kind == "move" else o,
+        "it takes 5.2 s where",
+    ),
+    "another ratio": (SLAVE, lambda o: tie_of(o, ratio=0.51), "its master has it at"),
+    "another place on a cam": (CAM, lambda o: tie_of(o, origin=0.5), "its master has it at"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_an_order_that_the_motion_breaks_is_found(name: str) -> None:
+    program, forge, message = BROKEN[name]
+    result = proved(RATES + program)
+    assert found(result) == []
+    assert result.orders is not None
+    for axis, records in result.orders.of.items():
+        result.orders.of[axis] = [forge(order) for order in records]
+    assert any(message in each for each in found(result)), found(result)

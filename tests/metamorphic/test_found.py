@@ -1,0 +1,93 @@
+"""What random jobs have found: the least program of each kind, proved, with the figures that are due."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.profile.lookahead import Pace, plan_course
+from motionlang.result import Run
+from motionlang.source import Source
+
+H = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200\n"
+END = "PAUSE IDLE(0)\nPAUSE IDLE(1)\nPAUSE IDLE(2)\n"
+
+
+def proved(program: str) -> Run:
+    machine = {"controller.instruction_time": 1e-9}
+    result = run(Source("found.mnt", program), machine=machine, cache=False, prove=True, until=100.0)
+    assert [each.message for each in result.diagnostics] == []
+    assert [each.message for each in result.proof().violations] == []
+    return result
+
+
+def ends(result: Run, *places: float) -> None:
+    axes = result.controller.axes
+    assert [axes[k].position(result.time) for k in range(len(places))] == pytest.approx(places, abs=1e-6)
+
+
+def test_a_word_suspends_the_axes_of_a_path_until_it_is_taken_back_whatever_path_is_run_then() -> None:
+    """The path of three axes is over before the suspend has slowed it down; the next one is of two of them."""
+    paths = "VECTORR(0, 1, 2) = 3, 0, 4\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1, 2) = 0, 0, 6\nGO(0)\n"
+    for word in ("SUSPEND(0) = 1\nWAIT 500\nSUSPEND(0) = 0\n", "SUSPEND(2) = 1\nWAIT 500\nSUSPEND(0) = 0\n"):
+        ends(
+            proved("MOVEBUFFERSIZE(0, 1, 2) = 9;\n" + H + paths + "WAIT 340\n" + word + END), 13.0, 0.0, 10.0
+        )
+
+
+JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 500\n"
+
+
+@pytest.mark.parametrize("wait", [280, 400, 430, 447, 500])
+def test_a_path_that_is_resumed_while_it_comes_to_rest_goes_on(wait: int) -> None:
+    """447 ms after SUSPEND it is in the last flank of its S-ramp: that acceleration is gone at rest, not before."""
+    program = H + JERKS + "VECTORR(0, 1) = 60, 0\nGO(0)\nWAIT 600\nSUSPEND(0) = 1\n"
+    ends(proved(f"{program}WAIT {wait}\nSUSPEND(0) = 0\n" + END), 60.0, 0.0)
+
+
+@pytest.mark.parametrize("wait", [417, 456, 480, 527])
+def test_a_path_that_is_resumed_is_not_blended_into_the_next_one_before_its_distance(wait: int) -> None:
+    paths = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 2\nVECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
+    suspend = f"WAIT 600\nSUSPEND(0) = 1\nWAIT {wait}\nSUSPEND(0) = 0\n"
+    ends(proved(H + JERKS + paths + suspend + END), 60.0, 10.0)
+
+
+def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> None:
+    """From 50 to a limit of 10, which is not there yet where the next path begins: it is never sped up to that."""
+    pace = Pace("trapezoid", 10.0, 100.0, 200.0)
+    other = Pace("trapezoid", 9.0, 100.0, 200.0)
+    for k in range(1, 60):
+        made = plan_course([(0.1 * k, pace), (20.0, other)], 0.0, 50.0)
+        assert made is not None
+        speeds = [made.velocity(knot) for knot in made.knots]
+        assert speeds == sorted(speeds, reverse=True), k
+
+
+def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard() -> None:
+    """6.1 before an arc of which MAXDECEL leaves 14: a stop at 200 takes 6.25, one at 14 would come into it at 48."""
+    paths = (
+        "CONTOURMODE(0) = 1 : MAXDECEL(1) = 20 : MAXACCEL(1) = 20\nVECTORR(0, 1) = 30, 0\n"
+        "CIRCLER(0, 1) = 0, 5, 3000\nGO(0)\n"
+    )
+    result = proved(H + paths + "WAIT 728\nSTOP(0)\n" + END)
+    assert result.controller.axes[0].velocity(0.85) < 30.0
+
+
+def test_a_short_arc_keeps_the_acceleration_of_the_axis_that_only_turns_on_it() -> None:
+    """30 degrees from the first axis: that hardly moves, and has all of the acceleration across the arc."""
+    arc = "SPEED(0) = 50 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMAXACCEL(0) = 60\nCIRCLER(0, 1) = -10, 0, 30\nGO(0)\n"
+    result = proved(arc + END)
+    # Of 60 turning and speeding up may have a share of 1 / (1 + cos 30°) each, the worst being at 30 degrees.
+    share = 60.0 / (1.0 + 0.75**0.5)
+    peak = max(abs(result.controller.axes[1].velocity(0.001 * k)) for k in range(round(1000 * result.time)))
+    assert (share * 10.0) ** 0.5 * 0.866 <= peak <= (share * 10.0) ** 0.5
+
+
+def test_a_slave_that_turns_round_to_its_ratio_slows_down_at_decel_and_speeds_up_at_accel() -> None:
+    """From -20 to 20: 0.1 s at 200 and 0.4 s at 50."""
+    rates = (
+        "ACCEL(1) = 50 : DECEL(1) = 200 : SPEED(1) = 50\nMASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\n"
+    )
+    program = H + rates + "JOG(0) = 20\nWAIT 500\nJOG(1) = -20\nWAIT 500\nFOLLOWMODE(1) = 1 : FOLLOW(1) = 1\n"
+    result = proved(program + "WAIT 499\nPRINT VEL(1) < 20\nWAIT 2\nPRINT VEL(1)\n")
+    assert result.output == ["1", "20.0000"]

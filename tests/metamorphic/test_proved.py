@@ -1,0 +1,32 @@
+"""Random jobs of several axes, each of them proved: contours with limits, with events in motion, and trains of slaves.
+
+`MOTIONLANG_LONG=2000` asks for so many of each.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+import pytest
+
+from motionlang import run
+from motionlang.source import Source
+from tests.metamorphic.jobs import Contour, Train
+
+COUNT = int(os.environ.get("MOTIONLANG_LONG", "40"))
+KINDS: dict[str, Callable[[int], Contour | Train]] = {
+    "contours": lambda seed: Contour(seed, events=False),
+    "contours with events": lambda seed: Contour(seed, events=True),
+    "masters and slaves": Train,
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_random_jobs_keep_every_bound_and_end(kind: str) -> None:
+    for seed in range(COUNT):
+        machine = {"controller.instruction_time": 1e-9}
+        job = KINDS[kind](seed)
+        result = run(Source("job.mnt", job.text), machine=machine, cache=False, prove=True, until=2000.0)
+        told = [each.message for each in (*result.diagnostics, *result.proof().violations)]
+        assert (result.status, told) == ("ended", []), f"{kind}, seed {seed}:\n{job.text}"
