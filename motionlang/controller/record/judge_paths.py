@@ -120,13 +120,13 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     where = f"path from {begin:.6f} s"
     if blended:
         proof.excuses("paths blended into each other")
-        along = _along(profiles, way, begin - path.begun, end - begin)
+        along = _along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
     else:
         axes = [run.axes[number] for number in path.members]
-        tracks = [a.profiles[a.place(begin)] for a in axes]
-        along = _along(tracks, way, 0.0, end - begin)
-    renamed = any(move.offset for move in moves)  # what was ordered counts from another zero
-    for share in () if renamed else (0.0, 0.3, 0.7, 1.0):
+        places = [a.place(begin) for a in axes]
+        tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
+        along = _along(tracks, way, end - begin)
+    for share in (0.0, 0.3, 0.7, 1.0):
         time = begin - path.begun + share * (end - begin)
         off = way.off([profile.position(time) for profile in profiles])
         if off > SLACK * max(
@@ -187,11 +187,15 @@ def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[f
     return [part * k for part, (_, k) in zip(parts, axes, strict=True)]
 
 
-def _along(profiles: Sequence[Profile], way: Way, begin: float, length: float) -> list[Span]:
-    """The distance along the way over time; empty where it cannot be told."""
+def _along(rows: Sequence[tuple[Profile, float]], way: Way, length: float) -> list[Span]:
+    """The distance along the way over time, of profiles that have been in force for some time already.
+
+    Empty where it cannot be told.
+    """
     found: list[Span] = []
+    gone = 0.0
     while length > 0.0:
-        parts = [_part(profile, begin) for profile in profiles]
+        parts = [_part(profile, begin + gone) for profile, begin in rows]
         span = min(length, *(left for _, _, left in parts))
         some = _spans_along([(profile, at) for profile, at, _ in parts], way, span)
         if some is None:
@@ -200,7 +204,7 @@ def _along(profiles: Sequence[Profile], way: Way, begin: float, length: float) -
         for each in some:
             each.begin += offset
         found += some
-        begin, length = begin + span, length - span
+        gone, length = gone + span, length - span
         if span <= 0.0 or not isfinite(length):
             break
     return found
