@@ -9,17 +9,23 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.execution import run
     from motionlang.result import Run
+    from motionlang.sweeps import sweep
 
 __version__ = "0.1.0"
-__all__ = ["Run", "__version__", "run"]
+__all__ = ["Run", "__version__", "run", "sweep"]
 
 
 def __getattr__(name: str) -> object:
-    """`run` and `Run` on first use, so that importing a part of the package does not import the whole."""
+    """`run`, `Run` and `sweep` on first use, so that importing a part of the package does not import the whole."""
     if name in ("run", "Run"):
         from importlib import import_module
 
         module = import_module("motionlang.execution")
         globals().update(run=module.run, Run=module.Run)
         return globals()[name]
+    if name == "sweep":
+        from importlib import import_module
+
+        globals()["sweep"] = import_module("motionlang.sweeps").sweep
+        return globals()["sweep"]
     raise AttributeError(name)

@@ -64,6 +64,7 @@ def run(
     cache: bool = True,
     keep_crash: bool = False,
     prove: bool = False,
+    compiled: Program | None = None,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
 
@@ -74,20 +75,22 @@ def run(
     `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
     with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
     data outlives the run. With `prove` what `Run.proof` needs is kept. An error of motionlang's own is raised, or with
-    `keep_crash` left in `Run.crash`, beside all that was computed before it.
+    `keep_crash` left in `Run.crash`, beside all that was computed before it. `compiled` is what the dialect has made of
+    the source before, for a machine that is as this one wherever `Dialect.compiled_in` says that it matters.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
     source = program if isinstance(program, Source) else Source.read(program)
-    language = _dialect_for(source, dialect)
-    settings = _checked(machine) if machine is not None else _settings_beside(program)
+    language = dialect_for(source, dialect)
+    settings = _checked(machine) if machine is not None else settings_beside(program)
     result = Run(
         source,
         language,
         Machine(settings, first_axis=language.first_axis, show=show, overrides=overrides),
     )
-    name = _cache_name(source, language, settings) if cache else ""
-    compiled = _compile(source, language, settings, result, name)
+    name = _cache_name(source, language, settings) if cache and compiled is None else ""
+    if compiled is None:
+        compiled = _compile(source, language, settings, result, name)
     if nv is not None and compiled is not None:
         from motionlang.remarks import open_kept
 
@@ -138,7 +141,7 @@ def end_of(settings: Mapping[str, object]) -> float:
     return until
 
 
-def _settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, object]:
+def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, object]:
     """The settings of the machine file beside a program that is named by its path."""
     path = machine_of(program)
     if path is None:
@@ -159,7 +162,8 @@ def _checked(machine: Mapping[str, object]) -> dict[str, object]:
     return dict(machine)
 
 
-def _dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
+def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
+    """The dialect that is wanted, or else the one that owns the suffix; ValueError where none does."""
     if wanted is not None:
         return dialect(wanted) if isinstance(wanted, str) else wanted
     found = dialect_of(source.name)

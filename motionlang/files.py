@@ -204,3 +204,11 @@ def _remove(path: str) -> None:
         os.remove(path)
     except OSError:
         pass
+
+
+def appending(path: str, *, new: bool) -> IO[bytes]:
+    """A file that grows line by line while long work goes on, each line on the disk's side of this process at once.
+
+    `new`: without what is in it. For what is read again after the work was cut off; OSError names the file.
+    """
+    return open(path, "wb" if new else "ab", buffering=0)

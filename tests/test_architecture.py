@@ -16,12 +16,13 @@ PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 
 # From the top down; a package may import its own level's name and anything below it.
 LEVELS: dict[str, int] = {
-    "__main__": 15,
-    "cli": 14,
-    "repl": 13,
-    "client": 12,
-    "serve": 11,
-    "views": 10,
+    "__main__": 16,
+    "cli": 15,
+    "repl": 14,
+    "client": 13,
+    "serve": 12,
+    "views": 11,
+    "sweeps": 10,
     "execution": 9,
     "remarks": 8,
     "measured": 8,

@@ -26,6 +26,7 @@ PROGRAM = "motionlang"
 FAMILIES = {
     "pvt": ("motionlang.cli.pvt", "position-velocity-time moves for Copley drives"),
     "servo": ("motionlang.cli.servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
+    "sweep": ("motionlang.cli.sweep_options", "run a program in many variants, and say which is best"),
     "compare": (
         "motionlang.cli.compare",
         "hold what a real controller recorded against the run: residuals, lag and overshoot, line by line",

@@ -65,6 +65,16 @@ class Dialect:
         """Parse and compile; ProgramError with every mistake of the text."""
         raise NotImplementedError
 
+    def compile_given(
+        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
+    ) -> Program:
+        """A program that is to be run with many `values` of its names; like `compile` where it is no matter."""
+        return self.compile(source, settings)
+
+    def compiled_in(self, key: str) -> bool:
+        """Whether a compiled program depends on a key of the machine file."""
+        return False
+
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         """Every mistake and every warning, nothing run; `settings` are those of the machine file."""
         raise NotImplementedError

@@ -30,6 +30,16 @@ class Mint(Dialect):
 
         return compile_source(source, settings)
 
+    def compile_given(
+        self, source: Source, settings: dict[str, object], values: Mapping[str, float | str]
+    ) -> Program:
+        from motionlang.mint.program import compile_given
+
+        return compile_given(source, settings, values)
+
+    def compiled_in(self, key: str) -> bool:
+        return key in ("controller.axes", "fault") or key.startswith("mint.")
+
     def check(self, source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
         from motionlang.mint.lint import check
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from motionlang.errors import ProgramError
 from motionlang.lang.program import Program
-from motionlang.mint.runtime.code_units import FILE, loaded
+from motionlang.mint.runtime.code_units import FILE, given_name, loaded
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
 
@@ -19,10 +20,19 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
 
-class MintProgram(Program):
-    """The source stays with the program: `--set` changes constants, which are written into the code."""
+# Programs with other values written into them that are kept for further runs.
+MOST_KEPT = 64
+# Numbers beyond this are written into the program: the code counts on those that it is given being finite.
+LARGEST = 1e300
 
-    __slots__ = ("_warnings", "code", "name", "settings", "text")
+
+class MintProgram(Program):
+    """The source stays with the program: `--set` changes constants, which are written into the code.
+
+    Not so those of `given`: their values are bound when the program starts. It says which are texts.
+    """
+
+    __slots__ = ("_others", "_warnings", "code", "given", "name", "settings", "text")
 
     def __init__(
         self,
@@ -31,8 +41,11 @@ class MintProgram(Program):
         text: str,
         settings: Mapping[str, object] | None,
         warnings: Sequence[Diagnostic] = (),
+        given: Mapping[str, bool] | None = None,
     ) -> None:
         self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
+        self.given = given or {}
+        self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
         self._warnings = [(each.code, each.message, each.line, each.column, each.length, each.hint)
                           for each in warnings]  # fmt: skip
 
@@ -63,20 +76,48 @@ class MintProgram(Program):
 
     def start(self, machine: Machine) -> Task:
         """The parent task, bound to `machine`; ProgramError when an override names nothing."""
-        if machine.overrides:
-            from motionlang.source import Source
-
-            return compile_source(Source(self.name, self.text), self.settings, machine.overrides).run(machine)
+        overrides = machine.overrides
+        if self.given:
+            values = {
+                name: overrides[name]
+                for name, is_text in self.given.items()
+                if name in overrides and isinstance(overrides[name], str) is is_text
+                and (is_text or abs(overrides[name]) < LARGEST)  # type: ignore[arg-type]
+            }  # fmt: skip
+            if len(values) == len(overrides) == len(self.given):
+                return self.run(machine, values)
+            if len(values) == len(self.given):
+                return self._with({n: v for n, v in overrides.items() if n not in values}).run(
+                    machine, values
+                )
+        if overrides:
+            return compile_source(self._source, self.settings, overrides).run(machine)
         return self.run(machine)
+
+    def _with(self, values: Mapping[str, float | str]) -> MintProgram:
+        """The program with values written into it; the last few are kept."""
+        key = tuple(sorted(values.items()))
+        found = self._others.get(key)
+        if found is None:
+            if len(self._others) >= MOST_KEPT:
+                self._others.clear()
+            found = compile_source(self._source, self.settings, values, self.given)
+            self._others[key] = found
+        return found
+
+    @property
+    def _source(self) -> Source:
+        from motionlang.source import Source
+
+        return Source(self.name, self.text)
 
     def _line_of(self, place: int) -> int:
         from motionlang.mint.syntax.parser import parse
-        from motionlang.source import Source
 
-        return parse(Source(self.name, self.text)).line(place)
+        return parse(self._source).line(place)
 
-    def run(self, machine: Machine) -> Task:
-        """The parent task of the program as it stands."""
+    def run(self, machine: Machine, values: Mapping[str, float | str] | None = None) -> Task:
+        """The parent task of the program as it stands, with `values` for the names that it is given."""
         environment = Environment(machine)
         environment.prepare()
         code, statements = self.code, environment.statements
@@ -86,6 +127,8 @@ class MintProgram(Program):
         namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
         namespace.update(E=environment, C=environment.clock, P=environment.say)
         namespace.update(S=statements, dt=statements.cost)
+        if values:
+            namespace.update({given_name(name): value for name, value in values.items()})
         code.link(namespace)
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
@@ -99,12 +142,41 @@ def compile_source(
     source: Source,
     settings: dict[str, object] | None = None,
     overrides: Mapping[str, float | str] | None = None,
+    given: Mapping[str, bool] | None = None,
 ) -> MintProgram:
     """The program of a text, `overrides` in the place of its own values. ProgramError with every mistake."""
     from motionlang.mint.compile.compiler import compile_text
 
-    compiled = compile_text(source, settings, overrides)
-    return MintProgram(compiled.code, source.name, source.text, settings, compiled.problems.of_the_run())
+    compiled = compile_text(source, settings, overrides, given)
+    return MintProgram(
+        compiled.code, source.name, source.text, settings, compiled.problems.of_the_run(), given
+    )
+
+
+def compile_given(
+    source: Source, settings: dict[str, object] | None, values: Mapping[str, float | str]
+) -> MintProgram:
+    """The program of a text that is to be run with many values of some names, such as `values`.
+
+    Names whose value decides how the program is made, such as the size of an array, are not among what it is `given`:
+    it is compiled anew for each of their values. ProgramError with every mistake of the text with `values`.
+    """
+    compile_source(source, settings, values)
+    given = {name: isinstance(value, str) for name, value in values.items()}
+    try:
+        return compile_source(source, settings, {}, given)
+    except ProgramError:
+        given = {}
+    for name, value in values.items():
+        one = {name: isinstance(value, str)}
+        others = {n: v for n, v in values.items() if n != name and n not in given}
+        try:
+            compile_source(source, settings, others, given | one)
+        except ProgramError:
+            continue
+        given |= one
+    others = {n: v for n, v in values.items() if n not in given}
+    return compile_source(source, settings, others, given) if given else compile_source(source, settings)
 
 
 def load(payload: bytes) -> MintProgram:

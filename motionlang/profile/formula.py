@@ -238,7 +238,12 @@ class Formula(Profile):
 
 
 def _best(value: Callable[[float], float], low: float, high: float) -> float:
-    """The largest value of a function with one summit, by golden section."""
+    """The largest value of a function with one summit."""
+    return value(summit(value, low, high))
+
+
+def summit(value: Callable[[float], float], low: float, high: float) -> float:
+    """Where a function with one summit is largest, by golden section."""
     share = 0.6180339887498949
     a, b = high - share * (high - low), low + share * (high - low)
     y_a, y_b = value(a), value(b)
@@ -251,4 +256,4 @@ def _best(value: Callable[[float], float], low: float, high: float) -> float:
             low, a, y_a = a, b, y_b
             b = low + share * (high - low)
             y_b = value(b)
-    return max(y_a, y_b)
+    return a if y_a > y_b else b

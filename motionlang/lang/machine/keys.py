@@ -196,6 +196,27 @@ REQUIRED = {
     "netdata": ("element",),
     "dpr": ("address",),
 }
+# What an entry of a table is about, with what it is where that is not said: a scenario's stand in the place of those
+# about the same.
+ABOUT: dict[str, dict[str, object]] = {
+    "input": {"channel": None},
+    "analogue": {"channel": None},
+    "remote": {"bus": 1, "node": None, "channel": None, "analogue": None, "encoder": None, "element": None,
+               "object": None, "sub": 0, "event": None},
+    "bus": {"bus": 1},
+    "pdo": {"bus": 1, "cobid": None, "bank": 0},
+    "modbus.server": {"id": None},
+    "modbus.register": {"server": None, "register": None},
+    "coil": {"coil": None},
+    "fault": {"axis": None},
+    "key": {"terminal": 1},
+    "encoder": {"channel": None, "aux": None},
+    "answer": {"terminal": 1},
+    "serial": {"port": 1},
+    "comms": {"element": None},
+    "dpr": {"address": None},
+    "netdata": {"element": None},
+}  # fmt: skip
 VIEWS = ("integer", "float")
 TERMINALS = (1, 2, 4, 8, 16, 32, 64, 128)
 WIDTHS = ("word", "integer", "float")

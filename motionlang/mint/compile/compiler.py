@@ -130,15 +130,18 @@ def warn_of_misspellings(whole: Whole) -> None:
 
 
 def compile_text(
-    source: Source, settings: dict[str, object] | None, overrides: Mapping[str, float | str] | None
+    source: Source,
+    settings: dict[str, object] | None,
+    overrides: Mapping[str, float | str] | None,
+    given: Mapping[str, bool] | None = None,
 ) -> Compiled:
-    """Parse and compile a program. ProgramError with every mistake."""
+    """Parse and compile a program, `given` as `override` has it. ProgramError with every mistake."""
     collecting = gc.isenabled()
     gc.disable()  # what is made here lasts to the end or goes by itself, and the collector would look at it every time
     try:
         module = _parsed(source, settings)
-        if overrides:
-            override(module, overrides)
+        if overrides or given:
+            override(module, overrides or {}, given)
         return compile_module(module, settings)
     finally:
         if collecting:

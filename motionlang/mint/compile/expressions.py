@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.mint.compile import intervals, operators
 from motionlang.mint.compile.body import Answer, Value
-from motionlang.mint.compile.conversions import NOTHING, article, as_integer, literal
+from motionlang.mint.compile.conversions import NOTHING, article, as_integer, converted, literal
 from motionlang.mint.resolve.folding import binary as fold_binary
 from motionlang.mint.resolve.folding import unary as fold_unary
 from motionlang.mint.resolve.symbols import (
@@ -18,6 +18,7 @@ from motionlang.mint.resolve.symbols import (
     Symbol,
     Type,
 )
+from motionlang.mint.runtime.code_units import given_name
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
@@ -58,6 +59,12 @@ def condition(b: Body, node: nodes.Expr) -> str:
 # ------------------------------------------------------------------------------------------------- literals
 
 
+def _given(b: Body, node: nodes.Given) -> Value:
+    """A global name, which the program's start gives its value: always a Python float, or a text."""
+    text = given_name(node.name)
+    return Value(text, STRING, intervals.ANY) if node.is_text else Value(text, FLOAT, intervals.FLOAT)
+
+
 def _number(b: Body, node: nodes.Number) -> Value:
     known = node.value
     found = _SEEN.get(known)
@@ -80,6 +87,12 @@ def _number(b: Body, node: nodes.Number) -> Value:
 
 def _string(b: Body, node: nodes.String) -> Value:
     return literal(node.value)
+
+
+def _cast(b: Body, node: nodes.Cast) -> Value:
+    text = converted(b, value(b, node.value), node.type, node)
+    known = {INTEGER: intervals.INTEGER, FLOAT: intervals.FLOAT}.get(node.type.name, intervals.ANY)
+    return Value(text, node.type.name, known)
 
 
 # ---------------------------------------------------------------------------------------------------- names
@@ -351,6 +364,8 @@ def _omitted(b: Body, node: nodes.Omitted) -> Value:
 
 _VALUES: dict[type, Callable[..., Value]] = {
     nodes.Omitted: _omitted,
+    nodes.Given: _given,
+    nodes.Cast: _cast,
     nodes.Number: _number,
     nodes.String: _string,
     nodes.Name: _name,

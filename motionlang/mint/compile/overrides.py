@@ -7,24 +7,30 @@ from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Collection, Iterable, Mapping
 
 
-def override(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
-    """Put the values into the tree; ProgramError for names that the program does not have."""
-    wanted = {name.lower(): value for name, value in overrides.items()}
+def override(
+    module: nodes.Module, overrides: Mapping[str, float | str], given: Mapping[str, bool] | None = None
+) -> None:
+    """Put the values into the tree; ProgramError for names that the program does not have.
+
+    The names of `given` get their values when the program starts; it says which of them are texts.
+    """
+    wanted: dict[str, float | str | bool] = {name.lower(): value for name, value in overrides.items()}
+    wanted |= {name.lower(): is_text for name, is_text in (given or {}).items()}
     names: list[str] = []
     done: set[str] = set()
     for body in (*(block.body for block in module.startup), module.body):
         _replace(body, wanted, done, names)
-    missing = [name for name in overrides if name.lower() not in done]
+    missing = [name for name in (*overrides, *(given or ())) if name.lower() not in done]
     if missing:
         raise ProgramError([_unknown(name, names) for name in missing])
 
 
 def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]) -> None:
     """The same for a line that is typed: a name that it does not have may come in another line."""
-    wanted = {name.lower(): value for name, value in overrides.items()}
+    wanted: dict[str, float | str | bool] = {name.lower(): value for name, value in overrides.items()}
     if wanted:
         _replace(module.body, wanted, set(), [])
 
@@ -39,7 +45,7 @@ def _unknown(name: str, names: list[str]) -> Diagnostic:
 
 
 def _replace(
-    body: Iterable[nodes.Stmt], wanted: dict[str, float | str], done: set[str], names: list[str]
+    body: Iterable[nodes.Stmt], wanted: dict[str, float | str | bool], done: set[str], names: list[str]
 ) -> None:
     """In the order of the text: the first value a name is given is the one that is replaced.
 
@@ -51,22 +57,22 @@ def _replace(
     for node in sorted(walk(body), key=lambda each: each.at):
         if type(node) is nodes.Const:
             if _take(node.name, wanted, done, names):
-                node.value = _literal(node.at, wanted[node.name.lower()])
+                node.value = _literal(node.at, node.name, wanted)
         elif type(node) is nodes.Dim:
             for variable in node.variables:
                 if not variable.values and not variable.dimensions:
                     bare.setdefault(variable.name.lower(), variable)
                 if variable.values and not variable.dimensions and _take(variable.name, wanted, done, names):
-                    variable.values = [_literal(variable.at, wanted[variable.name.lower()])]
+                    variable.values = [_literal(variable.at, variable.name, wanted)]
         elif type(node) is nodes.Assign and type(node.target) is nodes.Name:
             plain, key = node.target.args is None, node.target.name.lower()
             if plain and not _reads_itself(node, key) and _take(node.target.name, wanted, done, names):
-                node.values = [_literal(node.at, wanted[key])]
+                node.values = [_literal(node.at, key, wanted)]
             elif plain and key in bare and _take(node.target.name, wanted, done, names):
-                bare[key].values = [_literal(bare[key].at, wanted[key])]
+                bare[key].values = [_literal(bare[key].at, key, wanted)]
     for key, variable in bare.items():
         if _take(variable.name, wanted, done, names):
-            variable.values = [_literal(variable.at, wanted[key])]
+            variable.values = [_literal(variable.at, key, wanted)]
 
 
 def _reads_itself(node: nodes.Assign, key: str) -> bool:
@@ -75,7 +81,7 @@ def _reads_itself(node: nodes.Assign, key: str) -> bool:
     return any(type(each) is nodes.Name and each.name.lower() == key for each in walk(node.values))
 
 
-def _take(name: str, wanted: dict[str, float | str], done: set[str], names: list[str]) -> bool:
+def _take(name: str, wanted: Collection[str], done: set[str], names: list[str]) -> bool:
     """Whether this is the place for a value; notes the name for the message about those that are not found."""
     if name not in names:
         names.append(name)
@@ -86,5 +92,8 @@ def _take(name: str, wanted: dict[str, float | str], done: set[str], names: list
     return True
 
 
-def _literal(at: int, value: float | str) -> nodes.Expr:
+def _literal(at: int, name: str, wanted: Mapping[str, float | str | bool]) -> nodes.Expr:
+    value = wanted[name.lower()]
+    if value is True or value is False:
+        return nodes.Given(at, name, value)
     return nodes.String(at, value) if isinstance(value, str) else nodes.Number(at, value)

@@ -37,6 +37,25 @@ def fold(scope: Scope, node: nodes.Expr, table: Table) -> Known | None:
     return None
 
 
+def given(scope: Scope, node: nodes.Expr, table: Table) -> nodes.Expr | None:
+    """`node` without a name in it, where its value is known when the program starts; None where it is not even then."""
+    if type(node) is nodes.Given:
+        return node
+    known = fold(scope, node, table)
+    if known is not None:
+        return nodes.String(node.at, known) if isinstance(known, str) else nodes.Number(node.at, known)
+    if type(node) is nodes.Name and node.args is None:
+        symbol = scope.find(node.name)
+        return symbol.node if symbol is not None and symbol.given else None  # type: ignore[return-value]
+    if type(node) is nodes.Unary:
+        operand = given(scope, node.operand, table)
+        return None if operand is None else nodes.Unary(node.at, node.op, operand)
+    if type(node) is nodes.Binary:
+        left, right = given(scope, node.left, table), given(scope, node.right, table)
+        return None if left is None or right is None else nodes.Binary(node.at, node.op, left, right)
+    return None
+
+
 def constant(text: str, unit: str) -> float:
     """The value of a row of predefined constants."""
     return float(text) if unit == "number" else int(text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
-from motionlang.mint.resolve.folding import fold
+from motionlang.mint.resolve.folding import fold, given
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import (
     FLOAT,
@@ -238,6 +238,14 @@ class Names:
 
     def _declare_const(self, function: Function, node: nodes.Const) -> None:
         value = fold(function.scope, node.value, self.table)
+        expression = given(function.scope, node.value, self.table) if value is None else None
+        if expression is not None:
+            symbol = Symbol(node.name, "define", Type(FLOAT), "", node.at, function)
+            if node.type is not None:
+                expression = nodes.Cast(node.at, expression, self.type_of(node.type, FLOAT))
+            symbol.node, symbol.given = expression, True
+            self.add(function.scope, symbol)
+            return
         if value is None:
             self.problems.add("type", f"the value of {node.name} is not known before the program runs", node.at,
                               hint="a Const can use numbers, texts and other constants")  # fmt: skip

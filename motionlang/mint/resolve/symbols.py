@@ -51,6 +51,7 @@ class Symbol:
         "const",
         "declared",
         "dimensions",
+        "given",
         "home",
         "kind",
         "name",
@@ -67,6 +68,7 @@ class Symbol:
         self.const: float | str | None = None
         self.node: object = None
         self.shared = self.boxed = self.by_ref = False
+        self.given = False  # a constant whose value comes when the program starts
         self.uses = 0  # how often it is read
         self.declared = True
 

@@ -32,6 +32,11 @@ TIME = ("t", "H")
 ALL = "nonlocal *"
 
 
+def given_name(name: str) -> str:
+    """The global name under which the code reads a value that it is given when it starts."""
+    return f"g_{name.lower()}"
+
+
 def _example() -> Callable[[], None]:
     """A function over a cell: of its classes everything here is made."""
     cell = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.nodes import Assign, Binary, Name, Number, String
+from motionlang.mint.syntax.nodes import Assign, Binary, Given, Name, Number, String
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ _CHILDREN: dict[type, tuple[str, ...]] = {
     for cls in vars(nodes).values()
     if isinstance(cls, type) and issubclass(cls, nodes.Node)
 }
-_CHILDREN[Number] = _CHILDREN[String] = ()
+_CHILDREN[Number] = _CHILDREN[String] = _CHILDREN[Given] = ()
 
 
 def children(node: object) -> list[object]:

@@ -11,6 +11,10 @@ def shown(node: nodes.Expr, inside: bool = False) -> str:
         return f"{node.value:g}"
     if type(node) is nodes.String:
         return f'"{node.value}"'
+    if type(node) is nodes.Given:
+        return node.name
+    if type(node) is nodes.Cast:
+        return shown(node.value, inside)
     if type(node) is nodes.Name:
         return node.name + _brackets(node.args)
     if type(node) is nodes.Member:

@@ -1,0 +1,215 @@
+"""`motionlang sweep`: a program in many variants, the rows as they come, and what is best at the end."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib.util import find_spec
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.input_files import read_machine_file, read_source
+from motionlang.cli.machine_options import set_values
+from motionlang.cli.options import Options
+from motionlang.cli.output_files import NEEDED
+from motionlang.cli.signals import SIGNALS
+from motionlang.cli.sweep_report import Report
+from motionlang.errors import Diagnostic, ProgramError, Terminated
+from motionlang.execution import dialect_of, machine_of
+from motionlang.files import unwritable
+from motionlang.source import STDIN, Source
+from motionlang.sweeps import KEEP, Sweep
+from motionlang.sweeps.description import SUFFIX, Description, read_description
+from motionlang.sweeps.journal import Journal, OtherSweep, read
+from motionlang.sweeps.space import dimension
+from motionlang.views.progress import Progress
+
+if TYPE_CHECKING:
+    import argparse
+
+    from motionlang.sweeps.job import Result
+
+OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
+# What is added to the name of --out for the rows of a sweep that is not at its end.
+PART = ".part"
+
+
+def sweep_command(arguments: argparse.Namespace) -> int:
+    """Run the sweep and show what came of it; answers with the exit status."""
+    parser = arguments.parser
+    problem = _wrong_files(arguments)
+    if problem is not None:
+        parser.error(problem)
+    try:
+        wishes = _description(arguments)
+        made = _made(arguments, wishes)
+    except OSError as error:
+        complain([unreadable(str(error.filename or arguments.file), error)], None, arguments.file)
+        return 1
+    except ValueError as error:
+        parser.error(str(error))
+    if isinstance(made, int):
+        return made
+    sweep, report = made
+    try:
+        done = _earlier(arguments, sweep)
+    except OtherSweep:
+        why = "what is varied or kept, or the program, was changed"
+        what = f"{arguments.out}{PART} has the rows of another sweep: {why}"
+        complain([Diagnostic("file", what, hint="run without --resume to begin anew")], None, arguments.file)
+        return 2
+    return _run(arguments, sweep, report, done)
+
+
+def _wrong_files(arguments: argparse.Namespace) -> str | None:
+    """What is wrong with the files that are to be written, as far as that can be told beforehand."""
+    for option, path, suffixes in (("--out", arguments.out, OUT), ("--plot", arguments.plot, PLOT)):
+        if path is None:
+            continue
+        suffix = os.path.splitext(path)[1].lower()
+        if suffix not in suffixes:
+            return f"{option} writes {' and '.join(suffixes)} files, not {suffix or path}"
+        needed = NEEDED.get(suffix)
+        if needed is not None and find_spec(needed[0]) is None:
+            return f"{option} {suffix} needs {needed[0]}: pip install 'motionlang[{needed[1]}]'"
+        problem = unwritable(path)
+        if problem is not None:
+            return problem
+    if arguments.resume and arguments.out is None:
+        return "--resume goes on with what is beside --out, which is missing"
+    return None
+
+
+def _description(arguments: argparse.Namespace) -> Description:
+    """What is asked for: by the command line, and where that is silent by the file beside the program."""
+    beside = os.path.splitext(arguments.file)[0] + SUFFIX
+    if arguments.file != STDIN and os.path.isfile(beside):
+        try:
+            wishes = read_description(beside)
+        except ProgramError as error:
+            complain(error.diagnostics, Source.read(beside), beside)
+            raise SystemExit(1) from None
+    else:
+        wishes = Description()
+    if arguments.vary or arguments.machines or arguments.scenarios:
+        wishes.dimensions = [dimension(each) for each in arguments.vary]
+        wishes.machines, wishes.scenarios = arguments.machines, arguments.scenarios
+    if arguments.random or arguments.latin:
+        wishes.random, wishes.latin = arguments.random, arguments.latin
+    if arguments.minimise or arguments.maximise or arguments.pareto:
+        wishes.minimise, wishes.maximise = arguments.minimise, arguments.maximise
+        wishes.pareto = arguments.pareto
+    for name in ("seed", "until", "where"):
+        if getattr(arguments, name) is not None:
+            setattr(wishes, name, getattr(arguments, name))
+    if arguments.keep is not None:
+        wishes.keep = [each.strip() for each in arguments.keep.split(",") if each.strip()]
+    wishes.prove = wishes.prove or arguments.prove
+    if wishes.minimise is not None and wishes.maximise is not None:
+        raise ValueError("one thing is best: give --minimise or --maximise")
+    return wishes
+
+
+def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Report] | int:
+    """The sweep and its report; the exit status where a file is wrong, which has been told."""
+    source = read_source(arguments.file)
+    if arguments.dialect is None and dialect_of(arguments.file) is None:
+        complain([no_dialect(arguments.file)], None, arguments.file)
+        return 2
+    options = Options(arguments.file)
+    options.machine = machine_of(arguments.file, arguments.machine)
+    set_values(arguments.set, options.settings, options.overrides, arguments.parser)
+    settings = dict(options.settings)
+    if options.machine is not None:
+        status = read_machine_file(options, settings)
+        if status:
+            return status
+    try:
+        worlds = wishes.worlds()
+        space = wishes.space(worlds)
+        report = Report(wishes, space.names, tuple(wishes.keep) or KEEP)
+        sweep = Sweep(
+            source,
+            space,
+            keep=report.keep,
+            dialect=arguments.dialect or dialect_of(arguments.file),
+            machine=settings,
+            overrides=options.overrides,
+            worlds=worlds,
+            until=wishes.until,
+            prove=wishes.prove,
+        )
+    except ProgramError as error:
+        complain(error.diagnostics, source, arguments.file)
+        return 1
+    return sweep, report
+
+
+def _earlier(arguments: argparse.Namespace, sweep: Sweep) -> dict[int, Result]:
+    """The rows of an earlier sweep that is to be gone on with, by the numbers of their variants."""
+    if not arguments.resume:
+        return {}
+    part = arguments.out + PART
+    if not os.path.exists(part):
+        sys.stderr.write(f"{part} is not there: nothing to go on with, all {len(sweep)} variants are run\n")
+        return {}
+    return {row[0]: row for row in read(part, _digest(sweep)) if 0 <= row[0] < len(sweep)}
+
+
+def _digest(sweep: Sweep) -> str:
+    """What makes two sweeps the same: the program, its machine, what is kept, and the variants, by the last of them."""
+    count = len(sweep)
+    return f"{sweep.job.digest} {count} {[sweep.space[n] for n in (0, count // 2, count - 1)]!r}"
+
+
+def _run(arguments: argparse.Namespace, sweep: Sweep, report: Report, done: dict[int, Result]) -> int:
+    journal, rows = None, done
+    if arguments.out is not None:
+        try:
+            journal = Journal(arguments.out + PART, _digest(sweep), resume=bool(done))
+        except OSError as error:
+            complain([unwritten(arguments.out + PART, error)], None, arguments.file)
+            return 1
+    progress = Progress(sys.stderr, os.path.basename(arguments.file))
+    ended = False
+    results = sweep.results(jobs=arguments.jobs, done=frozenset(done))
+    try:
+        for result in results:
+            rows[result[0]] = result
+            if journal is not None:
+                journal.add(result)
+            progress(len(rows) / len(sweep))
+    except (KeyboardInterrupt, Terminated):
+        ended = True
+    finally:
+        close = getattr(results, "close", None)
+        if close is not None:
+            close()
+        progress.done()
+    with SIGNALS.held:
+        status = report.tell(arguments, sweep, rows)
+        if journal is not None:
+            status = max(status, _finish(arguments, sweep, report, rows, journal))
+    if ended:
+        on = "; --resume goes on" if journal is not None else ""
+        sys.stderr.write(f"ended after {len(rows)} of {len(sweep)} variants{on}\n")
+        return SIGNALS.status
+    return status
+
+
+def _finish(
+    arguments: argparse.Namespace, sweep: Sweep, report: Report, rows: dict[int, Result], journal: Journal
+) -> int:
+    """Write --out whole, and take the journal away where nothing is left to be done."""
+    from motionlang.views.sweep_files import write_rows
+
+    try:
+        write_rows(arguments.out, report.columns, report.cells(sweep, rows))
+        if len(rows) == len(sweep):
+            journal.remove()
+        else:
+            journal.close()
+    except OSError as error:
+        complain([unwritten(arguments.out, error)], None, arguments.file)
+        return 1
+    return 0

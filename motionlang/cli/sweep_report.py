@@ -1,0 +1,255 @@
+"""What a sweep tells: its table, what is best, the front, the bad variants apart, and its picture."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from motionlang.sweeps.expression import Expression, pareto
+from motionlang.sweeps.quantities import unit_of
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Iterator, Sequence
+
+    from motionlang.sweeps import Sweep
+    from motionlang.sweeps.description import Description
+    from motionlang.sweeps.job import Problem, Result
+
+    Cells = list[object]
+
+# Bad variants that are named for each thing that is wrong.
+MOST_BAD = 3
+# The width of a table that goes into a file or a pipe.
+PIPED_WIDTH = 160
+
+
+class Report:
+    """What is to be told; `keep` is what was asked for, and what the expressions need besides."""
+
+    __slots__ = ("_costs", "_expressions", "keep", "names")
+
+    def __init__(self, wishes: Description, names: Sequence[str], keep: Sequence[str]) -> None:
+        """ValueError where an expression is none, or has a name that there is not."""
+        self.names = tuple(names)
+        self._expressions, self._costs = wishes.expressions(), wishes.costs()
+        needed = [name for each in (*self._expressions.values(), *self._costs) for name in each.names]
+        self.keep = tuple(dict.fromkeys((*keep, *(name for name in needed if name not in names))))
+
+    @property
+    def columns(self) -> list[str]:
+        """The columns of the file: the number of the variant, its values, what is kept, and what is wrong."""
+        return ["variant", *self.names, *self.keep, "problem"]
+
+    def cells(self, sweep: Sweep, rows: dict[int, Result]) -> Iterator[Cells]:
+        """The rows of the file, in the order of the variants."""
+        for index in sorted(rows):
+            _, kept, problem = rows[index]
+            yield [index, *sweep.space[index], *kept, problem and problem["message"]]
+
+    def tell(self, arguments: argparse.Namespace, sweep: Sweep, rows: dict[int, Result]) -> int:
+        """Print and draw what is asked for; 1 where a variant is bad or the picture cannot be written."""
+        bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
+        if arguments.report == "csv":
+            from motionlang.views.sweep_files import write_csv
+
+            write_csv(sys.stdout, self.columns, self.cells(sweep, rows))
+        good = [index for index in sorted(rows) if index not in bad]
+        best, front = self._best(sweep, rows, good), self._front(sweep, rows, good)
+        if arguments.report == "table" and rows:
+            self._print(arguments, sweep, rows, good, best, front)
+        sys.stdout.flush()
+        if bad:
+            self._tell_bad(sweep, bad, len(rows))
+        status = self._draw(arguments, sweep, rows, good, best, front) if arguments.plot is not None else 0
+        return 1 if bad else status
+
+    def _values(self, sweep: Sweep, rows: dict[int, Result], index: int) -> dict[str, object]:
+        return {
+            **dict(zip(self.names, sweep.space[index], strict=True)),
+            **dict(zip(self.keep, rows[index][1], strict=True)),
+        }
+
+    def _best(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> int | None:
+        """The number of the best variant; of equals the first."""
+        wanted = self._expressions.get("minimise") or self._expressions.get("maximise")
+        if wanted is None:
+            return None
+        sign = -1.0 if "maximise" in self._expressions else 1.0
+        found = [
+            (sign * cost, index)
+            for index in self._where(sweep, rows, good)
+            if (cost := wanted.number(self._values(sweep, rows, index))) is not None
+        ]
+        return min(found)[1] if found else None
+
+    def _where(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> list[int]:
+        where = self._expressions.get("where")
+        return [index for index in good if where is None or where(self._values(sweep, rows, index))]
+
+    def _front(self, sweep: Sweep, rows: dict[int, Result], good: list[int]) -> list[int]:
+        if not self._costs:
+            return []
+        costs, numbers = [], []
+        for index in self._where(sweep, rows, good):
+            values = self._values(sweep, rows, index)
+            cost = [each.number(values) for each in self._costs]
+            if None not in cost:
+                costs.append(tuple(c for c in cost if c is not None))
+                numbers.append(index)
+        return [numbers[n] for n in pareto(costs)]
+
+    # ---------------------------------------------------------------------------------------------- the table
+
+    def _print(
+        self,
+        arguments: argparse.Namespace,
+        sweep: Sweep,
+        rows: dict[int, Result],
+        good: list[int],
+        best: int | None,
+        front: list[int],
+    ) -> None:
+        from motionlang.views.sweep_table import heading, sweep_table
+        from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+        colour = wants_colour(sys.stdout)
+        shown = front if self._costs else self._where(sweep, rows, good)
+        what = f"{len(front)} of {len(good)} variants are on the front" if self._costs else ""
+        if not self._costs and len(shown) < len(good):
+            what = f"{len(shown)} of {len(good)} variants with {self._expressions['where'].text}"
+        most = arguments.rows or len(shown)
+        wanted = self._expressions.get("minimise") or self._expressions.get("maximise")
+        if wanted is not None and not self._costs and len(shown) > most:
+            sign = -1.0 if "maximise" in self._expressions else 1.0
+
+            def cost(index: int) -> tuple[float, int]:
+                number = wanted.number(self._values(sweep, rows, index))
+                return (float("inf") if number is None else sign * number), index
+
+            shown = sorted(shown, key=cost)
+        cells = [[*sweep.space[n], *rows[n][1]] for n in shown[:most]]
+        names = [*self.names, *self.keep]
+        units = [*("" for _ in self.names), *(unit_of(name) for name in self.keep)]
+        marked = shown.index(best) if best in shown[:most] else None
+        width = width_of(sys.stdout) if is_terminal(sys.stdout) else PIPED_WIDTH
+        lines = [heading(what, colour), ""] if what else []
+        if cells:
+            lines += sweep_table(names, units, cells, width=width, colour=colour, best=marked)
+        if len(shown) > most:
+            lines.append(f"and {len(shown) - most} more; --rows 0 shows them, --out FILE keeps them")
+        if wanted is not None:
+            lines += ["", self._told_best(sweep, rows, best, wanted)]
+        text = "\n".join(lines) + "\n"
+        sys.stdout.write(text if draws(sys.stdout) else plain(text))
+
+    def _told_best(self, sweep: Sweep, rows: dict[int, Result], best: int | None, wanted: Expression) -> str:
+        from motionlang.views.sweep_table import cell
+
+        if best is None:
+            where = self._expressions.get("where")
+            return f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"
+        values = self._values(sweep, rows, best)
+        found = ", ".join(f"{name} = {cell(values[name])}" for name in self.names)
+        which = "largest" if "maximise" in self._expressions else "smallest"
+        return f"best: {found}; {wanted.text} is {which} there, {cell(wanted.number(values))}"
+
+    # --------------------------------------------------------------------------------------- the bad variants
+
+    def _tell_bad(self, sweep: Sweep, bad: dict[int, Problem], count: int) -> None:
+        """Bad variants apart from the others, those with the same thing wrong together."""
+        from motionlang.views.sweep_table import cell
+
+        alike: dict[str, list[int]] = {}
+        for index, problem in bad.items():
+            place = f" (line {problem['line']})" if problem["line"] else ""
+            alike.setdefault(f"{problem['code']}: {problem['message']}{place}", []).append(index)
+        sys.stderr.write(f"{len(bad)} of {count} variants are bad\n")
+        for message, indices in alike.items():
+            named = [
+                ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
+                for index in indices[:MOST_BAD]
+            ]
+            more = f"; and {len(indices) - MOST_BAD} more" if len(indices) > MOST_BAD else ""
+            sys.stderr.write(f"  {message}\n    with {'; '.join(named)}{more}\n")
+
+    # --------------------------------------------------------------------------------------------- the picture
+
+    def _draw(
+        self,
+        arguments: argparse.Namespace,
+        sweep: Sweep,
+        rows: dict[int, Result],
+        good: list[int],
+        best: int | None,
+        front: list[int],
+    ) -> int:
+        from motionlang.cli.complaints import complain, unwritten
+        from motionlang.errors import Diagnostic
+
+        try:
+            problem = self._picture(arguments.plot, sweep, rows, good, best, front)
+        except OSError as error:
+            complain([unwritten(arguments.plot, error)], None, arguments.file)
+            return 1
+        if problem is not None:
+            complain([Diagnostic("file", f"{arguments.plot} was not drawn: {problem}")], None, arguments.file)
+        return 0 if problem is None else 1
+
+    def _picture(
+        self,
+        path: str,
+        sweep: Sweep,
+        rows: dict[int, Result],
+        good: list[int],
+        best: int | None,
+        front: list[int],
+    ) -> str | None:
+        """Draw what fits what was varied; what stands in the way of any picture."""
+        from motionlang.views.sweep_plot import MOST_LINES, plot_front, plot_lines, plot_map
+
+        units = {name: unit_of(name) for name in self.keep}
+        table: list[tuple[int, dict[str, Any]]] = [(n, self._values(sweep, rows, n)) for n in good]
+        if len(self._costs) == 2:
+            by = {n: [c for each in self._costs if (c := each.number(v)) is not None] for n, v in table}
+            points = {n: (cost[0], cost[1]) for n, cost in by.items() if len(cost) == 2}
+            x, y = (each.text.strip() for each in self._costs)
+            plot_front(path, (x, y), list(points.values()), [points[n] for n in front], units)
+            return None
+        figures = [name for name in self.keep if any(_is_number(values[name]) for _, values in table)]
+        varied = [name for name in self.names if len({v[name] for _, v in table if _is_number(v[name])}) > 1]
+        if not figures or not varied:
+            return "nothing that is kept, or nothing that is varied, is a number"
+        others = [name for name in self.names if name != varied[0]]
+        kinds = {tuple(str(values[name]) for name in others) for _, values in table}
+        if len(varied) == 1 or len(kinds) <= MOST_LINES:
+            curves: dict[str, dict[str, list[tuple[float, ...]]]] = {name: {} for name in figures}
+            for _, values in table:
+                label = ", ".join(f"{name} = {_short(values[name])}" for name in others)
+                for name in figures:
+                    if _is_number(values[name]) and _is_number(values[varied[0]]):
+                        curves[name].setdefault(label, []).append((values[varied[0]], values[name]))
+            for lines in curves.values():
+                for line in lines.values():
+                    line.sort()
+            at = dict(table).get(best) if best is not None else None
+            marks = (
+                {name: (at[varied[0]], at[name]) for name in figures if _is_number(at[name])} if at else None
+            )
+            plot_lines(path, varied[0], curves, units, marks)
+            return None
+        x, y, z = varied[0], varied[1], figures[0]
+        spots = [(v[x], v[y], v[z]) for _, v in table if all(_is_number(v[name]) for name in (x, y, z))]
+        chosen_best = dict(table).get(best) if best is not None else None
+        plot_map(path, (x, y, z), spots, units, (chosen_best[x], chosen_best[y]) if chosen_best else None)
+        return None
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < float("inf")
+
+
+def _short(value: object) -> str:
+    from motionlang.views.sweep_table import cell
+
+    return cell(value)

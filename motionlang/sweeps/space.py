@@ -1,0 +1,231 @@
+"""Which variants a sweep has: a grid, random points, a Latin hypercube, or a list of points, made one by one."""
+
+from __future__ import annotations
+
+import re
+from random import Random
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+    from typing import Any
+
+    Value = float | str | bool | list[object]
+
+MOST_VARIANTS = 100_000_000
+_RANGE = re.compile(r"([^:,\[\]\"']+):([^:,\[\]\"']+)(?::([^:,\[\]\"']+))?$")
+
+
+class Dimension:
+    """A name that is varied: a range from `first` to `last` in `count` steps, or a list of `values`.
+
+    `count` is None where the text of a range does not say it; then it can only be drawn from.
+    """
+
+    __slots__ = ("count", "first", "last", "name", "values")
+
+    def __init__(
+        self,
+        name: str,
+        values: Sequence[Value] = (),
+        *,
+        first: float = 0.0,
+        last: float = 0.0,
+        count: int | None = None,
+    ) -> None:
+        self.name, self.values, self.first, self.last, self.count = name, tuple(values), first, last, count
+
+    def __len__(self) -> int:
+        return len(self.values) if self.values else self.count or 0
+
+    def __getitem__(self, place: int) -> Value:
+        """The value at a place of the grid; whole where both ends of the range are written so and it is whole."""
+        if self.values:
+            return self.values[place]
+        assert self.count is not None
+        if place == 0 or self.count == 1:
+            return self.first
+        if place == self.count - 1:
+            return self.last
+        value = self.first + (self.last - self.first) * place / (self.count - 1)
+        return int(value) if self.is_whole and value == int(value) else value
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether both ends are written as whole numbers."""
+        return isinstance(self.first, int) and isinstance(self.last, int)
+
+    def at(self, part: float) -> Value:
+        """The value at a part of the way, 0 to 1."""
+        if self.values:
+            return self.values[min(int(part * len(self.values)), len(self.values) - 1)]
+        return self.first + (self.last - self.first) * part
+
+
+def dimension(text: str) -> Dimension:
+    """A dimension from `name=first:last:count`, `name=first:last` or `name=value,value`; else ValueError."""
+    name, equals, given = (part.strip() for part in text.partition("="))
+    if not equals or not name or not given:
+        raise ValueError(f"{text!r} is not NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE")
+    found = _RANGE.match(given)
+    if found is None:
+        return Dimension(name, [read_value(each) for each in _split(given)])
+    first, last = _number(found[1]), _number(found[2])
+    count = None if found[3] is None else _number(found[3])
+    if first is None or last is None or (found[3] is not None and (not isinstance(count, int) or count < 1)):
+        raise ValueError(f"{given!r} is not FIRST:LAST:COUNT, such as 500:5000:10")
+    return Dimension(name, first=first, last=last, count=count if isinstance(count, int) else None)
+
+
+def _split(text: str) -> list[str]:
+    """The values of a list; a comma in brackets or quotes belongs to its value."""
+    parts = re.findall(r"""(?:\[[^\]]*\]|"[^"]*"|'[^']*'|[^,])+""", text)
+    return [part.strip() for part in parts if part.strip()]
+
+
+def _number(text: str) -> float | None:
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if abs(value) < float("inf") else None
+
+
+def read_value(text: str) -> Value:
+    """A value as the machine file would have it; what is no TOML is a text."""
+    import tomllib
+
+    try:
+        value: Value = tomllib.loads(f"value = {text}")["value"]
+    except (ValueError, RecursionError):
+        number = _number(text)  # such as 1. or 007, which TOML does not know
+        return text if number is None else number
+    return value
+
+
+class Space:
+    """The variants of a sweep by their numbers: the values of its `names`, made when they are asked for."""
+
+    __slots__ = ("names",)
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self.names = tuple(names)
+        twice = [name for n, name in enumerate(self.names) if name in self.names[:n]]
+        if twice:
+            raise ValueError(f"{twice[0]} is varied twice")
+
+    def __len__(self) -> int:
+        raise NotImplementedError
+
+    def __getitem__(self, index: int) -> tuple[Value, ...]:
+        raise NotImplementedError
+
+
+class Grid(Space):
+    """Every combination of the values; the last name changes fastest."""
+
+    __slots__ = ("_count", "dimensions")
+
+    def __init__(self, dimensions: Sequence[Dimension]) -> None:
+        super().__init__(each.name for each in dimensions)
+        self.dimensions = tuple(dimensions)
+        self._count = 1
+        for each in dimensions:
+            if not len(each):
+                raise ValueError(
+                    f"how many values of {each.name}? A grid needs {each.name}={each.first:g}:{each.last:g}:COUNT"
+                )
+            self._count *= len(each)
+        if self._count > MOST_VARIANTS:
+            raise ValueError(f"{self._count} variants are more than {MOST_VARIANTS}")
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, index: int) -> tuple[Value, ...]:
+        values = []
+        for each in reversed(self.dimensions):
+            index, place = divmod(index, len(each))
+            values.append(each[place])
+        return tuple(reversed(values))
+
+
+class Drawn(Space):
+    """Points drawn from the dimensions, the same for the same seed: at random, or as a Latin hypercube.
+
+    In a Latin hypercube each of `count` equal parts of each dimension has one point, so that few of them cover it well.
+    """
+
+    __slots__ = ("_count", "_orders", "_seed", "dimensions")
+
+    def __init__(self, dimensions: Sequence[Dimension], count: int, seed: int, latin: bool) -> None:
+        super().__init__(each.name for each in dimensions)
+        if not 1 <= count <= MOST_VARIANTS:
+            raise ValueError(f"a sweep has 1 to {MOST_VARIANTS} variants, not {count}")
+        self.dimensions, self._count, self._seed = tuple(dimensions), count, seed
+        self._orders: list[list[int]] = []
+        for each in dimensions if latin else ():
+            order = list(range(count))
+            Random(f"{seed} {each.name}").shuffle(order)
+            self._orders.append(order)
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, index: int) -> tuple[Value, ...]:
+        draw = Random(f"{self._seed} variant {index}").random
+        if not self._orders:
+            return tuple(each.at(draw()) for each in self.dimensions)
+        return tuple(
+            each.at((order[index] + draw()) / self._count)
+            for each, order in zip(self.dimensions, self._orders, strict=True)
+        )
+
+
+class Points(Space):
+    """A list of points, each with a value for every name."""
+
+    __slots__ = ("_points",)
+
+    def __init__(self, points: Iterable[Mapping[str, Value]]) -> None:
+        self._points = list(points)
+        super().__init__(self._points[0] if self._points else ())
+        for number, point in enumerate(self._points):
+            if point.keys() != set(self.names):
+                raise ValueError(f"point {number} has not the names of the first: {', '.join(self.names)}")
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    def __getitem__(self, index: int) -> tuple[Value, ...]:
+        return tuple(self._points[index][name] for name in self.names)
+
+
+def space_of(grid: Space | Mapping[str, object] | Iterable[Mapping[str, Value]]) -> Space:
+    """The space that a caller means: one, a grid of lists by names (a text as the command line has it), or points."""
+    if isinstance(grid, Space):
+        return grid
+    named: Any = grid
+    if not hasattr(named, "items"):
+        return Points(named)
+    dimensions = []
+    for name, values in named.items():
+        if isinstance(values, str):
+            dimensions.append(dimension(f"{name}={values}"))
+        elif isinstance(values, (int, float)):
+            dimensions.append(Dimension(name, [values]))
+        else:
+            dimensions.append(Dimension(name, [_plain(each) for each in values]))
+            if not len(dimensions[-1]):
+                raise ValueError(f"{name} has no values")
+    return Grid(dimensions)
+
+
+def _plain(value: Any) -> Value:
+    """A number of numpy as Python's own."""
+    plain: Value = value.item() if hasattr(value, "item") else value
+    return plain

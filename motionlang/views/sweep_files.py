@@ -1,0 +1,67 @@
+"""The rows of a sweep as a file: CSV with full precision, or Parquet."""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import IO, TYPE_CHECKING, Any
+
+from motionlang.files import replacing
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    Cells = Sequence[Any]
+
+# Rows that are worked on at a time.
+CHUNK = 10_000
+
+
+def write_rows(path: str, names: Sequence[str], rows: Iterable[Cells]) -> None:
+    """Write a table to a .csv or .parquet file. Raises OSError, and leaves no part of a file behind."""
+    with replacing(path) as file:
+        if path.lower().endswith(".parquet"):
+            _write_parquet(file, names, list(rows))
+        else:
+            text = io.TextIOWrapper(file, "utf-8", newline="", write_through=True)
+            write_csv(text, names, rows)
+            text.flush()
+            text.detach()
+
+
+def write_csv(text: IO[str], names: Sequence[str], rows: Iterable[Cells]) -> None:
+    """The same as CSV to any stream; a cell without a value is empty."""
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(names)
+    for row in rows:
+        writer.writerow([_cell(value) for value in row])
+
+
+def _cell(value: object) -> object:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return repr(value + 0.0)
+    return "" if value is None else value
+
+
+def _write_parquet(file: IO[bytes], names: Sequence[str], rows: list[Cells]) -> None:
+    """A column is of numbers where all its values are, else of texts."""
+    import pyarrow as arrow  # type: ignore[import-untyped]
+    from pyarrow.parquet import write_table  # type: ignore[import-untyped]
+
+    columns = {}
+    for place, name in enumerate(names):
+        values = [row[place] for row in rows]
+        there = [value for value in values if value is not None]
+        if there and all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in there):
+            whole = name == "variant" or all(isinstance(value, int) for value in there)
+            columns[name] = arrow.array(
+                [None if v is None else v if whole else float(v) for v in values],
+                arrow.int64() if whole else arrow.float64(),
+            )
+        else:
+            columns[name] = arrow.array(
+                [None if v is None else str(_cell(v)) for v in values], arrow.string()
+            )
+    write_table(arrow.table(columns), file)

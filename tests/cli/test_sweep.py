@@ -1,0 +1,181 @@
+"""`motionlang sweep`: rows, the best of them, the bad ones apart, and going on after an interruption."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from motionlang.sweeps import Sweep
+from tests.cli.programs import Cell
+
+STROKE = """\
+Const rate = 1000
+Const length = 100
+SPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate
+MOVER(0) = length : GO(0) : PAUSE IDLE(0)
+PRINT "there"
+"""
+VARY = ("sweep", "stroke.mnt", "--vary", "rate=500:2000:4", "--vary", "length=20,100")
+
+
+@pytest.fixture
+def stroke(cell: Cell) -> Cell:
+    cell.write("stroke.mnt", STROKE)
+    return cell
+
+
+def test_a_table_of_all_variants_and_the_best(stroke: Cell) -> None:
+    ran = stroke(
+        *VARY, "--keep", "time,peak.0", "--minimise", "time", "--where", "peak.0 < 150 and length == 20"
+    )
+    assert (ran.status, ran.err) == (0, "")
+    assert ran.out == (
+        "2 of 8 variants with peak.0 < 150 and length == 20\n\n"
+        "rate  length      time   peak.0\n"
+        "                     s     uu/s\n"
+        "───────────────────────────────\n"
+        " 500      20   0.40006      100\n"
+        "1000      20  0.282903  141.421\n\n"
+        "best: rate = 1000, length = 20; time is smallest there, 0.282903\n"
+    )
+
+
+def test_a_front_and_a_picture(stroke: Cell) -> None:
+    for plot, wishes in (
+        ("front.png", ("--pareto", "time,peak.0")),
+        ("lines.svg", ()),
+        ("map.png", ("--latin", "12")),
+    ):
+        ran = stroke(*VARY, "--keep", "time,peak.0", *wishes, "--plot", plot)
+        assert (ran.status, ran.err) == (0, "")
+        assert (stroke.folder / plot).stat().st_size > 5000
+    assert stroke(*VARY, "--pareto", "time,peak.0").out.startswith("4 of 8 variants are on the front\n")
+
+
+def test_bad_variants_are_told_apart_and_kept(stroke: Cell) -> None:
+    ran = stroke(*VARY[:2], "--vary", "rate=0,500,-1,0", "--keep", "time", "--out", "rows.csv")
+    assert ran.status == 1
+    assert [line.split() for line in ran.out.splitlines()[3:]] == [["500", "0.90006"]]
+    assert ran.err.startswith("3 of 4 variants are bad\n  ")
+    assert "with rate = 0; rate = -1; rate = 0" in ran.err or "with rate = 0; rate = 0" in ran.err
+    with open(stroke.folder / "rows.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["problem"] == "" for row in rows] == [False, True, False, False]
+    assert not (stroke.folder / "rows.csv.part").exists()
+
+
+def test_a_sweep_that_was_ended_goes_on(stroke: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = stroke(*VARY, "--out", "whole.csv", "--report", "none")
+    assert (whole.status, whole.out, whole.err) == (0, "", "")
+    ran: list[int] = []
+    all_results = Sweep.results
+
+    def ended(self: Sweep, *args: Any, **kwargs: Any) -> Iterator[Any]:
+        for result in all_results(self, *args, **kwargs):
+            ran.append(result[0])
+            yield result
+            if len(ran) == 3:
+                raise KeyboardInterrupt
+
+    monkeypatch.setattr(Sweep, "results", ended)
+    first = stroke(*VARY, "--out", "rows.csv")
+    assert (first.status, first.err) == (130, "ended after 3 of 8 variants; --resume goes on\n")
+    assert len((stroke.folder / "rows.csv").read_text().splitlines()) == 4
+    with open(stroke.folder / "rows.csv.part", "a", encoding="ascii") as file:
+        file.write("[7, [0.")  # a line that was cut off
+    other = stroke(*VARY, "--keep", "peak.0", "--out", "rows.csv", "--resume")
+    assert other.status == 2
+    assert "has the rows of another sweep" in other.err
+    second = stroke(*VARY, "--out", "rows.csv", "--resume", "--report", "none")
+    assert (second.status, second.err) == (0, "")
+    assert sorted(ran) == list(range(8))
+    assert (stroke.folder / "rows.csv").read_text() == (stroke.folder / "whole.csv").read_text()
+    again = stroke(*VARY, "--out", "rows.csv", "--resume", "--report", "none")
+    assert again.err == "rows.csv.part is not there: nothing to go on with, all 8 variants are run\n"
+
+
+def test_machines_of_a_folder(stroke: Cell) -> None:
+    (stroke.folder / "machines").mkdir()
+    stroke.write("machines/long.machine.toml", "[axis.0]\ntravel = [-5, 500]\n")
+    stroke.write("machines/short.toml", "[axis.0]\ntravel = [-5, 50]\n")
+    ran = stroke("sweep", "stroke.mnt", "--machines", "machines", "--keep", "position.0", "--report", "csv")
+    assert ran.out.splitlines()[0] == "variant,machine,position.0,problem"
+    assert ran.out.splitlines()[1] == "0,long,100.0,"
+    stroke.write("machines/short.toml", "[axis.0]\ntravell = [-5, 50]\n")
+    ran = stroke("sweep", "stroke.mnt", "--machines", "machines")
+    assert ran.status == 1
+    assert "short.toml, line 2: there is no key axis.0.travell" in ran.err
+
+
+def test_parquet_has_the_rows_of_the_csv(stroke: Cell) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    for out in ("rows.csv", "rows.parquet"):
+        assert stroke(*VARY, "--keep", "time,prints", "--out", out, "--report", "none").status == 0
+    table = parquet.read_table(stroke.folder / "rows.parquet").to_pydict()
+    with open(stroke.folder / "rows.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert table["time"] == [float(row["time"]) for row in rows]
+    assert table["prints"] == ["there"] * 8
+    assert table["problem"] == [None] * 8
+
+
+def test_the_file_beside_the_program_says_what_the_line_does_not(stroke: Cell) -> None:
+    stroke.write(
+        "stroke.sweep.toml",
+        'keep = ["time"]\nminimise = "time"\n[vary]\nrate = "500:2000:4"\nlength = [20]\n',
+    )
+    ran = stroke("sweep", "stroke.mnt")
+    assert ran.out.endswith("best: rate = 2000, length = 20; time is smallest there, 0.20006\n")
+    assert stroke("sweep", "stroke.mnt", "--maximise", "time").out.endswith(
+        "time is largest there, 0.40006\n"
+    )
+    stroke.write("stroke.sweep.toml", 'kep = ["time"]\nlatin = 0\n[vary]\nrate = {}\n')
+    ran = stroke("sweep", "stroke.mnt")
+    assert ran.status == 1
+    for told in ("there is no key kep", "did you mean keep?", "latin is a number of variants"):
+        assert told in ran.err
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ((), "nothing is varied: give --vary"),
+        (("--vary", "rate=1:2"), "how many values of rate?"),
+        (("--vary", "rate"), "is not NAME=FIRST:LAST:COUNT"),
+        (("--vary", "rat=1"), "did you mean rate?"),
+        (("--vary", "rate=1", "--keep", "tme"), "a run has no tme; did you mean time"),
+        (("--vary", "rate=1", "--minimise", "time +"), "is no expression"),
+        (("--vary", "rate=1", "--where", "tme < 1"), "a run has no tme"),
+        (("--vary", "rate=1", "--minimise", "time", "--maximise", "time"), "one thing is best"),
+        (("--vary", "rate=1", "--pareto", "time"), "a front is between two"),
+        (("--vary", "rate=1", "--random", "4", "--latin", "4"), "not both"),
+        (("--vary", "rate=1", "--out", "rows.xls"), "--out writes .csv and .parquet files, not .xls"),
+        (("--vary", "rate=1", "--out", "no/rows.csv"), "there is no folder no"),
+        (("--vary", "rate=1", "--resume"), "--resume goes on with what is beside --out"),
+        (("--vary", "rate=1", "--jobs", "0"), "is not a whole number above 0"),
+    ],
+)
+def test_what_the_command_line_lacks_is_said(stroke: Cell, words: tuple[str, ...], told: str) -> None:
+    ran = stroke("sweep", "stroke.mnt", *words)
+    assert ran.status == 2
+    assert told in ran.err
+
+
+def test_what_cannot_be_read_is_said(stroke: Cell) -> None:
+    for words, told in (
+        (("no.mnt", "--vary", "a=1"), "no.mnt cannot be read"),
+        (("stroke.mnt", "--machines", "nowhere"), "nowhere cannot be read"),
+        (("stroke.mnt", "--machines", "empty"), "no machine files in empty"),
+        (("wrong.mnt", "--vary", "a=1"), "error[unknown-word]"),
+    ):
+        (stroke.folder / "empty").mkdir(exist_ok=True)
+        stroke.write("wrong.mnt", "Const a = 1\nPRINT b\n")
+        ran = stroke("sweep", *words)
+        assert ran.status in (1, 2)
+        assert told in ran.err, ran.err
+    assert json.dumps(sorted(each.name for each in Path(stroke.folder).glob("*.part"))) == "[]"
