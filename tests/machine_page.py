@@ -33,6 +33,8 @@ SENTENCES = {
     "comms": "What the host writes into the comms array of a Mint controller; it raises the events of the elements.",
     "dpr": "The same for the dual-port RAM of a controller on a PC's bus; it raises nothing.",
     "netdata": "The same for NetData.",
+    "expect": "What `motionlang verify` expects of the run, in the machine file and in scenarios "
+    "([scenarios.md](scenarios.md)); each entry expects one thing.",
 }
 
 SERVO = {

@@ -23,6 +23,7 @@ LEVELS: dict[str, int] = {
     "serve": 12,
     "views": 11,
     "sweeps": 10,
+    "scenarios": 10,
     "execution": 9,
     "remarks": 8,
     "measured": 8,

@@ -68,6 +68,7 @@ def test_console(kind: str, text: str, capsys: pytest.CaptureFixture[str]) -> No
     for command, shown in commands(text):
         words = shlex.split(command, comments=True)
         if words[0] == "cat" and not Path(words[1]).exists():
+            Path(words[1]).parent.mkdir(exist_ok=True)
             Path(words[1]).write_text(shown, encoding="utf-8")
         output = answer(words, capsys)
         assert matches(shown, output), f"$ {command}\n{output}"

@@ -98,11 +98,12 @@ def _compare(place: str, expected: object, found: object) -> Iterator[str]:
             yield f"{place} has {len(found)} entries instead of {len(expected)}"
         for i, (one, other) in enumerate(zip(expected, found, strict=False)):
             yield from _compare(f"{place}[{i}]", one, other)
-    elif not _same(expected, found):
+    elif not same(expected, found):
         yield f"{place} is {json.dumps(found)} instead of {json.dumps(expected)}"
 
 
-def _same(expected: object, found: object) -> bool:
+def same(expected: object, found: object) -> bool:
+    """Whether two values are one, figures within a billionth."""
     if isinstance(expected, float) and isinstance(found, float):
         size = max(abs(expected), abs(found))
         return expected == found or abs(expected - found) <= max(TOLERANCE * size, NOTHING)

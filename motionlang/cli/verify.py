@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
-from motionlang.cli.golden import MOST_DIFFERENCES, differences, golden_files, programs, update
+from motionlang.cli.golden import differences, golden_files, programs, update
+from motionlang.cli.verify_besides import Besides, expectations, tell
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.source import Source
@@ -25,10 +26,12 @@ def verify_command(paths: Sequence[str], rewrite: bool) -> int:
     if not found:
         sys.stderr.write(f"no programs in {', '.join(paths)}\n")
         return 1
-    failed = 0
+    failed, besides = 0, Besides()
     for program in found:
         failed += _update(program) if rewrite else _verify(program)
-    good = f"{len(found) - failed} of {len(found)} programs"
+        besides.check(program, rewrite)
+    good = f"{len(found) - failed} of {len(found)} programs{besides.summary()}"
+    failed += sum(1 for each in besides.failed.values() if each)
     sys.stdout.write(f"{good} {'have their golden files' if rewrite else 'as their golden files say'}\n")
     return 1 if failed else 0
 
@@ -52,12 +55,7 @@ def _verify(program: str) -> bool:
     except ValueError as error:
         sys.stdout.write(f"{program}: {os.path.basename(report)} is not JSON: {error}\n")
         return True
-    if found:
-        sys.stdout.write(f"{program}: differs\n")
-        sys.stdout.writelines(f"  {each}\n" for each in found[:MOST_DIFFERENCES])
-        if len(found) > MOST_DIFFERENCES:
-            sys.stdout.write(f"  and {len(found) - MOST_DIFFERENCES} more\n")
-    return bool(found)
+    return tell(program, expectations(result) + found)
 
 
 def _update(program: str) -> bool:

@@ -100,7 +100,9 @@ class Description:
 def settings_of(path: str) -> dict[str, object]:
     """The settings of a machine file; ProgramError with the diagnostics of the file, whose name is in them."""
     try:
-        return read_machine(Source.read(path))
+        settings = read_machine(Source.read(path))
+        settings.pop("expect", None)  # of a world by itself, not of its variants
+        return settings
     except ProgramError as error:
         for each in error.diagnostics:
             each.message = (

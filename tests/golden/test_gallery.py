@@ -8,6 +8,8 @@ import pytest
 
 from motionlang import run
 from motionlang.cli.golden import differences, golden_files, programs, update
+from motionlang.cli.verify_besides import Besides, sweep_golden
+from motionlang.scenarios import scenario_files
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
@@ -22,7 +24,23 @@ def test_program(program: Path, request: pytest.FixtureRequest) -> None:
     assert result.proof().violations == []
 
 
+def test_scenarios_and_sweeps_are_as_expected(
+    request: pytest.FixtureRequest, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for rewrite in (True, False) if request.config.getoption("--update") else (False,):
+        besides = Besides()
+        for program in PROGRAMS:
+            besides.check(str(program), rewrite)
+        assert besides.failed == {"scenario": 0, "sweep": 0}, capsys.readouterr().out
+    assert besides.scenarios >= 4
+    assert besides.sweeps >= 1
+
+
 def test_no_golden_file_is_left_without_its_program() -> None:
     expected = {name for program in PROGRAMS for name in golden_files(str(program))}
+    expected |= {
+        name for program in PROGRAMS for path in scenario_files(str(program)) for name in golden_files(path)
+    }
+    expected |= {sweep_golden(str(path)) for path in (ROOT / "scripts").rglob("*.sweep.toml")}
     found = {str(path) for path in (ROOT / "scripts").rglob("*.golden.*")}
     assert found <= expected

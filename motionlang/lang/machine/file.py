@@ -9,6 +9,7 @@ from motionlang.errors import Diagnostic, ProgramError, nearest, shown
 from motionlang.lang.dialect import dialect, unknown_model
 from motionlang.lang.machine.keys import (
     BUS_EVENTS,
+    EXPECTED,
     FAULT_KINDS,
     KEYS,
     LAST_LINE,
@@ -18,6 +19,7 @@ from motionlang.lang.machine.keys import (
     NODE_EVENTS,
     OF_A_NODE,
     OF_DIALECTS,
+    OUTCOMES,
     REQUIRED,
     SERVO,
     TABLES,
@@ -150,6 +152,8 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         yield f"[[{table}]] needs the axis whose position decides", "add axis = N", "per_unit"
     if table == "encoder" and ("channel" in entry) is ("aux" in entry):
         yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
+    if table == "expect":
+        yield from _expect_problems(entry)
     if table in ("comms", "netdata", "dpr"):
         yield from _written_problems(table, entry)
 
@@ -205,6 +209,19 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
         )
 
 
+def _expect_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    """An entry expects one thing, and says of it what can be said."""
+    what = [name for name in EXPECTED if name in entry]
+    if len(what) != 1:
+        yield f"[[expect]] expects one thing: {', '.join(EXPECTED)}", "write an entry for each", "[[expect]]"
+        return
+    for name in entry:
+        if name in TABLES["expect"] and name != what[0] and name not in EXPECTED[what[0]]:
+            yield f"{name} of [[expect]] says nothing of {what[0]}", TABLES["expect"][name][1], name
+    if what[0] == "position" and "axis" not in entry:
+        yield "[[expect]] needs the axis that stands there", "add axis = N", "position"
+
+
 def _written_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
     low, high = (1, 99) if table == "comms" else (0, 999)
     element = entry.get("element")
@@ -245,6 +262,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
         "bus event": (value in BUS_EVENTS, f"must be one of {', '.join(BUS_EVENTS)}"),
         "view": (value in VIEWS, f"must be one of {', '.join(VIEWS)}"),
+        "outcome": (value in OUTCOMES, f"must be one of {', '.join(OUTCOMES)}"),
         "motor": (value in MOTORS, f"must be {' or '.join(MOTORS)}"),
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }

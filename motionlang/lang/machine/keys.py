@@ -177,7 +177,30 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "element": ("channel", "The NetData location that the host writes, 0 to 999."),
         **_WRITTEN,
     },
+    "expect": {
+        "prints": ("text", "A line that is printed has this in it."),
+        "never_prints": ("text", "No line has."),
+        "after": ("time", "The line is printed at this time or later, in seconds."),
+        "before": ("time", "It is printed by this time."),
+        "axis": ("channel", "The axis that stands at the position."),
+        "position": ("number", "Where it stands at the end, in user units."),
+        "at": ("time", "It stands there at this time instead."),
+        "time": ("time", "When the run ends, in seconds."),
+        "within": ("positive", "How far off the position or the time may be; a millionth unless given."),
+        "status": ("outcome", "How the run ends: ended, until or fault."),
+        "diagnostic": ("text", "The code of a mistake that the run ends with, such as never."),
+    },
 }
+# What an entry of [[expect]] is about: one of these, with what else may stand beside it.
+EXPECTED: dict[str, tuple[str, ...]] = {
+    "prints": ("after", "before"),
+    "never_prints": ("after", "before"),
+    "position": ("axis", "at", "within"),
+    "time": ("within",),
+    "status": (),
+    "diagnostic": (),
+}
+OUTCOMES = ("ended", "until", "fault")
 REQUIRED = {
     "input": ("channel",),
     "analogue": ("channel", "value"),
@@ -195,6 +218,7 @@ REQUIRED = {
     "comms": ("element",),
     "netdata": ("element",),
     "dpr": ("address",),
+    "expect": (),
 }
 # What an entry of a table is about, with what it is where that is not said: a scenario's stand in the place of those
 # about the same.

@@ -1,0 +1,140 @@
+"""Scenarios: several worlds for one program, each a machine file on top of its own, and what is expected there.
+
+`pick.mnt` has them in the folder `pick.scenarios` beside it: `late.toml`, `stuck.toml`.
+"""
+
+from __future__ import annotations
+
+import os
+
+from motionlang.execution import machine_of, run
+from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.layers import layered
+from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from motionlang.result import Run
+
+    Entry = Mapping[str, object]
+
+# What follows a program's name, without its suffix, in the name of the folder with its scenarios.
+FOLDER_SUFFIX = ".scenarios"
+# How far off a figure may be where that is not said.
+WITHIN = 1e-6
+
+
+class Scenario:
+    """One world: `settings` are those of its machine file on top of the program's, `expected` the entries of both."""
+
+    __slots__ = ("expected", "path", "program", "settings")
+
+    def __init__(self, program: str, path: str) -> None:
+        """Read it. OSError where a file cannot be read, ProgramError where the scenario is wrong."""
+        self.program, self.path = program, path
+        below = machine_of(program)
+        settings = read_machine(Source.read(below)) if below is not None else {}
+        above = read_machine(Source.read(path))
+        # What is expected of the program's own world is not expected of another one.
+        self.expected: list[Entry] = above.pop("expect", [])  # type: ignore[assignment]
+        settings.pop("expect", None)
+        self.settings = layered(settings, above)
+
+    @property
+    def name(self) -> str:
+        """Its name: that of the file without the suffix."""
+        return os.path.splitext(os.path.basename(self.path))[0]
+
+    def run(self, *, cache: bool = False) -> Run:
+        """The run of the program in this world."""
+        return run(self.program, machine=self.settings, cache=cache)
+
+
+def scenario_files(program: str) -> list[str]:
+    """The files of a program's scenarios, in order."""
+    folder = os.path.splitext(program)[0] + FOLDER_SUFFIX
+    if not os.path.isdir(folder):
+        return []
+    return [os.path.join(folder, name) for name in sorted(os.listdir(folder)) if name.endswith(".toml")]
+
+
+def unmet(result: Run, expected: list[Entry]) -> list[str]:
+    """What a run did not do of what was expected, each as a sentence; and errors that nobody expected."""
+    found = [told for entry in expected if (told := _unmet(result, entry))]
+    codes = {entry["diagnostic"] for entry in expected if "diagnostic" in entry}
+    faults = any(entry.get("status") == "fault" for entry in expected)
+    for each in result.diagnostics:
+        if each.severity == "error" and each.code not in codes and not (faults and not codes):
+            place = f"line {each.line}: " if each.line else ""
+            found.append(f"the run had an error that was not expected: {place}{each.message} [{each.code}]")
+    return found
+
+
+def _unmet(result: Run, entry: Entry) -> str:
+    """What is not as one entry expects; empty where it is."""
+    if "status" in entry:
+        return "" if result.status == entry["status"] else f"the run {_ended(result)}, not {entry['status']}"
+    if "diagnostic" in entry:
+        codes = [each.code for each in result.diagnostics if each.severity == "error"]
+        had = f"its errors were {', '.join(codes)}" if codes else "it had none"
+        return "" if entry["diagnostic"] in codes else f"the run had no error {entry['diagnostic']}; {had}"
+    if "time" in entry:
+        what = f"the run {_ended(result)} at {result.time:.6f} s"
+        return _off(what, result.time, entry, "time", "s")
+    if "position" in entry:
+        return _unmet_position(result, entry)
+    return _unmet_print(result, entry)
+
+
+def _unmet_position(result: Run, entry: Entry) -> str:
+    axis, at = entry["axis"], entry.get("at", result.time)
+    assert isinstance(axis, int)
+    assert isinstance(at, (int, float))
+    a = result.controller.axes[axis]
+    motor = a.feedback
+    if at > result.time:
+        where = f"axis {axis} is expected at {entry['position']} at {at} s"
+        return f"{where}, and the run {_ended(result)} at {result.time:.6f} s"
+    counts = a.position(at) if motor is None or at < result.time else motor.position
+    position = a.scale.position_to_user(counts)
+    return _off(f"axis {axis} stands at {position:.6f} at {at:.6f} s", position, entry, "position", "uu")
+
+
+def _off(what: str, found: float, entry: Entry, name: str, unit: str) -> str:
+    wanted, within = entry[name], entry.get("within", WITHIN)
+    assert isinstance(wanted, (int, float))
+    assert isinstance(within, (int, float))
+    if abs(found - wanted) <= within:
+        return ""
+    return f"{what}, not at {wanted:g} {unit}: {found - wanted:+g} {unit}, and {within:g} is allowed"
+
+
+def _unmet_print(result: Run, entry: Entry) -> str:
+    wanted = entry.get("prints", entry.get("never_prints"))
+    assert isinstance(wanted, str)
+    low, high = entry.get("after", 0.0), entry.get("before", float("inf"))
+    assert isinstance(low, (int, float))
+    assert isinstance(high, (int, float))
+    times = [each.time for each in result.machine.log.prints if wanted in each.text]
+    inside = [time for time in times if low <= time <= high]
+    if "never_prints" in entry:
+        return f"{wanted!r} was printed at {inside[0]:.6f} s" if inside else ""
+    if inside:
+        return ""
+    when = f" from {low:g} to {high:g} s"
+    if high == float("inf"):
+        when = f" after {low:g} s" if low else ""
+    elif not low:
+        when = f" before {high:g} s"
+    if times:
+        return f"{wanted!r} was printed at {times[0]:.6f} s, not{when}"
+    last = f"the last line was {result.output[-1]!r}" if result.output else "nothing was"
+    return f"{wanted!r} was not printed{when}; {last}"
+
+
+def _ended(result: Run) -> str:
+    return {"ended": "ended", "until": "was still going on", "fault": "stopped with an error"}.get(
+        result.status, result.status
+    )
