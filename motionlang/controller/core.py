@@ -14,8 +14,8 @@ from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
 from motionlang.controller.triggers.conditions import Together, refuse_motion, release
 from motionlang.controller.triggers.watch import arm
-from motionlang.profile import hold, plan
-from motionlang.profile.relief import onset
+from motionlang.profile import hold
+from motionlang.profile.trapezoid import plan_trapezoid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -96,7 +96,11 @@ class Core(Readings):
         last, shape = a.profiles[-1], a.shape
         try:
             if last.shape == "hold" and shape == "trapezoid":  # nearly every move there is
-                return plan(shape, last.end, move.target, speed, accel, decel)
+                return plan_trapezoid(last.end, move.target, speed, accel, decel)
+            # What changes the motion under way, or has a shape, is brought in by the first program that does.
+            from motionlang.profile import plan
+            from motionlang.profile.relief import onset
+
             jerks = (a.accel_jerk, a.decel_jerk) if shape == "scurve" else (INFINITY, INFINITY)
             eased, start, velocity, bent = onset(last, self.clock.now - a.starts[-1], shape, jerks[0])
             made = plan(shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, bent)

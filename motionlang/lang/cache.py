@@ -21,6 +21,8 @@ except ImportError:
 ENTRIES = 512
 # What compiling takes besides a language's own package; a test holds it to what a compilation imports.
 SHARED = ("lang", "errors.py", "source.py", "controller/faults.py")
+# What of that package no compilation takes: the operations of keywords, and what looks programs over.
+RUN, ASIDE = "_operations.py", ("__pycache__", "lint")
 OFF = "MOTIONLANG_NO_CACHE"
 
 
@@ -76,9 +78,11 @@ def fingerprint(package: str) -> str:
 def _note_all(place: str, found: list[str]) -> None:
     with os.scandir(place) as entries:
         for entry in entries:
-            if entry.name.endswith((".py", ".txt")):
-                _note(entry.path, entry.stat(), found)
-            elif entry.name != "__pycache__" and entry.is_dir():
+            name = entry.name
+            if name.endswith((".py", ".txt")):
+                if not name.endswith(RUN):
+                    _note(entry.path, entry.stat(), found)
+            elif name not in ASIDE and entry.is_dir():
                 _note_all(entry.path, found)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.profile.formula import Formula
 from motionlang.profile.pieces import position_in, still_points
 
 TYPE_CHECKING = False
@@ -37,7 +36,7 @@ def sets_off(profile: Profile, sign: int, after: float) -> float | None:
 
 def _stretches(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
     """When each stretch without a turn begins, from `after` on, and how far it goes; the last may have no end."""
-    yield from profile.stretches(after) if isinstance(profile, Formula) else _spans(profile, after)
+    yield from _spans(profile, after) if profile.pieced else profile.stretches(after)  # type: ignore[attr-defined]
     velocity = profile.end_velocity
     if velocity and profile.duration < inf:
         yield max(after, profile.duration), velocity * inf

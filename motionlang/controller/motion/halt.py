@@ -6,7 +6,6 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action
 from motionlang.controller.triggers.conditions import BY_WORD, release
 from motionlang.profile import halted
-from motionlang.profile.relief import stop_under_way
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,6 +51,8 @@ def stop(controller: Core, a: Axis, ended: str, hard: bool = False) -> None:
 
 def braking(controller: Core, a: Axis, decel: float) -> Profile:
     """From the state of the axis to rest."""
+    from motionlang.profile.relief import stop_under_way
+
     now = controller.clock.now
     try:
         return stop_under_way(
