@@ -70,6 +70,8 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
+        # Whether the clock goes on with nobody but the tasks being asked.
+        self.by_itself = pace is None and outside is None
         # When the running task was resumed, when its turn began, whether no other could have had it, and when it ends;
         # an event cuts a turn in two, and does not end it.
         self.began = self.turn_began = 0.0

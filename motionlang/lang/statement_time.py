@@ -11,6 +11,10 @@ from math import ceil
 INFINITY = float("inf")
 # 10 ps: decimal, as costs and waits are, and coarse enough that a day of them fits a float.
 UNITS = 1e11
+# Seconds that are more than rounding.
+_SHORTEST = 1e-9
+# So many units and fewer are each a float of its own.
+_EXACT = 2**52
 
 
 class StatementTime:
@@ -19,12 +23,14 @@ class StatementTime:
     `count` is the statement at which the last task stopped, `reached` its time: whoever goes on there counts on.
     """
 
-    __slots__ = ("base", "cost", "count", "reached", "until")
+    __slots__ = ("_known", "_units", "base", "cost", "count", "reached", "until")
 
     def __init__(self, cost: float) -> None:
         self.cost = cost
         self.base = self.count = 0.0
         self.reached, self.until = -1.0, INFINITY
+        # A moment, and what it is in whole units.
+        self._known, self._units = 0.0, 0
 
     def at(self, count: float) -> float:
         """The time of a statement."""
@@ -48,7 +54,26 @@ class StatementTime:
     def rest(self, count: float, seconds: float) -> float:
         """The running task waits for a time: when that is over."""
         self.leave(count)
-        return (units(self.base) + round((count * self.cost + seconds) * UNITS)) / UNITS
+        end = (units(self.base) + round((count * self.cost + seconds) * UNITS)) / UNITS
+        self._known, self._units = end, units(end)
+        return end
+
+    def pass_by(self, count: float, seconds: float) -> tuple[float, float] | None:
+        """The same where nothing can happen meanwhile: at which statement the task goes on, and how far it surely may.
+
+        None where the horizon comes first, or where the time waited is too short or too late to be told from others.
+        """
+        base, cost = self.base, self.cost
+        if base != self._known:
+            return None
+        end_units = self._units + round((count * cost + seconds) * UNITS)
+        end = end_units / UNITS
+        statements = (self.until - end) / cost - 1.0  # one less, whatever rounding makes of it
+        if statements < 1.0 or end_units >= _EXACT or seconds < _SHORTEST:
+            return None
+        self.base = self._known = end
+        self._units = end_units
+        return 0.0, statements
 
     def limit(self, horizon: float) -> float:
         """The first statement that is not before `horizon`, up to which the running task may go."""

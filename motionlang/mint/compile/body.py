@@ -283,10 +283,10 @@ class Body:
             self.emit(text)
         self.pending += 1
 
-    def wait(self, expression: str) -> None:
-        """Give way until a `Wait` is over."""
+    def wait(self, expression: str, at_once: str = "") -> None:
+        """Give way until a `Wait` is over; `at_once or` says when it was over before anything could happen."""
         self.flush()
-        self.emit(f"t, H = yield {expression}")
+        self.emit(f"t, H = {at_once}(yield {expression})" if at_once else f"t, H = yield {expression}")
         self.waits = self.noted = True
 
     # ------------------------------------------------------------------------------------------- labels
