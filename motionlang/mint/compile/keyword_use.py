@@ -435,5 +435,5 @@ def wait(b: Body, node: nodes.Node, values: list[nodes.Expr]) -> None:
     text = _value(b, values[0], row)
     b.flush()
     b.settle()
-    b.wait("E.wait", f"{b.whole.use('env', 'rest')}(t, {text}) or ")
+    b.wait("E.wait", f"{b.whole.use('env', 'rest')}(t, {text}, {b.at}) or ")
     b.pending += 1

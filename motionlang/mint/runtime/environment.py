@@ -310,15 +310,17 @@ class Environment:
 
     # --------------------------------------------------------------------------------------------- waits
 
-    def rest(self, t: float, milliseconds: float) -> tuple[float, float] | None:
-        """`WAIT`: the statement after it, and its horizon; nothing where others act meanwhile: `wait`."""
+    def rest(self, t: float, milliseconds: float, at: int) -> tuple[float, float] | None:
+        """`WAIT` at a place: the statement after it, and its horizon; nothing where others act meanwhile: `wait`."""
         if not 0 <= milliseconds < INFINITY:
             raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
         statements, scheduler = self.statements, self.machine.scheduler
         if scheduler is not None and scheduler.by_itself and len(scheduler.tasks) == 1:
+            since = statements.base + t * statements.cost
             found = statements.pass_by(t, milliseconds / 1000.0)
             if found is not None:
-                self.clock.now = statements.base
+                self.clock.now = end = statements.base
+                self.machine.log.waits.add((self.task.name, at, since, end, "time", (), ""))
                 return found
         end = statements.rest(t, milliseconds / 1000.0)
         self.wait = wait_until(self.machine, statements.reached, end)

@@ -60,3 +60,4 @@ def test_a_wait_is_over_at_once_or_waited_out(name: str) -> None:
     assert at_once.status == "ended"
     assert at_once.output
     assert text(at_once) == text(waited_out)
+    assert list(at_once.machine.log.waits) == list(waited_out.machine.log.waits)
