@@ -49,11 +49,11 @@ def read_task_status(environment: Environment, row: Row) -> Operation:
 
 
 def do_task_suspend(environment: Environment, row: Row) -> Operation:
-    return lambda name: environment.suspend(name, True)
+    return lambda name: _suspend(environment, name, True)
 
 
 def do_task_resume(environment: Environment, row: Row) -> Operation:
-    return lambda name: environment.suspend(name, False)
+    return lambda name: _suspend(environment, name, False)
 
 
 def read_timer_event(environment: Environment, row: Row) -> Operation:
@@ -129,6 +129,20 @@ def read_error_text(environment: Environment, row: Row) -> Operation:
 
 def do_error_clear(environment: Environment, row: Row) -> Operation:
     return environment.errors.clear
+
+
+def _suspend(environment: Environment, name: str, hold: bool) -> None:
+    """Hold a task, or let it go on; one that holds itself is held at its next turn."""
+    task = environment.tasks.get(name)
+    if task is None or task.done or task.suspended is hold:
+        return
+    task.suspended = hold
+    if hold and task is environment.task:
+        environment.clock.at(environment.clock.now, lambda: None)  # everybody looks around
+    elif hold:
+        task.held, task.wait = task.wait, task.never()
+    else:
+        task.wait, task.held = task.held, None
 
 
 OPERATIONS = {

@@ -445,19 +445,6 @@ class Environment:
         if scheduler is not None and task in scheduler.tasks:
             scheduler.tasks.remove(task)
 
-    def suspend(self, name: str, hold: bool) -> None:
-        """`TASKSUSPEND` and `TASKRESUME`; a task that holds itself is held at its next turn."""
-        task = self.tasks.get(name)
-        if task is None or task.done or task.suspended is hold:
-            return
-        task.suspended = hold
-        if hold and task is self.task:
-            self.clock.at(self.clock.now, _nothing)
-        elif hold:
-            task.held, task.wait = task.wait, task.never()
-        else:
-            task.wait, task.held = task.held, None
-
     def end_this(self, t: float) -> None:
         """The task that is running ends."""
         raise TaskEnd(self.statements.leave(t))
@@ -496,10 +483,6 @@ class Environment:
         if self.clock.now > self.statements.at(t):
             t = self.statements.start(self.clock.now)
         return t + 1.0
-
-
-def _nothing() -> None:
-    """An event whose only purpose is that everybody looks around."""
 
 
 class Jump(Exception):
