@@ -6,6 +6,8 @@ those in force when it started. Only axes that the program touched are listed: t
 
 from __future__ import annotations
 
+from itertools import islice
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -23,6 +25,8 @@ SCHEMA = "motionlang.report/1"
 END_OF_RUN = "end-of-run"
 # What an axis's position comes from: without a simulated motor feedback equals demand.
 DEMAND, MOTOR = "demand", "simulated motor"
+# Moves that are written in one piece.
+AT_ONCE = 1000
 
 
 def build(run: Run) -> Row:
@@ -39,6 +43,11 @@ def text(run: Run, *, whole: bool = True) -> str:
 
     Where it is not to be `whole` it is what the program does, without the readings that this rests on.
     """
+    return "".join(pieces(run, whole=whole))
+
+
+def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
+    """The same document in pieces, so that a million moves need not be held at once."""
     tail = _tail(run)
     if whole:
         tail["readings"] = readings(run)
@@ -51,7 +60,7 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "not_counted": []}
     tail["readings"] = []
-    return _document(head, iter(()), tail)
+    return "".join(_document(head, iter(()), tail))
 
 
 def moves(run: Run) -> Iterator[Row]:
@@ -179,7 +188,7 @@ def _tail(run: Run) -> Row:
     return tail
 
 
-def _document(head: Row, rows: Iterator[Row], tail: Row) -> str:
+def _document(head: Row, rows: Iterator[Row], tail: Row) -> Iterator[str]:
     """A field a line and a move a line: json's own indenting is written in Python and takes three times as long."""
     from json import JSONEncoder
 
@@ -191,11 +200,14 @@ def _document(head: Row, rows: Iterator[Row], tail: Row) -> str:
         except ValueError:
             return encode(finite(value))
 
-    body = ",\n  ".join(map(line, rows))
     fields = [f'"{name}": {line(value)}' for name, value in head.items()]
-    fields.append(f'"moves": [\n  {body}\n]' if body else '"moves": []')
-    fields += [f'"{name}": {line(value)}' for name, value in tail.items()]
-    return "{" + ",\n ".join(fields) + "}\n"
+    yield "{" + ",\n ".join(fields) + ',\n "moves": ['
+    between = "\n  "
+    while some := [line(row) for row in islice(rows, AT_ONCE)]:
+        yield between + ",\n  ".join(some)
+        between = ",\n  "
+    yield "],\n " if between == "\n  " else "\n],\n "
+    yield ",\n ".join(f'"{name}": {line(value)}' for name, value in tail.items()) + "}\n"
 
 
 def finite(value: object) -> object:

@@ -194,9 +194,9 @@ def pacer(factor: float) -> Callable[[float], None]:
 
 def _report(result: Run, options: Options) -> None:
     if options.report == "json":
-        from motionlang.report import text
+        from motionlang.report import pieces
 
-        sys.stdout.write(text(result))
+        sys.stdout.writelines(pieces(result))
         return
     began = result.status != "fault" or result.time or result.controller.log.moves
     if options.report == "none" or not began:

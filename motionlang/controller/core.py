@@ -9,7 +9,7 @@ from __future__ import annotations
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
-from motionlang.controller.move import Move
+from motionlang.controller.move import MOST_PIECES, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
 from motionlang.controller.triggers.conditions import Together, refuse_motion, release
@@ -239,7 +239,13 @@ class Core(Readings):
         move = a.move
         assert move is not None
         assert move.profile is not None
-        done = move.profile.cut(self.clock.now - move.start_time)
+        now = self.clock.now
+        done = move.profile.cut(now - move.start_time)
+        self.log.room -= 2  # what was changed is kept piece by piece, and takes three times as much
+        if not ended and len(done.knots) > MOST_PIECES:
+            self.log.moves.split(move, done, now)
+            move.profile = profile
+            return
         # Where a new zero has come between them, the two differ by it, and by its rounding.
         move.profile = done.then(profile.scaled(done.end, 1.0) if move.offset else profile)
         move.ended = ended or move.ended

@@ -9,12 +9,19 @@ if TYPE_CHECKING:
     from motionlang.profile import Profile
 
 
+# Pieces of which the profile of a move consists after which it goes on as another entry of the log.
+MOST_PIECES = 500
+# What `ended` says of the entry before.
+CONTINUED = "continued"
+
+
 class Move:
     """One entry of the move buffer and, once started, of the controller's log.
 
     `target` is the end point in counts. A relative entry has the `base` that it was counted from beside it: its
     target goes along with where the axis is when it starts. `profile` and `start_time` are set when it starts.
-    `ended` is "" for a move that ran out by itself, else what cut it short: "stop", "cancel", "fault", "retarget".
+    `ended` is "" for a move that ran out by itself, else what cut it short: "stop", "cancel", "fault", "retarget", or
+    `CONTINUED` where it goes on as another entry.
     `offset` is how far the axis's zero was moved while the move ran: the profile stays as planned.
     `action` makes it something else than a move to a position. `speed` is the one it was loaded with, None for that
     of the axis at the time; `rates` are an acceleration and a deceleration of its own; `overridden` says whether the

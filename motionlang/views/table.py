@@ -5,6 +5,7 @@ Few moves are shown phase by phase, more of them a line each, very many as total
 
 from __future__ import annotations
 
+from array import array
 from math import fsum
 
 from motionlang.report import axes as axes_of
@@ -18,6 +19,7 @@ from motionlang.views.written import written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
     from motionlang.result import Run
@@ -79,17 +81,16 @@ def render(
 
     `charts` adds the velocity of the axes that moved; `everything` leaves no move, phase or line out.
     """
-    rows: list[Row] = list(moves_of(run))
-    parts = [_head(run, rows, colour)]
-    if rows:
-        parts.append(_moves(rows, width, colour, everything))
-    if len(rows) > MOST_ROWS:
-        parts.append(_totals(rows, run.time, width, colour, everything))
-    if charts and rows:
-        parts += _charts(run, rows, width, colour)
-    motors = [row for row in rows if "motor" in row]
-    if motors:
-        parts.append(_motors(motors, width, colour, everything))
+    moves = _Gathered(moves_of(run), everything)
+    parts = [_head(run, moves.count, colour)]
+    if moves.count:
+        parts.append(_moves(moves, width, colour, everything))
+    if moves.count > MOST_ROWS:
+        parts.append(_totals(moves, run.time, width, colour, everything))
+    if charts and moves.count:
+        parts += _charts(run, moves, width, colour)
+    if moves.motors:
+        parts.append(_motors(moves.motors, width, colour, everything))
     axes = axes_of(run)
     if axes:
         parts.append(_axes(axes, width, colour))
@@ -99,16 +100,51 @@ def render(
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
 
 
-def _head(run: Run, rows: list[Row], colour: bool) -> list[str]:
-    count = {0: "no axis moved", 1: "1 move"}.get(len(rows), f"{_grouped(len(rows))} moves")
+class _Total:
+    """What a line of the program moved: seconds and distances of its moves, and the highest speed."""
+
+    __slots__ = ("distances", "durations", "peak")
+
+    def __init__(self) -> None:
+        self.durations, self.distances, self.peak = array("d"), array("d"), 0.0
+
+    def add(self, row: Row) -> None:
+        self.durations.append(row["duration"])
+        self.distances.append(abs(row["distance"]))
+        self.peak = max(self.peak, row["peak_speed"])
+
+
+class _Gathered:
+    """What the table needs of the moves, of which only those that are shown are held: there may be a million."""
+
+    def __init__(self, rows: Iterator[Row], everything: bool) -> None:
+        self.count = 0
+        self.shown: list[Row] = []
+        self.motors: list[Row] = []
+        self.totals: dict[tuple[int, str, int], _Total] = {}
+        self.by_axis: dict[int, int] = {}
+        for row in rows:
+            self.count += 1
+            if everything or self.count <= MOST_ROWS:
+                self.shown.append(row)
+            if "motor" in row:
+                self.motors.append(row)
+            self.totals.setdefault((row["line"], row["command"], row["axis"]), _Total()).add(row)
+            self.by_axis[row["axis"]] = self.by_axis.get(row["axis"], 0) + 1
+        if not everything and self.count > MOST_ROWS:
+            del self.shown[SHOWN:]
+
+
+def _head(run: Run, moves: int, colour: bool) -> list[str]:
+    count = {0: "no axis moved", 1: "1 move"}.get(moves, f"{_grouped(moves)} moves")
     name = styled(printable(run.source.name), "bold", colour)
     return [f"{name} · {dialect_name(run.dialect.name)} · {outcome(run)} · {count}"]
 
 
-def _moves(rows: list[Row], width: int, colour: bool, everything: bool) -> list[str]:
+def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list[str]:
     """A line a move, and a line a phase where there are few."""
-    shown = rows if everything or len(rows) <= MOST_ROWS else rows[:SHOWN]
-    phased = everything or len(rows) <= WITH_PHASES
+    shown = moves.shown
+    phased = everything or moves.count <= WITH_PHASES
     texts, styles = [], []
     form = _Form(shown, phased)
     for row in shown:
@@ -119,8 +155,8 @@ def _moves(rows: list[Row], width: int, colour: bool, everything: bool) -> list[
             texts.append(form.phase(phase, k == len(phases) - 1))
             styles.append(phase["name"])
     lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
-    if len(shown) < len(rows):
-        more = f"… and {_grouped(len(rows) - len(shown))} more moves: --all shows them"
+    if len(shown) < moves.count:
+        more = f"… and {_grouped(moves.count - len(shown))} more moves: --all shows them"
         lines.append(styled(more, "dim", colour))
     return lines
 
@@ -157,12 +193,9 @@ class _Form:
         return ["", name, "", "", "", time, "", "", distance, "", ""]
 
 
-def _totals(rows: list[Row], time: float, width: int, colour: bool, everything: bool) -> list[str]:
+def _totals(moves: _Gathered, time: float, width: int, colour: bool, everything: bool) -> list[str]:
     """What each line of the program moved, all in all, the busiest first."""
-    groups: dict[tuple[int, str, int], list[Row]] = {}
-    for row in rows:
-        groups.setdefault((row["line"], row["command"], row["axis"]), []).append(row)
-    busiest = sorted(groups.items(), key=lambda item: (-fsum(row["duration"] for row in item[1]), item[0]))
+    busiest = sorted(moves.totals.items(), key=lambda item: (-fsum(item[1].durations), item[0]))
     most = len(busiest) if everything else MOST_TOTALS
     texts = [_total(key, group, time) for key, group in busiest[:most]]
     lines = grid(_TOTALS, texts, width=width, colour=colour)
@@ -171,27 +204,24 @@ def _totals(rows: list[Row], time: float, width: int, colour: bool, everything: 
     return lines
 
 
-def _total(key: tuple[int, str, int], group: list[Row], time: float) -> list[str]:
+def _total(key: tuple[int, str, int], group: _Total, time: float) -> list[str]:
     line, command, axis = key
-    motion = fsum(row["duration"] for row in group)
-    distance = fsum(abs(row["distance"]) for row in group)
+    motion, distance, count = fsum(group.durations), fsum(group.distances), len(group.durations)
     return [
         str(line or ""),
         command,
         str(axis),
-        _grouped(len(group)),
+        _grouped(count),
         clock_time(motion),
         f"{motion / time:.1%}" if time else "",
-        figure(motion / len(group)),
+        figure(motion / count),
         figure(distance, decimals_of([distance], 3)),
-        figure(max(row["peak_speed"] for row in group)),
+        figure(group.peak),
     ]
 
 
-def _charts(run: Run, rows: list[Row], width: int, colour: bool) -> list[list[str]]:
-    moved = sorted({row["axis"] for row in rows})
-    counts = {axis: sum(row["axis"] == axis for row in rows) for axis in moved}
-    charted = [axis for axis in moved if counts[axis] <= MOST_CHARTED][:MOST_CHARTS]
+def _charts(run: Run, moves: _Gathered, width: int, colour: bool) -> list[list[str]]:
+    charted = [axis for axis, count in sorted(moves.by_axis.items()) if count <= MOST_CHARTED][:MOST_CHARTS]
     parts = []
     for axis in charted:
         height = 6 if len(charted) == 1 else 4

@@ -54,7 +54,7 @@ def sending(number: int, call: Callable[..., object]) -> Callable[..., object]:
 STAGES = {
     "compiling": (type(dialect("mint")), "compile", "interrupted"),
     "running": (Scheduler, "run", "interrupted"),
-    "reporting": ("motionlang.report", "text", "ended"),
+    "reporting": ("motionlang.report", "pieces", "ended"),
 }
 
 
@@ -106,7 +106,7 @@ def test_a_second_wish_ends_the_report_too(cell: Cell, monkeypatch: pytest.Monke
         return "never"
 
     cell.write("a.mnt", MOVE)
-    monkeypatch.setattr("motionlang.report.text", write)
+    monkeypatch.setattr("motionlang.report.pieces", write)
     ran = cell("run", "a.mnt", "--report", "json")
     assert (ran.status, "never" in ran.out) == (130, False)
 
@@ -202,7 +202,7 @@ def test_a_crash_keeps_what_was_computed_and_what_led_to_it(
     ("place", "arguments"),
     [
         ("motionlang.cli.run.read_source", ("run", "a.mnt", "--report", "json")),
-        ("motionlang.report.text", ("run", "a.mnt", "--report", "json")),
+        ("motionlang.report.pieces", ("run", "a.mnt", "--report", "json")),
         ("motionlang.views.table.render", ("run", "a.mnt")),
         ("motionlang.cli.check.check_command", ("check", "a.mnt")),
         ("motionlang.views.export.write_trace", ("run", "a.mnt", "--trace", "a.csv")),

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 
 # A difference of velocities, counts/s, that is none.
 _STILL = 1e-9
+# Profiles that a slave has followed after which its move goes on as another entry of the log: ten seconds of one a
+# millisecond.
+MOST_PARTS = 10_000
 
 
 class FollowMove(Move):
@@ -42,6 +45,12 @@ class FollowMove(Move):
         if self.parts and self.parts[-1][0] == time:
             self.parts.pop()
         self.parts.append((time, profile.shifted(-self.offset) if self.offset else profile))
+
+    def begin_anew(self, controller: Core, now: float) -> None:
+        """Be another entry of the log from now on, where this one has become long."""
+        if len(self.parts) > MOST_PARTS and self.profile is not None:
+            controller.log.moves.split(self, self.profile.cut(now - self.start_time), now)
+            self.parts = []
 
     @property
     def profile(self) -> Profile | None:
@@ -105,7 +114,9 @@ class Follow(Action):
         self.disarm()
         coming = self.coming()
         profile = self._with_offset(coming)
-        self.move.add(self.controller.clock.now, profile)
+        now = self.controller.clock.now
+        self.move.begin_anew(self.controller, now)
+        self.move.add(now, profile)
         self.controller.extend_track(self.a, profile)
         if self.tied:
             self.arm(coming)

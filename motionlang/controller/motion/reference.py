@@ -41,6 +41,7 @@ class Reference(Action):
             controller.end_move(a, "retarget")
             controller.log_move(a, self.move, profile)
             self.move.parts.clear()
+        self.move.begin_anew(controller, controller.clock.now)
         self.move.add(controller.clock.now, profile)
         a.target = self.move.target = profile.end
         controller.append_profile(a, profile)

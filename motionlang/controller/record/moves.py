@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from marshal import dumps, loads
 
-from motionlang.controller.move import Action, Move
-from motionlang.controller.record.stream import PART, Parts, Store, Stream
+from motionlang.controller.move import CONTINUED, Action, Move
+from motionlang.controller.record.stream import PART, Parts, Place, Store, Stream
 from motionlang.profile.packed import packed, unpacked
 
 TYPE_CHECKING = False
@@ -18,28 +19,57 @@ if TYPE_CHECKING:
 
 # What a move is told by that was a path, a jog or the like: what it was is not kept.
 _OTHER = Action()
+# Pieces of entries that were continued which may wait for being packed.
+MOST_WAITING = 16_000
 
 
 class Moves(Stream[Move]):
     """Moves as they are; of one that is packed all is kept but its `action`: only whether it has one.
 
-    A move that is under way as its neighbours are packed stays as it is. What an axis did by a move is in its track,
-    and not packed twice.
+    A move that is under way as its neighbours are packed stays as it is until it is over. What an axis did by a move is
+    in its track, and not packed twice.
     """
 
-    __slots__ = ("_under_way", "axes")
+    __slots__ = ("_left_out", "_store", "_waiting", "axes")
 
     def __init__(self, store: Store, axes: Mapping[int, Axis]) -> None:
         super().__init__(store)
-        self._under_way: dict[int, Move] = {}
+        self._store = store
+        # Moves that were under way as their neighbours were packed; where they lie, when they have been packed since.
+        self._left_out: dict[int, Move | Place] = {}
+        self._waiting = 0  # pieces of continued entries that are not packed
         self.axes = axes
+
+    def split(self, move: Move, done: Profile, now: float) -> None:
+        """A move goes on as another entry: the one that it was keeps what it has done up to now."""
+        self._replace(move, _sealed(move, done))
+        move.start_time, move.offset = now, 0.0
+        self.add(move)
+        self._waiting += len(done.knots)
+        if self._waiting >= MOST_WAITING:
+            self.pack(len(self) - self.packed)
+            self._waiting = 0
+
+    def _replace(self, move: Move, other: Move) -> None:
+        tail = self._tail
+        for place in range(len(tail) - 1, -1, -1):
+            if tail[place] is move:
+                tail[place] = other
+                return
+        for number, each in self._left_out.items():
+            if each is move:
+                self._left_out[number] = other
+                return
 
     def _rows(self, records: list[Move], first: int) -> list[Any]:
         live, tracks = self._live(), self.axes
+        for number, each in self._left_out.items():
+            if isinstance(each, Move) and id(each) not in live:
+                self._left_out[number] = self._store.put(dumps(_row(each, None)))  # type: ignore[arg-type]
         rows: list[tuple[object, ...] | None] = []
         for number, move in enumerate(records, first):
             if id(move) in live:
-                self._under_way[number] = move
+                self._left_out[number] = move
                 rows.append(None)
                 continue
             a = tracks.get(move.axis)
@@ -48,9 +78,14 @@ class Moves(Stream[Move]):
 
     def _records(self, rows: list[Any], first: int) -> list[Move]:
         return [
-            self._under_way[number] if row is None else self._move(row)
+            self._late(self._left_out[number]) if row is None else self._move(row)
             for number, row in enumerate(rows, first)
         ]
+
+    def _late(self, left_out: Move | Place) -> Move:
+        if isinstance(left_out, Move):
+            return left_out
+        return self._move(loads(self._store.get(left_out)))
 
     def _live(self) -> set[int]:
         """The identities of the moves that are under way."""
@@ -74,6 +109,15 @@ class Moves(Stream[Move]):
             of_track = isinstance(profile, int)
             move.profile = _profile(self.axes[axis], profile) if of_track else unpacked(profile)
         return move
+
+
+def _sealed(move: Move, done: Profile) -> Move:
+    """What a move was until now, when it goes on as another entry."""
+    made = (_Overlaid if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
+    made.start_time, made.scale, made.zero, made.offset = move.start_time, move.scale, move.zero, move.offset
+    made.profile, made.ended = done, CONTINUED
+    made.action = None if move.action is None else _OTHER
+    return made
 
 
 class _Overlaid(Move):

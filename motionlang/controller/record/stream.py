@@ -17,12 +17,14 @@ if TYPE_CHECKING:
     from typing import IO, Any, Generic, TypeVar, overload
 
     T = TypeVar("T")
+    # Where a packed part is: itself, or from where in the file and how long.
+    Place = bytes | tuple[int, int]
 
     class _Of(Generic[T]):
         """What is of a type."""
 else:
     # To import typing takes longer than a short run.
-    T = None
+    T = Place = None
 
     class _Of:
         """What is of a type."""
@@ -66,7 +68,7 @@ class Store:
         """Bytes that were packed, in memory and on the disk."""
         return self.held + self._written
 
-    def put(self, part: bytes) -> bytes | tuple[int, int]:
+    def put(self, part: bytes) -> Place:
         """Take a part; what it is asked for by."""
         size = len(part)
         if self.held + size <= self.memory:
@@ -90,7 +92,7 @@ class Store:
         self._file.seek(self._written)
         self._file.write(part)
 
-    def get(self, place: bytes | tuple[int, int]) -> bytes:
+    def get(self, place: Place) -> bytes:
         """A part."""
         if isinstance(place, bytes):
             return place
@@ -98,7 +100,7 @@ class Store:
         self._file.seek(place[0])
         return self._file.read(place[1])
 
-    def drop(self, place: bytes | tuple[int, int]) -> None:
+    def drop(self, place: Place) -> None:
         """Forget a part; its place on the disk stays taken."""
         if isinstance(place, bytes):
             self.held -= len(place)
@@ -113,7 +115,7 @@ class Parts:
         """`read(rows, first)` makes records of packed rows, the first of which has that number."""
         self._store, self._read = store, read
         self.firsts: list[int] = []
-        self._places: list[bytes | tuple[int, int]] = []
+        self._places: list[Place] = []
         self.count = 0
         self._cached: tuple[int, list[Any]] = (-1, [])
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import gc
+from itertools import pairwise
 from math import fsum
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -154,3 +156,27 @@ def test_a_log_that_is_full_ends_the_run_and_keeps_what_is_there(small: None) ->
         toggle()
     assert 50 < len(controller.log.outputs) < 10_000
     assert [change.value for change in controller.log.outputs][:2] == [1, 2]
+
+
+def test_a_move_that_is_changed_without_end_is_many_entries_and_one_motion() -> None:
+    program = """Dim n As Integer
+FEEDRATEMODE(0) = 2 : SPEED(0) = 100 : ACCEL(0) = 1000
+MOVER(0) = 1000
+GO(0)
+For n = 1 To 1200
+  FEEDRATE(0) = 50 + (n Mod 7)
+  WAIT(2)
+Next
+STOP(0)
+"""
+    result = run(Source("live.mnt", program), cache=False, prove=True)
+    rows: list[dict[str, Any]] = list(report.moves(result))
+    first, last = rows[0], rows[-1]
+    assert [row.get("ended") for row in rows] == ["continued"] * (len(rows) - 1) + ["stop"]
+    assert 2 <= len(rows) <= 5
+    assert {(row["line"], row["command"]) for row in rows} == {(first["line"], first["command"])}
+    for before, after in pairwise(rows):
+        assert after["start"] == before["end"]
+        assert after["start_time"] == pytest.approx(before["start_time"] + before["duration"])
+    assert last["end"] == pytest.approx(result.controller.axes[0].position(result.time))
+    assert result.proof().holds
