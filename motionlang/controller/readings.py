@@ -186,12 +186,41 @@ class Readings:
 
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """The same of the demanded position."""
-        a, now = self.axes[axis], self.clock.now
+        return self._crossing_time(self.axes[axis], position)
+
+    def encoder_crossing_time(self, channel: int, position: float) -> float:
+        """The same of an encoder channel that the world turns."""
+        return self._crossing_time(self.encoder(channel), position)
+
+    def _crossing_time(self, a: Axis, position: float) -> float:
         start, profile = a.starts[-1], a.profiles[-1]
         if profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
             return INFINITY  # it rests, as a slave whose master does: it passes nothing, not even where it is
-        found = profile.crossing(position, now - start)
+        found = profile.crossing(position, self.clock.now - start)
         return INFINITY if found is None else start + found
+
+    def demand_velocity_crossing_time(self, axis: int, velocity: float) -> float:
+        """When the demanded velocity will next be `velocity`, or the profile at a knot; now where it is no cubic."""
+        a, now = self.axes[axis], self.clock.now
+        start, profile = a.starts[-1], a.profiles[-1]
+        elapsed = now - start
+        if elapsed >= profile.duration:
+            return INFINITY
+        piece = profile.cubic(elapsed)
+        if piece is None:
+            return now
+        _, until, (_, _, c2, c3) = piece
+        if not c2 and not c3:
+            return start + until
+        found = profile.velocity_crossing(velocity, elapsed)
+        return start + (until if found is None else min(found, until))
+
+    def turns(self, channel: int) -> bool:
+        """Whether an encoder channel is being turned."""
+        a = self.encoder(channel)
+        profile = a.profiles[-1]
+        over = self.clock.now - a.starts[-1] >= profile.duration
+        return bool(profile.end_velocity if over else profile.peak_speed)
 
     def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""

@@ -129,9 +129,9 @@ class Whole:
         if self.rewritten:
             numbers = {name: number for number, name in enumerate(self.spec_names.values())}
             for (how, row, _), name in self._operations.items():
-                if how == "write" and row in self.rewritten:
+                if how in ("write", "do") and row in self.rewritten:
                     number = numbers[name]
-                    self.specs[number] = ("rewrite", *self.specs[number][1:])
+                    self.specs[number] = (f"re{how}", *self.specs[number][1:])
         return self.specs
 
     def operation(self, how: str, row: Keyword) -> str:

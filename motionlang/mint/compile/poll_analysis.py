@@ -121,7 +121,7 @@ class Look:
         symbol = scope.find(target.name)
         row = self.b.whole.table.get(target.name) if symbol is None else None
         if row is not None and row.verb != "wait":
-            return []
+            return target.args or [] if self._is_set(row) else []
         self._name(target, scope)
         return target.args or []
 

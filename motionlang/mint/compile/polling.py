@@ -87,14 +87,12 @@ def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
     if b.scope.find(target.name) is not None:
         return isinstance(node, nodes.Assign) and _counts(target, node)
     row = b.whole.table.get(target.name)
-    if row is None or row.verb == "wait":
-        return False
-    return isinstance(node, nodes.Call) or not is_repeated(row)
+    return row is not None and row.verb != "wait" and not is_repeated(row)
 
 
 def is_repeated(row: Keyword) -> bool:
-    """Whether a word may be written with what it has already; whether that is nothing, the writing itself tells."""
-    return row.kind != "move" and row.access == "RW"
+    """Whether a word may be written with what it has already, or stops what stands; the operation itself tells."""
+    return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
 
 
 def _counts(target: nodes.Name, node: nodes.Assign) -> bool:

@@ -104,7 +104,7 @@ ROWS = (
     Keyword("AUXENCODER", "", "setting", "RW", "auxchannel", "number", "following.auxiliary.position",
             "What an auxiliary encoder shows, in units of AUXENCODERSCALE.",
             "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nWAIT = 500\nPRINT AUXENCODER(0)",
-            default=0.0, source=_LIBRARY, trust="code", group="encoders", driven="encoder"),
+            default=0.0, source=_LIBRARY, trust="code", group="encoders", driven="encoder", solved=True),
     Keyword("AUXENCODERVEL", "", "reading", "R", "auxchannel", "number", "following.auxiliary.velocity",
             "Speed of an auxiliary encoder, in units of AUXENCODERSCALE a second.",
             "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 100\nPRINT AUXENCODERVEL(0)",

@@ -29,6 +29,9 @@ class AuxEncoders(Encoders):
         self.modes: dict[int, int] = {}
         self._speeds: dict[int, float] = {}
 
+    def track(self, channel: int) -> int:
+        return AUXILIARY + channel
+
     def counts(self, channel: int) -> float:
         return self._controller.encoder_position(AUXILIARY + channel)
 
@@ -62,10 +65,9 @@ def _channel(channel: int) -> int:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-@moving
 def read_position(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(AuxEncoders)
-    return lambda channel: encoders.read(_channel(channel))
+    return encoders.changes.comparable(lambda channel: encoders.read(_channel(channel)), encoders.until)
 
 
 def write_position(environment: Environment, row: Row) -> Operation:

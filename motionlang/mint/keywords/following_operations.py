@@ -6,7 +6,7 @@ from motionlang.mint.keywords.buffer_operations import loader
 from motionlang.mint.keywords.following_masters import Masters, distance
 from motionlang.mint.keywords.motion_operations import finite
 from motionlang.mint.runtime.binding import axis_of, scale_of
-from motionlang.mint.runtime.changes import Changes, comparable, repeatable
+from motionlang.mint.runtime.changes import Changes, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -126,7 +126,8 @@ def read_offset(environment: Environment, row: Row) -> Operation:
         slave = controller.master_of(axis) is not None
         return scale.to_user(controller.offset_remaining(axis) if slave else controller.remaining(axis))
 
-    return comparable(environment, read, environment.part(Changes).offset)
+    changes = environment.part(Changes)
+    return changes.comparable(read, changes.offset)
 
 
 OPERATIONS = {

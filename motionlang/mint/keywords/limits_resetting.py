@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import mint_settings
 
 TYPE_CHECKING = False
@@ -65,6 +66,7 @@ def _default(environment: Environment, axis: int) -> None:
 # ----------------------------------------------------------------------------------------------- operations
 
 
+@repeatable
 def do_stop(environment: Environment, row: Row) -> Operation:
     """STOP: each axis as its STOPMODE says; one that there is not stops none."""
     modes = environment.part(StopModes).modes
@@ -76,6 +78,20 @@ def do_stop(environment: Environment, row: Row) -> Operation:
             stop(environment, axis, modes.get(axis, AT_DECEL))
 
     return do
+
+
+def held_by_stop(environment: Environment, row: Row) -> Operation:
+    """What STOP changes of its axes beside their motion, of which the clock tells."""
+    axes, room, is_suspended = (
+        environment.controller.axes,
+        environment.controller.room,
+        environment.controller.is_suspended,
+    )
+
+    def held(numbers: tuple[int, ...], line: int) -> object:
+        return [(room(axis), is_suspended(axis), axes[axis].sequence) for axis in numbers if axis in axes]
+
+    return held
 
 
 def read_stop_mode(environment: Environment, row: Row) -> Operation:
@@ -127,7 +143,7 @@ def do_default_all(environment: Environment, row: Row) -> Operation:
 
 
 OPERATIONS = {
-    "limits.resetting.stop": {"do": do_stop},
+    "limits.resetting.stop": {"do": do_stop, "held": held_by_stop},
     "limits.resetting.stop_mode": {"read": read_stop_mode, "write": write_stop_mode},
     "limits.resetting.reset": {"do": do_reset},
     "limits.resetting.reset_all": {"do": do_reset_all},

@@ -10,9 +10,9 @@ _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"
 
 
 def _reading(name: str, short: str, unit: str, verb: str, help: str, trust: str = "memory",
-             changes: str = "") -> Keyword:  # fmt: skip
+             changes: str = "", solved: bool = False) -> Keyword:  # fmt: skip
     return Keyword(name, short, "reading", "R", "axis", unit, verb, help, _MOVE.format(name), source=_LIBRARY,
-                   trust=trust, group="state", changes=changes)  # fmt: skip
+                   trust=trust, group="state", changes=changes, solved=solved)  # fmt: skip
 
 
 def _window(name: str, unit: str, help: str, high: float) -> Keyword:
@@ -36,7 +36,7 @@ ROWS = (
             "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), source=_LIBRARY, trust="memory",
             group="state", changes="motion", solved=True),
     _reading("VELDEMAND", "", "uu/s", "demand_velocity", "The velocity that the profiler demands.",
-             changes="motion"),
+             changes="motion", solved=True),
     _reading("ACCELDEMAND", "", "uu/s2", "sensing.acceleration", "The acceleration that the profiler demands."),
     _reading("POSTARGET", "", "uu", "sensing.target", "Where the move that is executing ends."),
     _reading("POSTARGETLAST", "", "uu", "sensing.last_target", "Where the last move of the buffer ends."),
@@ -56,7 +56,7 @@ ROWS = (
     Keyword("ENCODER", "", "setting", "RW", "channel", "number", "sensing.encoder",
             "What the encoder of an axis shows, in units of ENCODERSCALE; POS = 0 does not change it.",
             "ENCODER(0) = 100\nPRINT ENCODER(0)", default=0.0, source=_LIBRARY, trust="code", group="encoders",
-            driven="encoder"),
+            driven="encoder", solved=True),
     Keyword("ENCODERVEL", "", "reading", "R", "channel", "number", "sensing.encoder_speed",
             "Speed of an encoder, in units of ENCODERSCALE a second.",
             "JOG(0) = 100\nWAIT = 10\nPRINT ENCODERVEL(0)\nCANCEL(0)", default=0.0, source=_LIBRARY, trust="code",

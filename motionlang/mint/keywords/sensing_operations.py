@@ -8,7 +8,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.moves import buffer
 from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.runtime.binding import axis_of, scale_of
-from motionlang.mint.runtime.changes import always, moving, repeatable
+from motionlang.mint.runtime.changes import Changes, always, moving, passing_within, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -208,6 +208,7 @@ class Encoders:
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
+        self.changes = environment.part(Changes)
         self._settings: dict[tuple[str, int], float] = {}
         # What the motors do on top of what POS shows, where the program compensates.
         self.compensation: Compensation | None = None
@@ -226,6 +227,24 @@ class Encoders:
 
     def read(self, channel: int) -> float:
         return self.shown(channel, self.counts(channel))
+
+    def until(self, channel: int, level: float | None) -> float:
+        """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
+        track = self.track(channel)
+        if level is None or track not in self._controller.encoders:
+            return self.changes.moving()
+        zero, per_unit = self.setting("zero", channel), self.per_unit(channel)
+        crossing_time = self._controller.encoder_crossing_time
+        return passing_within(
+            self.setting("ENCODERWRAP", channel),
+            self.counts(channel) / per_unit + zero,
+            level,
+            lambda place: crossing_time(track, (place - zero) * per_unit),
+        )
+
+    def track(self, channel: int) -> int:
+        """The number under which the controller has an encoder that the world turns."""
+        return channel
 
     def shown(self, channel: int, counts: float) -> float:
         """What an encoder shows at a count."""
@@ -260,10 +279,11 @@ def channel_of(environment: Environment, channel: int) -> int:
     return channel
 
 
-@moving
 def read_encoder(environment: Environment, row: Row) -> Operation:
     encoders = environment.part(Encoders)
-    return lambda channel: encoders.read(channel_of(environment, channel))
+    return encoders.changes.comparable(
+        lambda channel: encoders.read(channel_of(environment, channel)), encoders.until
+    )
 
 
 def write_encoder(environment: Environment, row: Row) -> Operation:

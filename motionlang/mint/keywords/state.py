@@ -20,7 +20,7 @@ ROWS = (
     Keyword("VEL", "VL", "reading", "R", "axis", "uu/s", "velocity",
             "Velocity of the axis, that of a simulated motor.",
             "JOG(0) = 100\nWAIT = 100\nPRINT VEL(0)\nSTOP(0)",
-            default=0.0, source=_LIBRARY, trust="memory", group="state", changes="motion"),
+            default=0.0, source=_LIBRARY, trust="memory", group="state", changes="motion", solved=True),
     Keyword("POSREMAINING", "", "reading", "R", "axis", "uu", "remaining",
             "Distance still to go in the move that is executing, 0 at rest.",
             "MOVER(0) = 100\nGO(0)\nPRINT POSREMAINING(0)",

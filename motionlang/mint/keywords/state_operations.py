@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import by_axis, scale_of
-from motionlang.mint.runtime.changes import Changes, comparable
+from motionlang.mint.runtime.changes import Changes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,7 +46,8 @@ def read_remaining(environment: Environment, row: Row) -> Operation:
     def read(axis: int) -> float:
         return scale_of(environment, axis).to_user(float(remaining(axis)), row.unit)
 
-    return comparable(environment, read, environment.part(Changes).remaining)
+    changes = environment.part(Changes)
+    return changes.comparable(read, changes.remaining)
 
 
 def write_position(environment: Environment, row: Row) -> Operation:

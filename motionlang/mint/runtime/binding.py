@@ -133,9 +133,9 @@ def _maker(how: str, row: Row) -> Maker:
     return _reading
 
 
-def is_repeatable(row: Row) -> bool:
-    """Whether writing to a keyword what it has already does nothing."""
-    return hasattr(_maker("write", row), "repeatable")
+def is_repeatable(how: str, row: Row) -> bool:
+    """Whether a keyword may be written or done and leave everything as it was."""
+    return hasattr(_maker(how, row), "repeatable")
 
 
 def makers(verb: str) -> Mapping[str, Maker]:
@@ -201,5 +201,6 @@ def _reading(environment: Environment, row: Row, axis: int) -> Operation:
     if row.unit in _WHOLE:
         verb = environment.controller.reader(row.verb, axis)
         return lambda: int(verb())
-    hearing = environment.part(Changes).hearing(axis)
+    changes = environment.part(Changes)
+    hearing = changes.hearing(axis, getattr(changes, row.verb, None))
     return environment.controller.reader(row.verb, axis, row.unit, hearing)

@@ -170,26 +170,29 @@ class Environment:
         from motionlang.mint.runtime import binding
 
         row = binding.Row(*details[:6])  # type: ignore[arg-type]
+        repeated = how in ("rewrite", "redo")
+        how = how.removeprefix("re") if repeated else how
+        repeated = repeated and binding.is_repeatable(how, row)
         if len(details) > 6:
-            return self._on_axes(how, row, details[6])
-        operation = binding.bind(self, "write" if how == "rewrite" else how, row)
+            return self._on_axes(how, row, details[6], repeated)
+        operation = binding.bind(self, how, row)
         if how == "load":
             return self._loading(operation)
-        if how == "rewrite" and binding.is_repeatable(row):
-            return self._rewritten(operation, binding.held(self, row))
+        if repeated:
+            return self._repeated(operation, binding.held(self, row))
         return operation if how == "read" else self._timed(operation)
 
-    def _on_axes(self, how: str, row: Row, axis: object) -> object:
+    def _on_axes(self, how: str, row: Row, axis: object, repeated: bool) -> object:
         """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
         from motionlang.mint.runtime import binding
 
         if how == "read":
             bound: Callable[[int], Callable[..., object]] = binding.bind_to_axis(self, "read", row)
-        elif how == "rewrite" and binding.is_repeatable(row):
-            write, held = binding.bind_to_axis(self, "write", row), binding.held_by_axis(self, row)
-            bound = lambda axis: self._rewritten(write(axis), held(axis))  # noqa: E731
+        elif repeated:
+            write, held = binding.bind_to_axis(self, how, row), binding.held_by_axis(self, row)
+            bound = lambda axis: self._repeated(write(axis), held(axis))  # noqa: E731
         else:
-            write = binding.bind_to_axis(self, "write" if how == "rewrite" else how, row)
+            write = binding.bind_to_axis(self, how, row)
             bound = lambda axis: self._timed(write(axis))  # noqa: E731
         return bound(axis) if isinstance(axis, int) else binding.Each(bound)
 
@@ -205,10 +208,10 @@ class Environment:
 
         return at
 
-    def _rewritten(
+    def _repeated(
         self, operation: Callable[..., object], held: Callable[..., object]
     ) -> Callable[..., float]:
-        """The same for what a loop that polls may write: the value that is there already does nothing."""
+        """The same for what a loop that polls may write or do: where all is as it was before, nothing was done."""
         clock, attention, do = self.clock, self.attention, self._timed(operation)
         statements, cost = self.statements, self.statements.cost
 
