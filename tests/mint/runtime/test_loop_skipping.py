@@ -65,8 +65,10 @@ PROGRAMS |= {
     "until it stands": "SPEED = 50 : MOVER = 5 : GO\nRepeat : Until VEL = 0\nPRINT TIME, POS\n"
     "JERK = 40000 : MOVER = 5 : GO\nWhile VEL < 49.5 : End While\nPRINT TIME\nPROFILEMODE = 1 : MOVER = 9 : GO\n"
     "Repeat : Until VELDEMAND > 3.25\nPRINT TIME\nWhile VEL >= 50 Or POS < 15 : End While\nPRINT TIME, POS",
-    "an error that does not come": "JOG = 30\nLoop\n  If ABS(FOLERROR) > 5 Then STOP\n  If TIME > 300 Then Exit Loop\nEnd Loop\nSTOP",
-    "a jog panel": "Loop\n  If INX(0) Then JOG(0) = 30 Else STOP(0)\n  If POS(0) > 60 Then Exit Loop\nEnd Loop\nPRINT TIME : STOP",
+    "an error that does not come": "JOG = 30\nLoop\n  If ABS(FOLERROR) > 5 Then STOP\n"
+    "  If TIME > 300 Then Exit Loop\nEnd Loop\nSTOP",
+    "a jog panel": "Loop\n  If INX(0) Then JOG(0) = 30 Else STOP(0)\n"
+    "  If POS(0) > 60 Then Exit Loop\nEnd Loop\nPRINT TIME : STOP",
     "a stop of what is loaded": "MOVER = 5 : MOVER = 7 : GO\nLoop\n  If POS > 2 Then STOP\n  If IDLE Then Exit Loop\n"
     "End Loop\nPRINT TIME, POS, MOVEBUFFERFREE",
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
