@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 # Waits that are so many times as long as the shortest one are also taken as what ends a short period.
 LONGER = 4.0
+# Who waits longer than this, s, between two looks keeps watch or shows something, and is not said to look in vain.
+WATCH = 0.03
 # So many states are remembered; where none has come back by then, none is looked for until something happens.
 MOST = 20_000
 # Times are compared in nanoseconds.
@@ -111,5 +113,5 @@ def _lasts(wait: Wait | None) -> float:
 
 def _note_vain(tasks: Sequence[Task], now: float) -> None:
     for task in tasks:
-        if task.in_vain is None and task.look is not None and task.look[2]:
+        if task.in_vain is None and task.look is not None and task.look[2] and _lasts(task.wait) <= WATCH:
             task.in_vain = now
