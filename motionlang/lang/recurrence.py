@@ -7,7 +7,7 @@ again and again until something happens: an event, a level that is passed, the e
 
 from __future__ import annotations
 
-from motionlang.lang.task import CLOSE, INFINITY, Delay
+from motionlang.lang.task import CLOSE, INFINITY, WATCH, Delay
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
 # Waits that are so many times as long as the shortest one are also taken as what ends a short period.
 LONGER = 4.0
-# Who waits longer than this, s, between two looks keeps watch or shows something, and is not said to look in vain.
-WATCH = 0.03
 # So many states are remembered; where none has come back by then, none is looked for until something happens.
 MOST = 20_000
 # Times are compared in nanoseconds.

@@ -22,6 +22,8 @@ INFINITY = float("inf")
 ROUNDING = 1e-9
 # So near to a solved moment, s, what was read is not relied upon: the solution is rounded, and so is the reading.
 CLOSE = 1e-7
+# Who lets more time pass than this, s, between two looks keeps watch or shows something, and does not look in vain.
+WATCH = 0.03
 
 
 class Wait:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.statement_time import UNITS, units
-from motionlang.lang.task import INFINITY
+from motionlang.lang.task import INFINITY, WATCH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ class Skipper:
         until = min(self._horizon(now, statements.until), level)
         if until == INFINITY:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
-        if asks:
+        if asks and now - look.began <= WATCH:
             self._note_vain(until, level)
         environment.task = task  # what others wait for may have been looked at with their eyes
         t, horizon = self._repeated(t, horizon, look, until)
