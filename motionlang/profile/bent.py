@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import copysign, inf
 
-from motionlang.profile.approach import approach, is_rounding
+from motionlang.profile.approach import is_rounding
 from motionlang.profile.between import between
 from motionlang.profile.curve import Profile, relabelled
 from motionlang.profile.fade import eased_speed, fade, fade_distance, faded
@@ -17,14 +17,62 @@ _ASTRAY = 1e-9
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.profile.approach import Ramps
-    from motionlang.profile.fade import Bounds
+    from motionlang.profile.fade import Bounds, Steps
+    from motionlang.profile.ramps import Curve, Recipe
+
+    # Velocity and acceleration in the direction of the motion, the stretches, and that direction.
+    Head = tuple[float, float, Steps, float]
+
+
+class Bent(Profile):
+    """Stretches of constant jerk from velocity v0 and acceleration a0, and then the ramps of a recipe to `end`.
+
+    The pieces are made when they are first asked for, as those of a recipe are: of most plans only the end is asked.
+    `name` is the word for the stretches as one phase, where it is not that of a ramp.
+    """
+
+    __slots__ = ("_head", "_name", "_tail")
+
+    def __init__(
+        self, start: float, end: float, duration: float, head: Head, tail: Recipe, name: str = ""
+    ) -> None:
+        super().__init__("scurve", start, end, duration, (head[0] * head[3], tail[-1]))
+        self._head, self._tail, self._name = head, tail, name
+
+    @property
+    def curve(self) -> Curve:
+        """Knots, pieces and phase marks."""
+        try:
+            return self._curve
+        except AttributeError:
+            v0, a0, steps, sign = self._head
+            head = faded(self.start, v0, a0, steps, sign * self._tail[0], sign)
+            if self._name:
+                head = relabelled(head, "scurve", self._name)
+            time = total(self._tail[1::3])
+            rest = Profile("scurve", head.end, self.end, time, self._tail) if time else None
+            knots, pieces, marks = (head if rest is None else head.then(rest)).curve
+            if len(knots) > 1 and self.duration > knots[-2]:
+                knots = (*knots[:-1], self.duration)
+            self._curve = knots, pieces, marks
+            return self._curve
 
 
 def bent_approach(
-    ramps: Ramps, start: float, target: float, speed: float, v0: float, a0: float
+    ramps: Ramps,
+    start: float,
+    target: float,
+    speed: float,
+    v0: float,
+    a0: float,
+    straight: Callable[[float, float], Profile],
 ) -> Profile | None:
     """The move from `start` at velocity v0 and acceleration a0, which is not 0, to rest at `target`.
+
+    `straight` plans from a place and a velocity, without an acceleration, to that target.
 
     Where it cannot stop at the target, or runs the wrong way, it stops first, and then moves there from rest. None
     where the figures are so many orders apart that rounding loses the target.
@@ -33,21 +81,22 @@ def bent_approach(
     sign = copysign(1.0, v0 or a0)
     u, b = sign * v0, sign * a0
     steps, after = fade(ramps.bounds, u, b, 0.0)
-    ahead = sign * (target - start)
+    ahead, way = sign * (target - start), fade_distance(u, b, steps)
     time, kind = ramps.down(after, 0.0) if after >= 0.0 else (0.0, 0.0)
-    stopping = fade_distance(u, b, steps) + ramp_distance(after, time, kind, 0.0)
-    if after >= 0.0 and stopping < ahead and not is_rounding(stopping - ahead, stopping, start, target):
+    stopping = way + ramp_distance(after, time, kind, 0.0)
+    rounding = is_rounding(stopping - ahead, stopping, start, target)
+    if after >= 0.0 and stopping < ahead and not rounding:
         return _ahead(ramps, start, target, speed, u, b, sign)
-    bent = faded(start, u, b, steps, after, sign)
-    if not (bent.duration < inf and abs(bent.end) < inf):
+    end, head = start + sign * way, (u, b, steps, sign)
+    if not abs(end) < inf:
         raise too_large()
-    if after < 0.0:
-        return bent.then(approach(ramps, bent.end, target, speed, sign * after))
-    if is_rounding(stopping - ahead, stopping, start, target):
-        return _arriving(bent, target, (sign * after, time, kind, 0.0))
-    if after == 0.0:
-        return relabelled(bent, "scurve", "stop").then(approach(ramps, bent.end, target, speed, 0.0))
-    return bent.then(approach(ramps, bent.end, target, speed, sign * after))
+    if after >= 0.0 and rounding:
+        return _arriving(start, target, head, way, (sign * after, time, kind, 0.0))
+    rest = straight(end, sign * after)
+    duration = _time(steps) + rest.duration
+    if not duration < inf:
+        raise too_large()
+    return Bent(start, target, duration, head, rest._recipe, "" if after else "stop")
 
 
 def _ahead(
@@ -60,17 +109,25 @@ def _ahead(
     if top is None or speed <= eased_speed(ramps.bounds, u, b):
         steps, rows = between(ramps, size, speed, u, b, 0.0)
         recipe = [value if i else value * sign for row in rows for i, value in enumerate(row[:3])]
-        return _arriving(faded(start, u, b, steps, rows[0][0], sign), target, (*recipe, 0.0))
+        way = fade_distance(u, b, steps)
+        return _arriving(start, target, (u, b, steps, sign), way, (*recipe, 0.0))
     top = min(top, speed)
     steps, after = fade(ramps.bounds, u, b, top)
     first, kind = ramps.up(after, top)
     last, last_kind = ramps.down(top, 0.0)
-    used = fade_distance(u, b, steps) + ramp_distance(after, first, kind, top)
-    left = size - used - ramp_distance(top, last, last_kind, 0.0)
+    way = fade_distance(u, b, steps)
+    left = size - way - ramp_distance(after, first, kind, top) - ramp_distance(top, last, last_kind, 0.0)
     slew = left / top if top == speed and left > 0.0 else 0.0
     v = sign * top
-    bent = faded(start, u, b, steps, after, sign)
-    return _arriving(bent, target, (sign * after, first, kind, v, slew, 0.0, v, last, last_kind, 0.0))
+    recipe_up = (sign * after, first, kind, v, slew, 0.0, v, last, last_kind, 0.0)
+    return _arriving(start, target, (u, b, steps, sign), way, recipe_up)
+
+
+def _time(steps: Steps) -> float:
+    time = 0.0
+    for _, each in steps:
+        time += each
+    return time
 
 
 def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> float | None:
@@ -94,16 +151,13 @@ def _peak(ramps: Ramps, bounds: Bounds, size: float, u: float, b: float) -> floa
     return top if top >= eased else None
 
 
-def _arriving(bent: Profile, target: float, recipe: tuple[float, ...]) -> Profile | None:
-    """`bent`, and then the ramps of a recipe to `target`; None where they end elsewhere."""
+def _arriving(start: float, target: float, head: Head, way: float, recipe: Recipe) -> Profile | None:
+    """Stretches of a length, and then the ramps of a recipe to `target`; None where they end elsewhere."""
     time = total(recipe[1::3])
     if not time < inf:
         raise too_large()
+    far = target - start - head[3] * way
     ways = [ramp_distance(*recipe[i : i + 4]) for i in range(0, len(recipe) - 1, 3)]
-    way = target - bent.end
-    if abs(total(ways) - way) > _ASTRAY * max(abs(target), abs(bent.start), abs(way), *map(abs, ways)):
+    if abs(total(ways) - far) > _ASTRAY * max(abs(target), abs(start), abs(far), *map(abs, ways)):
         return None
-    if time > 0.0:
-        return bent.then(Profile("scurve", bent.end, target, time, recipe))
-    bent.end = target
-    return bent
+    return Bent(start, target, _time(head[2]) + time, head, recipe)

@@ -5,13 +5,17 @@ from __future__ import annotations
 from math import cbrt, inf, sqrt
 
 from motionlang.profile.approach import Ramps, approach
-from motionlang.profile.bent import bent_approach
+from motionlang.profile.bent import Bent, bent_approach
 from motionlang.profile.curve import Profile
 from motionlang.profile.fade import Bounds
 from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
 from motionlang.profile.pieces import position_in
 from motionlang.profile.ramps import FALLING, ramp_distance
 
+# How near to its target a plan comes by itself, as a part of the way, to be taken without a search.
+_CLOSE = 1e-11
+# The part of a speed, or of a way, that must be left where an acceleration is gone to plan on from there.
+_MUCH = 1e-6
 # Rates as far apart as this may lose the target to rounding; what is planned with them is looked at again.
 _FAR_APART = 1e9
 
@@ -71,13 +75,20 @@ def plan_jerk(
             recipe = (v0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
             return Profile("scurve", start, target, duration, recipe)
     check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
-    ramps = jerk_ramps(accel, decel, accel_jerk, decel_jerk)
     if a0 == 0.0:
         # also where a move from rest with figures too large ends: `approach` says so
-        return approach(ramps, start, target, speed, v0)
+        return approach(jerk_ramps(accel, decel, accel_jerk, decel_jerk), start, target, speed, v0)
     rates = accel, decel, accel_jerk, decel_jerk
     far_apart = max(rates) > _FAR_APART * min(rates)
-    made = bent_approach(ramps, start, target, speed, v0, a0)
+    direct = None if far_apart else _directly(start, target, speed, rates, v0, a0)
+    if direct is not None:
+        return direct
+    ramps = jerk_ramps(accel, decel, accel_jerk, decel_jerk)
+
+    def straight(here: float, velocity: float) -> Profile:
+        return plan_jerk(here, target, speed, *rates, velocity)
+
+    made = bent_approach(ramps, start, target, speed, v0, a0, straight)
     if made is not None and not (far_apart and _is_astray(made)):
         return made
     eased = ease(start, v0, a0, accel_jerk if a0 * v0 >= 0.0 else decel_jerk)
@@ -85,6 +96,69 @@ def plan_jerk(
     if _is_astray(made):
         raise too_large()
     return made
+
+
+def _directly(
+    start: float,
+    target: float,
+    speed: float,
+    rates: tuple[float, float, float, float],
+    v0: float,
+    a0: float,
+) -> Profile | None:
+    """The plan from an acceleration where the target lies ahead and is reached without more than one change of sides.
+
+    Planning in motion is nearly always that: an acceleration that speeds up is the middle of a ramp that began earlier,
+    and one that slows down is taken back before a ramp up begins. None where it is something else, which the search of
+    `bent_approach` decides.
+    """
+    accel, decel, accel_jerk, decel_jerk = rates
+    sign = 1.0 if v0 > 0.0 or (v0 == 0.0 and a0 > 0.0) else -1.0
+    u, b, size = v0 * sign, a0 * sign, (target - start) * sign
+    if b > 0.0:
+        time = b / accel_jerk
+        rest = u - 0.5 * b * time  # where the ramp would have begun
+        before = (rest + accel_jerk * time * time / 6.0) * time
+        if b > accel or speed <= u + 0.5 * b * time or size <= 0.0 or size + before <= 0.0:
+            return None
+    else:
+        time = -b / decel_jerk
+        rest = u + 0.5 * b * time  # where the acceleration is gone
+        before = -(rest + decel_jerk * time * time / 6.0) * time
+        if not _MUCH * u < rest < speed or size + before <= _MUCH * size:  # it comes to rest, rather
+            return None
+    room = size + before
+    rise, fall = accel / accel_jerk, decel / decel_jerk
+    # A plan that comes to its speed asks for no peak.
+    gain = speed - rest
+    first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
+    last = speed / decel + fall if speed >= decel * fall else 2.0 * sqrt(speed / decel_jerk)
+    top = speed
+    slew = (room - 0.5 * (rest + speed) * first - 0.5 * speed * last) / speed
+    if slew < 0.0:
+        top = peak_speed(rest, room, (accel, accel_jerk), (decel, decel_jerk))
+        gain, slew = top - rest, 0.0
+        if gain < 0.0 or top > speed or (b > 0.0 and gain < b * time):
+            return None
+        first = gain / accel + rise if gain >= accel * rise else 2.0 * sqrt(gain / accel_jerk)
+        last = top / decel + fall if top >= decel * fall else 2.0 * sqrt(top / decel_jerk)
+        if abs(0.5 * (rest + top) * first + 0.5 * top * last - room) > _CLOSE * room:
+            return None
+    v = top * sign
+    ratio = fall / last if top >= decel * fall else 0.5
+    if b > 0.0:
+        peak = min(accel, 0.5 * accel_jerk * first)
+        steps = (
+            (accel_jerk, (peak - b) / accel_jerk),
+            (0.0, max(0.0, first - 2.0 * peak / accel_jerk)),
+            (-accel_jerk, peak / accel_jerk),
+        )
+        duration = steps[0][1] + steps[1][1] + steps[2][1] + (slew + last)
+        return Bent(start, target, duration, (u, b, steps, sign), (v, slew, 0.0, v, last, ratio, 0.0))
+    up = rise / first if first and gain >= accel * rise else 0.5
+    head = (u, b, ((decel_jerk, time),), sign)
+    tail = (rest * sign, first, up, v, slew, 0.0, v, last, ratio, 0.0)
+    return Bent(start, target, time + (first + slew + last), head, tail)
 
 
 def _is_astray(made: Profile) -> bool:
