@@ -7,6 +7,8 @@ import signal
 import pytest
 from hypothesis import HealthCheck, settings
 
+from motionlang.result import Run
+
 # A shell starts what runs behind it with Ctrl-C switched off, and every process of a test would inherit that.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)
@@ -22,6 +24,30 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.load_profile("motionlang")
+
+
+def _prove_every_run() -> None:
+    """Every run of the suite is proved, whether its test asks for that or not."""
+    from motionlang import execution
+    from motionlang.controller.record.orders import Orders
+    from motionlang.controller.record.proof import prove
+    from motionlang.controller.record.track import Recorded
+
+    execute = execution._execute
+
+    def proved(result: Run, *rest: object) -> None:
+        orders = Orders(result.controller) if result.orders is None else None
+        execute(result, *rest)  # type: ignore[arg-type]
+        if orders is not None:
+            found = prove(Recorded(result.controller), orders, result.machine.clock.now).violations
+            assert not found, [f"{each.line}: {each.message}" for each in found]
+
+    execution._execute = proved
+
+
+def pytest_configure() -> None:
+    """Before any test."""
+    _prove_every_run()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -39,8 +39,8 @@ class State:
 
     def planned(self) -> Profile:
         jerks = self.jerks if self.shape == "scurve" else [float("inf")] * 2
-        numbers = self.start, self.target, self.speed, *self.rates, self.v0, 0.0
-        return plan(self.shape, *numbers, *jerks, self.a0)
+        rates, numbers = self.rates, (self.start, self.target, self.speed)
+        return plan(self.shape, *numbers, rates[0], rates[1], self.v0, 0.0, jerks[0], jerks[1], self.a0)
 
     def shares(self, made: Profile) -> dict[str, float]:
         """How much of each bound is used, and the gaps as parts of the largest figures."""
