@@ -9,6 +9,13 @@ from hypothesis import HealthCheck, settings
 
 from motionlang.result import Run
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from motionlang.lang.program import Program
+    from motionlang.lang.scheduler import Outside
+
 # A shell starts what runs behind it with Ctrl-C switched off, and every process of a test would inherit that.
 for _name in ("SIGINT", "SIGTERM", "SIGHUP"):
     _number = getattr(signal, _name, None)
@@ -35,9 +42,15 @@ def _prove_every_run() -> None:
 
     execute = execution._execute
 
-    def proved(result: Run, *rest: object) -> None:
+    def proved(
+        result: Run,
+        compiled: Program,
+        until: float,
+        pace: Callable[[float], None] | None,
+        outside: Outside | None,
+    ) -> None:
         orders = Orders(result.controller) if result.orders is None else None
-        execute(result, *rest)  # type: ignore[arg-type]
+        execute(result, compiled, until, pace, outside)
         if orders is not None:
             found = prove(Recorded(result.controller), orders, result.machine.clock.now).violations
             assert not found, [f"{each.line}: {each.message}" for each in found]

@@ -147,9 +147,9 @@ class Run:
         """Whether an axis is on two paths at once."""
         return a.profiles[a.place(time)].shape == "blend"
 
-    def logged(self, a: WholeTrack, move: Move, time: float) -> float:
+    def logged(self, a: WholeTrack, move: Move, time: float, ending: bool) -> float:
         """The position of a track as a log entry tells it: of paths that are blended without what the others add."""
-        done = position(a, time)
+        done = position(a, time, ending)
         entries = self.paths.get(a.index, [])
         if move not in entries:
             return done
@@ -170,7 +170,9 @@ def _gone(move: Move, time: float) -> tuple[float, float]:
     return here - profile.start, here - profile.end
 
 
-def position(a: WholeTrack, time: float) -> float:
-    """The position of a track."""
+def position(a: WholeTrack, time: float, ending: bool = False) -> float:
+    """The position of a track; `ending` before what begins at that very moment, such as another zero."""
     i = a.place(time)
+    while ending and i > 0 and a.starts[i] == time:
+        i -= 1
     return a.profiles[i].position(time - a.starts[i])

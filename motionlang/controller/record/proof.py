@@ -178,7 +178,10 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
         time = move.start_time + share * length
         if not a.starts or time < move.start_time:
             continue
-        told, done = profile.position(time - move.start_time), run.logged(a, move, time)
+        told, done = (
+            profile.position(time - move.start_time),
+            run.logged(a, move, time, share == 1.0 and length > 0.0),
+        )
         speed = abs(profile.velocity(time - move.start_time))
         if abs(told - done) > SLACK * size + 8e-16 * (1.0 + time) * speed:
             proof.breaks(
