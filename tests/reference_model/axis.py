@@ -1,0 +1,305 @@
+"""One axis as a plain state machine, written from the manual alone: it shares nothing with the package.
+
+Its motion is a row of stretches of constant acceleration; time is gone through stretch by stretch, and everything that
+a limit decides is decided at the moment at which the axis comes upon it.
+"""
+
+from __future__ import annotations
+
+from math import copysign, inf, sqrt
+
+NEAR = 1e-9
+
+# A stretch: how long it still lasts, and its acceleration.
+Stretches = list[tuple[float, float]]
+
+
+class Limit:
+    """An end of the travel: `sign` says which, `action` what the axis does there, `place` where it is, if anywhere."""
+
+    def __init__(self, sign: int, action: str) -> None:
+        self.sign, self.action = sign, action
+        self.place: float | None = None
+        self.raised = False
+
+
+class Axis:
+    """Position, velocity, what it is doing, and the moves that wait."""
+
+    def __init__(self, speed: float, accel: float, decel: float, error_decel: float) -> None:
+        self.speed, self.accel, self.decel, self.error_decel = speed, accel, decel, error_decel
+        self.override = 1.0
+        self.time = self.position = self.velocity = 0.0
+        self.doing = "idle"  # "move", "jog", "stop"
+        self.target = self.jogging = 0.0
+        self.suspended = self.fault = False
+        self.way: Stretches = []
+        self.queue: list[tuple[str, float]] = []
+        self.released = 0
+        self.limits = [Limit(+1, "abort"), Limit(-1, "abort")]
+
+    # ------------------------------------------------------------------------------------------------ commands
+
+    def load(self, kind: str, value: float) -> None:
+        """Put a move into the buffer: "to" a place, or "by" a distance from where the axis is when it begins."""
+        self.queue.append((kind, value))
+
+    def go(self) -> None:
+        """Release what is loaded."""
+        self.released = len(self.queue)
+        if self.doing == "idle":
+            self._next()
+
+    def jog(self, velocity: float) -> None:
+        """Run at a velocity, whatever it was doing."""
+        self.doing, self.jogging = "jog", velocity
+        self._begin()
+
+    def stop(self) -> None:
+        """Come to rest, and forget what waits."""
+        self.suspended = False
+        self._forget()
+        if self.doing != "idle" and self.doing != "stop":
+            self._brake(self.decel)
+
+    def cancel(self) -> None:
+        """Stand at once, and forget what waits."""
+        self.suspended = False
+        self._forget()
+        self._stand()
+
+    def suspend(self, on: bool) -> None:
+        """Come to rest and keep everything, or go on."""
+        if on is not self.suspended:
+            self.suspended = on
+            self._change()
+
+    def set_override(self, factor: float) -> None:
+        """A factor of the speed of moves."""
+        if factor != self.override:
+            self.override = factor
+            if self.doing == "move":
+                self._change()
+
+    def set_speed(self, speed: float) -> None:
+        """Another speed, also for the move in progress."""
+        if speed != self.speed:
+            self.speed = speed
+            if self.doing == "move":
+                self._change()
+
+    def retarget(self, place: float) -> None:
+        """Another end for the move in progress."""
+        self.target = place
+        self._change()
+
+    def rename(self, position: float) -> None:
+        """The place where it is gets another number."""
+        shift = position - self.position
+        self.position += shift
+        self.target += shift
+        self._look()
+
+    def place_limit(self, number: int, place: float | None, action: str) -> None:
+        """Put a limit somewhere, with another action."""
+        limit = self.limits[number]
+        limit.action, limit.place, limit.raised = action, place, False
+        self._look()
+
+    # ------------------------------------------------------------------------------------------------- motion
+
+    @property
+    def endless(self) -> bool:
+        """Whether nobody knows where it will come to rest."""
+        return self.doing == "jog"
+
+    def _forget(self) -> None:
+        self.queue, self.released = [], 0
+
+    def _stand(self) -> None:
+        self.velocity, self.way = 0.0, []
+        self._end()
+
+    def _end(self) -> None:
+        """It rests, and what waits is next."""
+        self.doing, self.target = "idle", self.position
+        self._next()
+
+    def _next(self) -> None:
+        if self.doing == "idle" and self.released:
+            kind, value = self.queue.pop(0)
+            self.released -= 1
+            self.target = value if kind == "to" else self.position + value
+            self.doing = "move"
+            self._begin()
+
+    def _begin(self) -> None:
+        """A motion begins: to go into a limit is a fault again."""
+        for limit in self.limits:
+            limit.raised = False
+        self._change()
+
+    def _change(self) -> None:
+        """Go on from here with everything as it is now."""
+        if self.doing == "move":
+            speed = self.speed * self.override
+            if self.suspended or not speed:
+                self.way = [*self._to_rest(self.decel), (inf, 0.0)]
+            else:
+                self.way = self._to(self.target, speed)
+        elif self.doing == "jog":
+            self.way = self._to_velocity(0.0 if self.suspended else self.jogging)
+        self._look()
+
+    def _brake(self, rate: float) -> None:
+        self.doing, self.way = "stop", self._to_rest(rate)
+        self._look()
+
+    def _to_rest(self, rate: float) -> Stretches:
+        v = self.velocity
+        return [(abs(v) / rate, -copysign(rate, v))] if v else []
+
+    def _to_velocity(self, wanted: float) -> Stretches:
+        v, way = self.velocity, []
+        if v * wanted < 0.0:
+            way, v = self._to_rest(self.decel), 0.0
+        rate = self.accel if abs(wanted) > abs(v) else self.decel
+        if wanted != v:
+            way.append((abs(wanted - v) / rate, copysign(rate, wanted - v)))
+        return [*way, (inf, 0.0)]
+
+    def _to(self, target: float, speed: float) -> Stretches:
+        """The quickest way to rest at a target: what runs the wrong way, or cannot stop there, comes to rest first."""
+        v, distance = self.velocity, target - self.position
+        sign = copysign(1.0, distance if distance else v)
+        u, size = v * sign, abs(distance)
+        stopping = u * abs(u) / (2.0 * self.decel)
+        if u < 0.0 or stopping > size + NEAR * (1.0 + size):
+            rest = self.position + sign * stopping
+            return [*self._to_rest(self.decel), *self._from_rest(target - rest, speed)]
+        if abs(stopping - size) <= NEAR * (1.0 + size):
+            return self._to_rest(self.decel)
+        if u > speed:
+            held = (size - stopping) / speed
+            ramps = [((u - speed) / self.decel, -self.decel), (held, 0.0), (speed / self.decel, -self.decel)]
+        else:
+            ramps = self._ramps(size + u * u / (2.0 * self.accel), speed, u)
+        return [(time, rate * sign) for time, rate in ramps]
+
+    def _from_rest(self, distance: float, speed: float) -> Stretches:
+        return [
+            (time, copysign(1.0, distance) * rate) for time, rate in self._ramps(abs(distance), speed, 0.0)
+        ]
+
+    def _ramps(self, size: float, speed: float, u: float) -> Stretches:
+        """Up, along and down over a way that counts from rest, of which the part up to speed u is done."""
+        peak = min(speed, sqrt(2.0 * size / (1.0 / self.accel + 1.0 / self.decel)))
+        held = (size - peak * peak * (0.5 / self.accel + 0.5 / self.decel)) / peak if peak else 0.0
+        return [
+            ((peak - u) / self.accel, self.accel),
+            (max(0.0, held), 0.0),
+            (peak / self.decel, -self.decel),
+        ]
+
+    # --------------------------------------------------------------------------------------------------- time
+
+    def run(self, until: float) -> None:
+        """Let time pass."""
+        for _ in range(100_000):
+            while self.way and self.way[0][0] <= 0.0:
+                self.way.pop(0)
+            if not self.way:
+                if self.doing != "idle":
+                    self._arrive()
+                    continue
+                self.time = until
+                return
+            span, rate = self.way[0]
+            left = until - self.time
+            limit, met = self._meets(rate, min(span, left))
+            step = min(span, left, met)
+            self._pass(step, rate)
+            self.way[0] = (span - step, rate)
+            if limit is not None:
+                self._act(limit)
+            elif step == span:
+                self.way.pop(0)
+                if rate and abs(self.velocity) < 1e-9 * (1.0 + self.speed):
+                    self.velocity = 0.0
+                self._look()
+            elif self.time >= until:
+                return
+            if (
+                self.time >= until
+                and not (self.way and self.way[0][0] <= 0.0)
+                and (self.way or self.doing == "idle")
+            ):
+                return
+        raise AssertionError("the reference axis comes to no end")
+
+    def _pass(self, step: float, rate: float) -> None:
+        self.position += (self.velocity + 0.5 * rate * step) * step
+        self.velocity += rate * step
+        self.time += step
+
+    def _arrive(self) -> None:
+        """All stretches are done: it rests where it was sent."""
+        self.velocity = 0.0
+        if self.doing == "move":
+            self.position = self.target
+        self._end()
+
+    # -------------------------------------------------------------------------------------------------- limits
+
+    def _meets(self, rate: float, span: float) -> tuple[Limit | None, float]:
+        """The limit that is come upon within a time, and when; infinite where none is."""
+        found: tuple[Limit | None, float] = (None, inf)
+        for limit in self.limits:
+            if limit.place is None or limit.raised:
+                continue
+            gap = (limit.place - self.position) * limit.sign
+            time = _first(self.velocity * limit.sign, rate * limit.sign, gap)
+            if time is not None and time <= span and time < found[1]:
+                found = (limit, time)
+        return found
+
+    def _look(self) -> None:
+        """Act on every limit that the axis is beyond, and going into."""
+        rate = next((rate for time, rate in self.way if time > 0.0), 0.0)
+        for limit in self.limits:
+            if limit.place is None:
+                limit.raised = False
+                continue
+            beyond = (self.position - limit.place) * limit.sign >= -1e-6
+            heading = self.velocity * limit.sign > 0.0 or (not self.velocity and rate * limit.sign > 0.0)
+            if not (beyond and heading):
+                limit.raised = False
+            elif not limit.raised:
+                self._act(limit)
+                return
+
+    def _act(self, limit: Limit) -> None:
+        limit.raised = True
+        if limit.action == "ignore":
+            return
+        self.fault = True
+        if limit.action == "abort":
+            self.cancel()
+        elif limit.action == "error-stop":
+            self.suspended = False
+            self._forget()
+            self._brake(self.error_decel)
+
+
+def _first(v: float, a: float, gap: float) -> float | None:
+    """When a gap > 0 is closed at velocity v and acceleration a; None where it never is, or is closed already."""
+    if gap <= 1e-6:
+        return None
+    if not a:
+        return gap / v if v > 0.0 else None
+    under = v * v + 2.0 * a * gap
+    if under < 0.0:
+        return None
+    root = sqrt(under)
+    times = [time for time in ((-v + root) / a, (-v - root) / a) if time >= 0.0]
+    return min(times, default=None)

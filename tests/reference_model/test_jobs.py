@@ -1,0 +1,168 @@
+"""Random jobs of several axes against the reference axis: stops, limits, suspends, overrides, new zeros, slaves.
+
+`MOTIONLANG_LONG=100000` asks for so many.
+"""
+
+from __future__ import annotations
+
+import os
+from random import Random
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
+from motionlang.controller.triggers.limit import Limit
+from motionlang.lang.machine.machine import Machine
+from tests.reference_model.axis import Axis
+
+COUNT = int(os.environ.get("MOTIONLANG_LONG", "400"))
+AXES = (0, 1)
+SLAVE = 2
+ACTIONS = ("ignore", "abort", "error-stop", "event")
+
+
+class Job:
+    """The package and the reference side by side, given the same commands at the same times."""
+
+    def __init__(self, seed: int) -> None:
+        self.choose = choose = Random(seed)
+        self.c: Controller = Machine({}).controller
+        self.axes: dict[int, Axis] = {}
+        self.limits: dict[tuple[int, int], Limit] = {}
+        self.told: list[str] = []
+        for number in AXES:
+            figures = [
+                round(choose.uniform(low, high), 2)
+                for low, high in ((5, 90), (20, 400), (20, 400), (50, 900))
+            ]
+            for name, value in zip(("speed", "accel", "decel", "error_decel"), figures, strict=True):
+                self.c.configure(number, name, value)
+            self.c.configure(number, "buffer_size", 50)
+            self.c.configure(number, "feedrate_mode", 2)
+            self.axes[number] = Axis(*figures)
+            for which, (sign, bit) in enumerate(((1, SOFT_LIMIT_FORWARD), (-1, SOFT_LIMIT_REVERSE))):
+                limit = self.limits[number, which] = Limit(self.c, number, sign, bit, "abort")
+                self.c.axes[number].limits.append(limit)
+        self.ratio = round(choose.uniform(-2, 2), 2)
+        self.c.gear(SLAVE, 0, self.ratio)
+        self.geared = 0.0
+
+    def run(self) -> None:
+        time = 0.0
+        for _ in range(self.choose.randrange(4, 25)):
+            time += self.choose.uniform(0.0, 1.2)
+            self.advance(time)
+            self.command(self.choose.choice(AXES), time)
+        for number in AXES:
+            self.say(time, number, "stop")
+            self.c.stop(number)
+            self.axes[number].stop()
+        self.advance(time + 60.0)
+        for number, axis in self.axes.items():
+            assert self.c.is_idle(number) is (axis.doing == "idle"), "\n".join(self.told)
+
+    def advance(self, time: float) -> None:
+        """Compare everything on the way to a time, and there."""
+        now = self.c.clock.now
+        for share in (0.31, 0.77, 1.0):
+            then = now + share * (time - now)
+            self.c.clock.advance(then)
+            for number, axis in self.axes.items():
+                before = axis.position
+                axis.run(then)
+                self.geared += self.ratio * (axis.position - before) if number == 0 else 0.0
+                self.compare(number, axis, then)
+            slave = self.c.axes[SLAVE].position(then)
+            assert abs(slave - self.geared) <= 1e-5, (
+                f"the slave: {slave} for {self.geared} at {then}\n" + "\n".join(self.told)
+            )
+
+    def compare(self, number: int, axis: Axis, time: float) -> None:
+        a = self.c.axes[number]
+        ours, theirs = (a.position(time), a.velocity(time)), (axis.position, axis.velocity)
+        gaps = abs(ours[0] - theirs[0]), abs(ours[1] - theirs[1])
+        said = "\n".join(self.told)
+        assert gaps[0] <= 1e-5 and gaps[1] <= 1e-4, (
+            f"axis {number} at {time!r}: {ours} for {theirs}, {axis.doing}\n{said}"
+        )
+        assert bool(self.c.faults(number)) is axis.fault, (
+            f"axis {number} at {time!r}: {self.c.faults(number)}\n{said}"
+        )
+
+    def say(self, time: float, number: int, *what: object) -> None:
+        self.told.append(f"{time!r} axis {number}: {' '.join(map(str, what))}")
+
+    def command(self, number: int, time: float) -> None:
+        """One random command to both."""
+        choose, c, axis = self.choose, self.c, self.axes[number]
+        kind = choose.randrange(15)
+        value = round(choose.uniform(-120, 120), 2)
+        if kind <= 2 and not axis.endless:
+            self.say(time, number, "move by", value)
+            c.load_by(number, value)
+            axis.load("by", value)
+            c.go([number])
+            axis.go()
+        elif kind <= 4:
+            self.say(time, number, "move to", value)
+            c.load_to(number, value)
+            axis.load("to", value)
+            c.go([number])
+            axis.go()
+        elif kind <= 6:
+            value = round(choose.choice((-1, 1)) * choose.uniform(2, 90), 2)
+            self.say(time, number, "jog", value)
+            c.jog(number, value)
+            axis.jog(value)
+        elif kind == 7:
+            self.say(time, number, "stop")
+            c.stop(number)
+            axis.stop()
+        elif kind == 8:
+            self.say(time, number, "cancel")
+            c.abort(number)
+            axis.cancel()
+        elif kind <= 10:
+            on = not axis.suspended
+            self.say(time, number, "suspend", on)
+            (c.suspend if on else c.resume)(number)
+            axis.suspend(on)
+        elif kind == 11:
+            value = choose.choice((0.0, 0.3, 0.8, 1.0, 1.5))
+            self.say(time, number, "override", value)
+            c.configure(number, "override", value)
+            axis.set_override(value)
+        elif kind == 12:
+            value = round(choose.uniform(5, 90), 2)
+            self.say(time, number, "speed", value)
+            c.configure(number, "speed", value)
+            axis.set_speed(value)
+        elif kind == 13:
+            self.limit(number, axis, time)
+        elif axis.doing == "move" and not axis.queue and choose.random() < 0.5:
+            self.say(time, number, "retarget", value)
+            c.retarget_to(number, value)
+            axis.retarget(value)
+        elif number != 0:  # a slave does not care for its master's numbers
+            self.say(time, number, "position", value)
+            c.define_position(number, value)
+            axis.rename(value)
+
+    def limit(self, number: int, axis: Axis, time: float) -> None:
+        which, action = self.choose.randrange(2), self.choose.choice(ACTIONS)
+        limit = self.limits[number, which]
+        near = axis.position + self.choose.uniform(-15, 40) * (1 if which == 0 else -1)
+        place = None if self.choose.random() < 0.2 else round(near, 3)
+        self.say(time, number, "limit", which, action, place)
+        limit.place(None)
+        limit.action = action
+        limit.place(place)
+        axis.place_limit(which, place, action)
+
+
+def test_random_jobs_do_what_the_reference_axis_does() -> None:
+    for seed in range(COUNT):
+        job = Job(seed)
+        try:
+            job.run()
+        except AssertionError as error:
+            raise AssertionError(f"seed {seed}: {error}") from None
