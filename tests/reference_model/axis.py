@@ -59,7 +59,7 @@ class Axis:
         """Come to rest, and forget what waits."""
         self.suspended = False
         self._forget()
-        if self.doing != "idle" and self.doing != "stop":
+        if self.doing not in {"idle", "stop"}:
             self._brake(self.decel)
 
     def cancel(self) -> None:

@@ -81,9 +81,8 @@ class Job:
         ours, theirs = (a.position(time), a.velocity(time)), (axis.position, axis.velocity)
         gaps = abs(ours[0] - theirs[0]), abs(ours[1] - theirs[1])
         said = "\n".join(self.told)
-        assert gaps[0] <= 1e-5 and gaps[1] <= 1e-4, (
-            f"axis {number} at {time!r}: {ours} for {theirs}, {axis.doing}\n{said}"
-        )
+        near = gaps[0] <= 1e-5 and gaps[1] <= 1e-4
+        assert near, f"axis {number} at {time!r}: {ours} for {theirs}, {axis.doing}\n{said}"
         assert bool(self.c.faults(number)) is axis.fault, (
             f"axis {number} at {time!r}: {self.c.faults(number)}\n{said}"
         )
