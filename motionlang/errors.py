@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 # One vocabulary of diagnostics: the code, and what it means. `docs/diagnostics.md` is written from it.
 CODES: dict[str, str] = {
     "syntax": "The text does not follow the grammar of the language.",
+    "language": "The file is written in the other language.",
     "missing-end": "A block was opened and never closed.",
     "stray-end": "A block is closed that was never opened.",
     "unknown-word": "The word is neither a keyword nor a name that the program declares.",
@@ -82,6 +83,9 @@ CODES: dict[str, str] = {
     "unreachable": "No way leads to the statement.",
     "unused-label": "A label that nothing goes to.",
     "unused-variable": "A variable that nothing reads.",
+    "no-value": "A variable that is read and never given a value.",
+    "never-waits": "A loop starts moves, and nothing in it waits for one.",
+    "wrong-channel": "An output is switched at a channel that is an input.",
     "unused-sub": "A sub or a function that nothing calls.",
     "unused-task": "A task that nothing runs.",
     "motor-off": "A command moves a motor that was never switched on.",

@@ -206,9 +206,18 @@ def _compile(
         result.status = "interrupted"
         return None
     except ProgramError as error:
-        result.diagnostics = error.diagnostics
+        from motionlang.foreign import one_sentence
+
+        result.diagnostics = one_sentence(language, source, error.diagnostics)
         result.status = "fault"
         return None
+    if compiled.is_doubtful:
+        from motionlang.foreign import one_sentence
+
+        found = one_sentence(language, source, language.check(source, settings))
+        if [each.code for each in found] == ["language"]:
+            result.diagnostics, result.status = found, "fault"
+            return None
     _keep(compiled, name)
     return compiled
 

@@ -26,6 +26,7 @@ LEVELS: dict[str, int] = {
     "scenarios": 10,
     "execution": 9,
     "remarks": 8,
+    "foreign": 8,
     "measured": 8,
     "report": 7,
     "result": 7,

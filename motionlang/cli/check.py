@@ -11,6 +11,7 @@ from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
+from motionlang.foreign import one_sentence
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
@@ -121,4 +122,5 @@ def _check(
             return language.name, machine, None, wrong
     if options.model is not None:
         settings["controller.model"] = options.model
-    return language.name, source, settings, language.check(source, settings)
+    found = one_sentence(language, source, language.check(source, settings))
+    return language.name, source, settings, found

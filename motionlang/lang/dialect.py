@@ -51,12 +51,13 @@ def unknown_model(name: str) -> tuple[str, str] | None:
 
 
 class Dialect:
-    """`name` as users write it, the file `suffixes` it owns, and the number of its first axis.
+    """`name` as users write it, `title` as a sentence has it, its file `suffixes`, the number of its first axis.
 
     `cached` says that compiled programs are worth keeping: `Program.payload` and `load` are for those.
     """
 
     name: str
+    title: str
     suffixes: tuple[str, ...]
     first_axis: int
     cached = False

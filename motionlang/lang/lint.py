@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from motionlang.errors import CODES, Diagnostic, nearest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from motionlang.source import Source
 
@@ -24,20 +24,25 @@ WARNINGS: dict[str, str] = {
     "scale-after-speed": "Mint",
     "time-before-speed": "Mint",
     "unused-setting": "Mint",
+    "zero-speed": "Mint",
+    "zero-acceleration": "Mint",
+    "never-waits": "Mint, MCCL",
     "buffer-overfilled": "Mint",
     "beyond-travel": "Mint",
     "two-tasks": "Mint",
-    "endless-wait": "Mint",
-    "endless-loop": "Mint",
+    "endless-wait": "Mint, MCCL",
+    "endless-loop": "Mint, MCCL",
     "constant-condition": "Mint",
     "mixed-operators": "Mint",
     "unreachable": "Mint, MCCL",
     "unused-label": "Mint",
     "unused-variable": "Mint",
+    "no-value": "Mint",
     "unused-sub": "Mint",
     "unused-task": "Mint",
     "no-connection": "Mint",
     "not-simulated": "Mint, MCCL",
+    "wrong-channel": "MCCL",
     "motor-off": "MCCL",
     "nothing-to-wait-for": "MCCL",
     "still-running": "MCCL",
@@ -45,6 +50,14 @@ WARNINGS: dict[str, str] = {
     "silenced": "Mint, MCCL",
 }
 _IGNORE = re.compile(r"lint:\s*ignore\b[ \t]*([\w ,-]*)", re.IGNORECASE)
+
+
+def driven_inputs(settings: Mapping[str, object]) -> set[int] | None:
+    """The digital inputs that something in a machine file sets; None without one, where every input may come."""
+    if all(key.startswith(("controller.", "run.")) for key in settings):
+        return None
+    found: set[int] = {entry["channel"] for entry in settings.get("input", ())}  # type: ignore[attr-defined]
+    return found | {value for key, value in settings.items() if key.endswith("_input")}  # type: ignore[misc]
 
 
 def silence(source: Source, found: Iterable[Diagnostic], comment: re.Pattern[str]) -> list[Diagnostic]:

@@ -22,6 +22,11 @@ class Program:
         return 0
 
     @property
+    def is_doubtful(self) -> bool:
+        """Whether it begins with what the language does not know: it may be in another one."""
+        return False
+
+    @property
     def warnings(self) -> Sequence[Diagnostic]:
         """What a run of it must be told beforehand."""
         return ()

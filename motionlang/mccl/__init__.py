@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Mccl(Dialect):
     """The dialect as the layers above see it."""
 
-    name = "mccl"
+    name, title = "mccl", "MCCL"
     # PMC's own tools have one suffix a controller.
     suffixes = (
         ".mcl", ".mccl", ".dc2", ".stn", ".pc1", ".at1", ".at2", ".at3", ".pci1", ".pci3", ".mfx1",

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Mint(Dialect):
     """Axes count from 0; every method imports what it needs, so that a cached run brings in no compiler."""
 
-    name = "mint"
+    name, title = "mint", "Mint"
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
     cached = True

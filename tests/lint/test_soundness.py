@@ -97,6 +97,15 @@ def test_what_is_never_started_never_moves(text: str) -> None:
 
 @settings(max_examples=40)
 @given(programs())
+def test_what_has_no_speed_never_moves(text: str) -> None:
+    text = text.replace("SPEED(0) = 100", "SPEED(0) = 0").replace("SPEED(1) = 200", "SPEED(1) = 0")
+    lines = {move.line for move in ran(text).controller.moves}
+    for each in warned(text, "zero-speed"):
+        assert each.line not in lines
+
+
+@settings(max_examples=40)
+@given(programs())
 def test_an_overfilled_buffer_ends_the_run_there(text: str) -> None:
     result = ran(text)
     lines = [each.line for each in warned(text, "buffer-overfilled")]

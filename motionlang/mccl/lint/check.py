@@ -43,15 +43,23 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
             found.append(_diagnostic(source, at, fault))
     found.extend(_macros(source, whole))
     if not any(each.severity == "error" for each in found):
-        found.extend(_lint(source, whole))
+        found.extend(_lint(source, whole, settings or {}, model))
     return sorted(silence(source, found, COMMENT), key=lambda d: (d.line, d.column))
 
 
-def _lint(source: Source, lines: list[Line]) -> list[Diagnostic]:
+def _lint(
+    source: Source, lines: list[Line], settings: Mapping[str, object], model: Model
+) -> list[Diagnostic]:
+    from motionlang.mccl.lint.channels import check_channels
     from motionlang.mccl.lint.checks import lint
 
     found: list[Diagnostic] = []
-    lint(lines, lambda at, fault: found.append(_diagnostic(source, at, fault, "warning")))
+
+    def add(at: int, fault: Fault) -> None:
+        found.append(_diagnostic(source, at, fault, "warning"))
+
+    lint(lines, add)
+    check_channels(lines, settings, model, add)
     return found
 
 

@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.lint.loops import endless_lines
 from motionlang.mccl.lint.running import running_axes
 from motionlang.mccl.resolve.line import Line
 
@@ -48,6 +49,7 @@ def lint(lines: list[Line], add: Add) -> None:
     _motors(lines, add)
     _waits(lines, add)
     running_axes(lines, add)
+    endless_lines(lines, add)
 
 
 def _is_macro(line: Line) -> bool:

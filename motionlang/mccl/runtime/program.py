@@ -29,6 +29,11 @@ class MacroFile(Program):
         self.source = source
         self.lines = list(lines_of(source.text))
 
+    @property
+    def is_doubtful(self) -> bool:
+        first = self.lines[0] if self.lines else None
+        return first is not None and not (isinstance(first, Line) and first.commands[0].row is not None)
+
     def start(self, machine: Machine) -> FileTask:
         """The foreground task, on a board that is as at power-up but for the registers that `--set` gives."""
 

@@ -21,7 +21,7 @@ from motionlang.mint.compile.statements import block, hear_of_errors, leave
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
 from motionlang.mint.resolve.names import Names
-from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.resolve.problems import Problems, bracketed
 from motionlang.mint.syntax.parser import parse
 
 TYPE_CHECKING = False
@@ -123,9 +123,10 @@ def warn_of_misspellings(whole: Whole) -> None:
             near = get_close_matches(symbol.name.lower(), words, n=1, cutoff=0.75)
             row = whole.table.get(near[0]) if near and len(symbol.name) > 2 else None
             if row is not None:
+                meant = bracketed(symbol.name, whole.table) or row.name
                 whole.problems.add(
                     "unknown-word", f"{symbol.name} is given a value that nothing reads", symbol.at,
-                    f"did you mean {row.name}? If it is a variable, declare it with Dim",
+                    f"did you mean {meant}? If it is a variable, declare it with Dim",
                 )  # fmt: skip
 
 

@@ -150,7 +150,7 @@ def unknown(b: Body, node: nodes.Name) -> None:
         otherwise = (
             f"where the controller has this constant, say what it is: Const {node.name} As Integer = …"
         )
-    b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise)
+    b.whole.problems.unknown(f"{node.name} is unknown", node.name, words, node.at, otherwise, b.whole.table)
 
 
 def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol | None]:

@@ -269,8 +269,8 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
     words = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
     words += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
     words += _FIRST_WORDS
-    b.whole.problems.unknown(f"{target.name} is neither a keyword nor a sub of this program", target.name, words,
-                             target.at)  # fmt: skip
+    message = f"{target.name} is neither a keyword nor a sub of this program"
+    b.whole.problems.unknown(message, target.name, words, target.at, table=b.whole.table)
 
 
 def _task(b: Body, node: nodes.Run | nodes.End, name: str) -> Symbol | None:

@@ -17,6 +17,7 @@ from motionlang.mint.lint.names import check_names, check_tasks
 from motionlang.mint.lint.reachability import Ways
 from motionlang.mint.lint.servers import check_servers
 from motionlang.mint.lint.settings import Settings
+from motionlang.mint.lint.turns import check_turns
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 
@@ -85,6 +86,7 @@ def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
     Buffers(facts, follower, add).check()
     Settings(facts, follower, add).check()
     Ways(facts, follower, settings, add).check()
+    check_turns(facts, add)
     check_brackets(facts, module.places, add)
     check_names(facts, add)
     check_tasks(facts, add)

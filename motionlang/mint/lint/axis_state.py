@@ -30,7 +30,8 @@ class Axis:
     `target` is where the last move loaded ends, `frame` how far the program's zero lies from where the axis stood at
     power-up (user units, None where unknown); `set` are the properties of moves given so far, `stale` those given
     before the last scale, which stands at `scaled`; `timed` is where a ramp's time was given before any speed, None
-    where none was; `speeded` whether a speed may have been given.
+    where none was; `speeded` whether a speed may have been given; `zeros` are the properties of moves that are 0, and
+    `loaded` is where the first move stands that waits for a GO, None where it is not known.
     """
 
     motion: str = UNKNOWN
@@ -43,6 +44,8 @@ class Axis:
     scaled: int = 0
     timed: int | None = None
     speeded: bool = True
+    zeros: frozenset[str] = frozenset()
+    loaded: int | None = None
 
     def joined(self, other: Axis, turns: bool) -> Axis:
         """What both say; a loop lets time pass."""
@@ -59,10 +62,14 @@ class Axis:
             scaled=self.scaled if self.scaled == other.scaled else 0,
             timed=self.timed if self.timed == other.timed else None,
             speeded=self.speeded or other.speeded,
+            zeros=self.zeros & other.zeros,
+            loaded=self.loaded if self.loaded == other.loaded else None,
         )
 
 
 ANY = Axis()
+# Settings without which nothing moves, by their verbs.
+_NEEDED = frozenset(("speed", "accel", "decel"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,9 +260,12 @@ class Follower:
     def _move(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         target = self._target(function, act, number, axis, act.row.does("relative"))
-        return self._checked(
-            step, act, number, replace(self._entry(function, step, act, number, axis), target=target)
-        )
+        loaded = self._loaded(self._entry(function, step, act, number, axis), act)
+        return self._checked(step, act, number, replace(loaded, target=target))
+
+    def _loaded(self, axis: Axis, act: Act) -> Axis:
+        """The axis with a move in its buffer."""
+        return replace(axis, loaded=act.at) if axis.waiting == 1 else axis
 
     def _target(self, function: Function, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
         """Where the move ends."""
@@ -289,18 +299,23 @@ class Follower:
         if act.row.does("line") and number < len(act.values):
             target = self._target(function, act, number, axis, act.row.does("relative"))
         if number == 0:
-            axis = self._entry(function, step, act, number, axis)
+            axis = self._loaded(self._entry(function, step, act, number, axis), act)
         return self._checked(step, act, number, replace(axis, target=target))
 
     def _go(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
-        return replace(axis, motion=MOVES if sure else UNKNOWN, fresh=sure, waiting=0)
+        if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
+            speed = "speed" in axis.zeros
+            self._tell("zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis)
+        return replace(axis, motion=MOVES if sure else UNKNOWN, fresh=sure, waiting=0, loaded=None)
 
     def _stop(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         stands = axis.motion == IDLE or act.row.does("abrupt")
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
-        axis = replace(axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept)
+        axis = replace(
+            axis, motion=IDLE if stands else UNKNOWN, fresh=False, waiting=0, target=kept, loaded=None
+        )
         return replace(axis, target=None, frame=None) if act.row.does("datum") else axis
 
     def _at_once(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
@@ -325,8 +340,12 @@ class Follower:
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = replace(axis, timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
+        nothing = act.row.verb in _NEEDED and self.facts.number(function, act.value(number)) == 0
         return replace(
-            axis, set=axis.set | {slot} if in_units else axis.set - {slot}, stale=axis.stale - {slot}
+            axis,
+            set=axis.set | {slot} if in_units else axis.set - {slot},
+            stale=axis.stale - {slot},
+            zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
         )
 
     def _scale(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
@@ -347,7 +366,9 @@ class Follower:
     def _use(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         if act.row.kind in ("command", "move") or act.row.does("switch"):
-            return replace(axis, motion=UNKNOWN, fresh=False, waiting=0, target=None)
+            return replace(
+                axis, motion=UNKNOWN, fresh=False, waiting=0, target=None, zeros=frozenset(), loaded=None
+            )
         return axis
 
     # --------------------------------------------------------------------------------- what a condition tells

@@ -76,7 +76,7 @@ class Facts:
         self.default_axes = False  # AXES names them: a word without brackets may mean any axis
         self.writers = self._writers()
         self.roots = self._roots()
-        self.kept = self._kept()
+        self.kept, self.begun = self._kept()
         for function in self.functions:
             graph = self.graphs[function] = Graph(function.body, function.kind == "main")
             for step in graph.steps:
@@ -123,16 +123,20 @@ class Facts:
                         found.setdefault(symbol, set()).add(function)
         return found
 
-    def _kept(self) -> set[Symbol]:
-        """Variables of `Dim nv`: what this run gives them, the next one may read."""
-        return {
-            symbol
-            for function in self.functions
-            for node in walk(function.body)
-            if type(node) is nodes.Dim and node.nv
-            for variable in node.variables
-            if (symbol := function.scope.find(variable.name)) is not None
-        }
+    def _kept(self) -> tuple[set[Symbol], set[Symbol]]:
+        """Variables of `Dim nv`, whose values the next run may read, and those that Dim gives a value."""
+        kept: set[Symbol] = set()
+        begun: set[Symbol] = set()
+        for function in self.functions:
+            for node in walk(function.body):
+                if type(node) is nodes.Dim:
+                    for variable in node.variables:
+                        symbol = function.scope.find(variable.name)
+                        if symbol is not None and node.nv:
+                            kept.add(symbol)
+                        if symbol is not None and variable.values:
+                            begun.add(symbol)
+        return kept, begun
 
     def written(self, function: Function, node: nodes.Node) -> Iterator[nodes.Name]:
         """The names whose values a statement changes, arguments by reference and arrays among them."""

@@ -99,6 +99,14 @@ class Motion:
             "set SPEED first",
         )
 
+    def _no_motion(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
+        assert axis.loaded is not None
+        what = {"speed": "speed", "accel": "acceleration", "decel": "deceleration"}
+        zeros = [word for slot, word in what.items() if slot in axis.zeros]
+        code = "zero-speed" if "speed" in axis.zeros else "zero-acceleration"
+        message = f"the move cannot be carried out: the {zeros[0]} of axis {spelt(key)} is 0 at its GO"
+        self.add(code, message, axis.loaded, "it must be above zero there")
+
     def _beyond(self, step: Step, act: Act, key: Key, axis: Axis) -> None:
         what = self.reach.beyond(key, axis)
         self.add("beyond-travel", f"the move ends at {axis.target:g}, beyond {what} of axis {spelt(key)}", act.at,
@@ -107,6 +115,8 @@ class Motion:
 
 _HEARD: dict[str, Callable[..., None]] = {
     "beyond-travel": Motion._beyond,
+    "zero-speed": Motion._no_motion,
+    "zero-acceleration": Motion._no_motion,
     "in-motion": Motion._in_motion,
     "scale-in-motion": Motion._scale_in_motion,
     "scale-after-speed": Motion._scale_late,

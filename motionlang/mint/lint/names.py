@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.errors import nearest
 from motionlang.mint.lint.effects import Facts, Key
-from motionlang.mint.resolve.symbols import SEMAPHORE, Function, Symbol
+from motionlang.mint.resolve.symbols import CONTROLLER, RECORD, SEMAPHORE, STRING, TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -20,11 +21,16 @@ _TURNS = frozenset(("task_status", "task_suspend", "task_resume"))
 
 
 def check_names(facts: Facts, add: Add) -> None:
-    """Everything that is declared and never used."""
+    """Everything that is declared and never used, or used and never given a value."""
+    own = _own_reads(facts)
     for function in facts.functions:
         for symbol in function.scope.names.values():
-            if symbol.home is function and symbol.kind == "variable" and symbol.declared and symbol.uses <= 0:
+            if symbol.home is not function or symbol.kind != "variable":
+                continue
+            if symbol.uses <= own.get(symbol, 0):
                 _unused_variable(facts, symbol, add)
+            elif symbol not in facts.writers:
+                _no_value(facts, symbol, add)
     run = {
         node.name.lower()
         for function in facts.functions
@@ -47,8 +53,66 @@ def _unused_variable(facts: Facts, symbol: Symbol, add: Add) -> None:
     given = facts.writers.get(symbol)
     if symbol in facts.kept or (given and symbol.type.name == SEMAPHORE):
         return  # who takes a semaphore waits for it: that is its use
-    what = "is given a value that nothing reads" if given else "is declared and never used"
-    add("unused-variable", f"{symbol.name} {what}", symbol.at)
+    what = "is declared and never used"
+    if given:
+        what = f"is given a value that nothing {'else ' if symbol.uses > 0 else ''}reads"
+    near = None if symbol.declared else _alike(symbol, lambda each: each.uses > 0)
+    hint = f"did you mean {near}?" if near else ""
+    add("unused-variable", f"{symbol.name} {what}", symbol.at, hint)
+
+
+def _no_value(facts: Facts, symbol: Symbol, add: Add) -> None:
+    """A variable that the program reads, and gives no value, so that it is 0 or empty for ever."""
+    whole = symbol.is_array or symbol.type.name in (TIME, SEMAPHORE, CONTROLLER, RECORD)
+    if whole or symbol in facts.kept or symbol in facts.begun:
+        return
+    value = "empty" if symbol.type.name == STRING else "0"
+    near = _alike(symbol, lambda each: each in facts.writers and each.uses <= 1)
+    hint = (
+        f"did you mean {near} where that is given a value?"
+        if near
+        else "give it one, in its Dim or before it is read"
+    )
+    add(
+        "no-value",
+        f"{symbol.name} is read and never given a value: it is {value} all the time",
+        symbol.at,
+        hint,
+    )
+
+
+def _alike(symbol: Symbol, wanted: Callable[[Symbol], bool]) -> str | None:
+    """The name of another variable that may have been meant."""
+    others = [
+        each.name
+        for each in symbol.home.scope.symbols()
+        if each is not symbol and each.kind == "variable" and wanted(each)
+    ]
+    return nearest(symbol.name, others)
+
+
+def _own_reads(facts: Facts) -> dict[Symbol, int]:
+    """How often a variable is read for nothing but its own next value, as in `n = n + 1`."""
+    found: dict[Symbol, int] = {}
+    for function in facts.functions:
+        for node in walk(function.body):
+            if (
+                type(node) is not nodes.Assign
+                or type(node.target) is not nodes.Name
+                or node.target.args is not None
+            ):
+                continue
+            symbol = facts.symbol(function, node.target)
+            names = [each for each in walk(node.values) if type(each) is nodes.Name]
+            # What a sub is told may be printed there.
+            if symbol is None or any(
+                each.kind == "sub" for name in names if (each := facts.symbol(function, name))
+            ):
+                continue
+            found[symbol] = found.get(symbol, 0) + sum(
+                facts.symbol(function, name) is symbol for name in names
+            )
+    return found
 
 
 def check_tasks(facts: Facts, add: Add) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.lang.lint import driven_inputs
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.lint.axis_state import IDLE, State
 from motionlang.mint.lint.effects import Facts
@@ -32,7 +33,7 @@ class Ways:
     def __init__(self, facts: Facts, follower: Follower, settings: Mapping[str, object], add: Add) -> None:
         self.facts, self.follower, self.settings, self.add = facts, follower, settings, add
         # Without a machine file every input may come.
-        self.described = any(not key.startswith(("controller.", "run.")) for key in settings)
+        self.driven = driven_inputs(settings)
 
     def check(self) -> None:
         """All of them."""
@@ -179,10 +180,10 @@ class Ways:
         return any(self.facts.roots[writer] - mine for writer in writers)
 
     def _input_may_change(self, function: Function, name: nodes.Name) -> bool:
-        if not self.described or not name.args:
+        if self.driven is None or not name.args:
             return True
         channel = self.facts.number(function, name.args[0])
-        return channel is None or channel in driven(self.settings)
+        return channel is None or channel in self.driven
 
     # ---------------------------------------------------------------------------------- loops that nothing ends
 
@@ -191,11 +192,16 @@ class Ways:
         symbols = [function.scope.find(each.name) for each in names]
         if not names or self.facts.value(function, node.condition) is not None:
             return
+        inputs = [
+            name for name, symbol in zip(names, symbols, strict=True) if self._is_dead(function, name, symbol)
+        ]
         for name, symbol in zip(names, symbols, strict=True):
-            if symbol is None:
+            if symbol is None and name not in inputs:
                 row = self.facts.table.get(name.name)
                 if row is None or row.kind not in ("constant", "function") or row.name == "Rnd":
                     return
+            elif symbol is None:
+                continue
             elif symbol.kind != "const" and (
                 symbol.kind not in ("variable", "parameter") or self._shared(symbol)
             ):
@@ -212,8 +218,18 @@ class Ways:
         if written & set(symbols) or (calls and any(each and each.home is not function for each in symbols)):
             return
         word = "While" if type(node) is nodes.While else "Repeat"
+        if inputs:
+            message = f"this {word} waits for what cannot change: no entry of the machine file drives it"
+            self.add("endless-wait", message, inputs[0].at, "it ends at once or never")
+            return
         self.add("endless-loop", f"nothing in this {word} changes what its condition depends on", node.at,
                  "once in it, the program never leaves it")  # fmt: skip
+
+    def _is_dead(self, function: Function, name: nodes.Name, symbol: Symbol | None) -> bool:
+        """Whether a name is an input that nothing drives."""
+        row = self.facts.table.get(name.name) if symbol is None else None
+        is_input = row is not None and row.driven == "input" and row.index == "input"
+        return is_input and not self._input_may_change(function, name)
 
     def _shared(self, symbol: Symbol) -> bool:
         """Another task or an event may change the variable meanwhile."""
@@ -230,10 +246,3 @@ class Ways:
 def _is_made(node: nodes.Node) -> bool:
     """Whether a jump stands where a block with labels was taken apart."""
     return isinstance(node, nodes.Jump) and node.kind not in ("goto", "gosub")
-
-
-def driven(settings: Mapping[str, object]) -> set[int]:
-    """The digital inputs that something in the machine file sets."""
-    found = {entry["channel"] for entry in settings.get("input", ())}  # type: ignore[attr-defined]
-    found |= {value for key, value in settings.items() if key.endswith("_input")}
-    return found

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from motionlang.lang.keyword import Table
     from motionlang.mint.syntax.nodes import Module
 
 # More than anybody reads; what follows the first hundred is usually their consequence.
@@ -34,11 +35,19 @@ class Problems:
                 Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity),
             )
 
-    def unknown(self, message: str, word: str, words: Iterable[str], at: int, otherwise: str = "") -> None:
-        """Note an unknown word, with the nearest known one."""
+    def unknown(
+        self,
+        message: str,
+        word: str,
+        words: Iterable[str],
+        at: int,
+        otherwise: str = "",
+        table: Table | None = None,
+    ) -> None:
+        """Note an unknown word, with the nearest known one; with `table`, a keyword of it that lacks brackets, too."""
         if (len(self.found) >= MOST and self._wrong) or ("unknown-word", at) in self.found:
             return
-        near = nearest(word, words)
+        near = (bracketed(word, table) if table is not None else None) or nearest(word, words)
         self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)
 
     def of_the_run(self) -> list[Diagnostic]:
@@ -64,3 +73,10 @@ class Problems:
         """ProgramError when there is any error; warnings alone raise nothing."""
         if any(each.severity == "error" for each in self.found.values()):
             raise ProgramError(self.found.values())
+
+
+def bracketed(word: str, table: Table) -> str | None:
+    """`GO(3)` for `Go3`: the keyword that somebody has written a number to without brackets; None for other words."""
+    stem = word.rstrip("0123456789")
+    row = table.get(stem) if stem != word else None
+    return None if row is None or row.index == "none" else f"{row.name}({word[len(stem) :]})"

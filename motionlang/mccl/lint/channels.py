@@ -1,0 +1,49 @@
+"""Digital channels: outputs switched where there is an input, and waits for inputs that nothing drives."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.lang.lint import driven_inputs
+from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords import TABLE
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from motionlang.mccl.models import Model
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+
+    Add = Callable[[int, Fault], None]
+
+_SWITCHES = frozenset({"channel_on", "channel_off"})
+_WAITS = {"wait_on": "on", "wait_off": "off"}
+
+
+def check_channels(lines: list[Line], settings: Mapping[str, object], model: Model, add: Add) -> None:
+    """Both checks; each place once."""
+    commands = [each for line in lines for each in zip(line.commands, line.places, strict=True)]
+    made = {command.number for command, _ in commands if _verb(command) == "channel_output"}
+    driven = driven_inputs(settings)
+    word = next(row.name for row in TABLE if row.verb == "channel_output")
+    for command, at in commands:
+        channel = command.number
+        if channel is None or None in made or channel in made or channel in model.outputs:
+            continue
+        if _verb(command) in _SWITCHES:
+            message = f"channel {channel} is an input on this board: {command.text} is refused"
+            outputs = f"{model.outputs.start} to {model.outputs.stop - 1} are outputs at power-up"
+            add(at, Fault(0, message, f"{word}{channel} makes it an output; {outputs}", "wrong-channel"))
+        elif _verb(command) in _WAITS and driven is not None and channel not in driven:
+            message = f"{command.text} waits in vain: no entry of the machine file drives channel {channel}"
+            add(
+                at,
+                Fault(
+                    0, message, "it goes on at once or never; [[input]] says when it comes", "endless-wait"
+                ),
+            )
+
+
+def _verb(command: Command) -> str:
+    return command.row.verb if command.row is not None else ""

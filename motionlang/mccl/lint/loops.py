@@ -1,0 +1,49 @@
+"""Lines that repeat themselves for ever and wait for nothing: what they start is cut short, and no time is left."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mccl.codes import Fault
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.mccl.resolve.line import Line
+
+    Add = Callable[[int, Fault], None]
+
+_MOVES = frozenset({"move_to", "move_by", "go_home", "move_to_point"})
+# Commands that go elsewhere, leave the line or pass by others, and those that take a time of their own.
+_LEAVES = ("if_", "do_if_", "jump", "leave", "call_macro", "start_task", "wait", "find_", "path", "get_")
+
+
+def endless_lines(lines: Iterable[Line], add: Add) -> None:
+    """Warn of `RP` without a number in a line in which nothing takes time; once a line."""
+    for line in lines:
+        for k, command in enumerate(line.commands):
+            if _verb(command) == "repeat" and command.number == 0:
+                _judge(line, k, add)
+                break
+
+
+def _judge(line: Line, k: int, add: Add) -> None:
+    first = int(_verb(line.commands[0]) == "define_macro")
+    body = line.commands[first:k]
+    if any(_verb(each).startswith(_LEAVES) for each in body):
+        return
+    moves = [(each, at) for each, at in zip(body, line.places[first:k], strict=True) if _verb(each) in _MOVES]
+    if moves:
+        command, at = moves[-1]
+        message = f"RP starts {command.text} again and again, and nothing in the line waits for its end"
+        hint = f"{command.axis or ''}WS after it waits"
+        add(at, Fault(0, message, hint, "never-waits"))
+    else:
+        message = "RP repeats the line for ever, and nothing in it takes time or leaves it"
+        add(line.places[k], Fault(0, message, "WA0.1 before it gives each turn its time, RP10 ends after ten",
+                                  "endless-loop"))  # fmt: skip
+
+
+def _verb(command: Command) -> str:
+    return command.row.verb if command.row is not None else ""

@@ -1,0 +1,67 @@
+"""Loops that give an axis another motion in every turn and let no time pass: none of the motions is ever seen."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.mint.lint.effects import Facts, spelt
+from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Add = Callable[..., None]
+
+_LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
+# With one of these in it a loop may do less in a turn, leave, or take time.
+_UNSURE = (nodes.If, nodes.Select, nodes.Jump, nodes.Exit, nodes.Return, nodes.End, nodes.Label, nodes.Pause,
+           nodes.Input, nodes.Run, *_LOOPS)  # fmt: skip
+# What a word does at once; what is put into the buffer waits for room in it.
+_BLOCKS = frozenset(("move", "entry", "course", "path"))
+
+
+def check_turns(facts: Facts, add: Add) -> None:
+    """Warn of the first such statement of each loop."""
+    acts = {id(act.node): act for _, _, act in facts.all_acts()}
+    for function in facts.functions:
+        for node in walk(function.body):
+            if not isinstance(node, _LOOPS) or any(isinstance(each, _UNSURE) for each in walk(node.body)):
+                continue
+            names = [each for each in walk(node.body) if type(each) is nodes.Name]
+            found = [acts[id(each)] for each in names if id(each) in acts]
+            if any(act.role in _BLOCKS or act.role == "call" or _waits(act.row) for act in found):
+                continue
+            changing = _changing(facts, function, node)
+            for act in found:
+                if act.role == "act" and any(
+                    _depends(facts, function, each, changing) for each in act.values
+                ):
+                    assert act.row is not None
+                    message = f"every turn of this loop gives axis {spelt(act.axes[0])} another motion, and none waits"
+                    add("never-waits", message, act.at, "WAIT = 10 in the loop gives each its time")
+                    break
+
+
+def _waits(row: object) -> bool:
+    return getattr(row, "verb", "") == "wait"
+
+
+def _changing(facts: Facts, function: Function, node: nodes.Node) -> set[Symbol | None]:
+    """The variables that have another value in every turn."""
+    found: set[Symbol | None] = set()
+    if type(node) is nodes.For:
+        found.add(facts.symbol(function, node.variable))
+    for each in walk(node.body):  # type: ignore[attr-defined]
+        if type(each) is nodes.Assign and type(each.target) is nodes.Name and each.target.args is None:
+            symbol = facts.symbol(function, each.target)
+            if symbol is not None and any(
+                _depends(facts, function, value, {symbol}) for value in each.values
+            ):
+                found.add(symbol)
+    return found - {None}
+
+
+def _depends(facts: Facts, function: Function, value: nodes.Expr, on: set[Symbol | None]) -> bool:
+    return any(type(each) is nodes.Name and facts.symbol(function, each) in on for each in walk([value]))
