@@ -99,7 +99,7 @@ def test_what_is_never_started_never_moves(text: str) -> None:
 @given(programs())
 def test_what_has_no_speed_never_moves(text: str) -> None:
     text = text.replace("SPEED(0) = 100", "SPEED(0) = 0").replace("SPEED(1) = 200", "SPEED(1) = 0")
-    lines = {move.line for move in ran(text).controller.moves}
+    lines = {move.line for move in ran(text).controller.log.moves}
     for each in warned(text, "zero-speed"):
         assert each.line not in lines
 
