@@ -10,15 +10,19 @@ from motionlang.controller.record.stream import DISK, Store, Stream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
     from typing import Any
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.move import Move
     from motionlang.controller.record.moves import Moves
     from motionlang.controller.record.records import Changed, Printed, Setting, Turns, Waited
 
 # Profiles of all axes together that are not packed, and those of each axis that never are.
 MOST_PROFILES, LEFT_PROFILES = 40_960, 512
+# After so many profiles it is looked whether a loop starts motion after motion: more than one in half a millisecond,
+# from no more than a few lines.
+FIRST_LOOK, HURRY, FEW_LINES = 1024, 5e-4, 4
 
 
 class Log:
@@ -37,9 +41,11 @@ class Log:
     """
 
     __slots__ = (
+        "_looked",
         "analogue_inputs",
         "analogue_outputs",
         "dropped",
+        "hurried",
         "inputs",
         "moves",
         "others",
@@ -67,7 +73,10 @@ class Log:
         self.prints: Stream[Printed] = Stream(store, "Printed")
         self.others: list[Stream[Any]] = []
         # How many profiles may be made until some are packed.
-        self.room = MOST_PROFILES
+        self.room = FIRST_LOOK
+        self._looked = False
+        # Called with a move, the number of those before it and the time from the first of them to it.
+        self.hurried: Callable[[Move, int, float], object] | None = None
 
     def new(self, kind: str) -> Stream[Any]:
         """A further stream, such as that of another terminal, of records of a kind."""
@@ -88,6 +97,10 @@ class Log:
         """
         from motionlang.controller.record.moves import Profiles
 
+        self._look()
+        if not self._looked:
+            self._looked, self.room = True, MOST_PROFILES - FIRST_LOOK
+            return
         self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
         kept = 0
         for a in axes:
@@ -99,6 +112,15 @@ class Log:
                     count -= a.older.take_from(a, count)
             kept += len(a.starts)
         self.room = max(MOST_PROFILES - kept, LEFT_PROFILES)
+
+    def _look(self) -> None:
+        """Tell of a loop that starts motion after motion, none of which has the time to be one."""
+        last = self.moves[-min(len(self.moves), FIRST_LOOK) :]
+        if len(last) < FIRST_LOOK // 2 or self.hurried is None:
+            return
+        span = last[-1].start_time - last[0].start_time
+        if span < HURRY * len(last) and len({move.line for move in last}) <= FEW_LINES:
+            self.hurried(last[-1], len(last), span)
 
     def forget(self, kept: int, axes: Iterable[Axis]) -> None:
         """Forget all but about so many records of each kind, and ten times as many profiles of each axis."""

@@ -92,6 +92,7 @@ class Machine:
         self._host: HostMemory | None = None
         self._operators: dict[int, Operator] = {}
         self.log = Log()
+        self.log.hurried = self._hurried
         self.terminal = Terminal(self.clock, self.log.prints, show)
         # What went to other terminals and to serial ports, by their labels.
         self.terminals: dict[str, Terminal] = {}
@@ -169,6 +170,16 @@ class Machine:
             self.diagnostics.append(diagnostic)
         else:
             del self._told[diagnostic.key]
+
+    def _hurried(self, move: Move, count: int, span: float) -> None:
+        """Tell of a line that starts motion after motion and waits for none."""
+        from motionlang.errors import Diagnostic
+
+        message = (
+            f"{move.command} starts motion after motion and waits for none: {count} of them in {span:.3g} s"
+        )
+        hint = "wait for the end of each, or let time pass between them"
+        self.complain(Diagnostic("never-waits", message, move.line, hint=hint, severity="warning"))
 
     def moving(self) -> list[int]:
         """The axes that are not idle."""

@@ -1,0 +1,32 @@
+"""A run tells of a loop that starts motion after motion and waits for none, with its line."""
+
+from __future__ import annotations
+
+from motionlang import Run, run
+from motionlang.source import Source
+from tests.cases import cases
+
+
+def ran(name: str, text: str) -> Run:
+    return run(Source(name, text), cache=False, until=0.2)
+
+
+@cases(
+    ("name", "text", "line"),
+    [
+        ("a.mnt", "Dim k As Float\nLoop\n  k = k + 0.1\n  JOG(0) = k\nEnd Loop\n", 4),
+        ("a.mnt", "Loop\n  JOG(1) = 5 : JOG(1) = -5\nEnd Loop\n", 2),
+        ("a.mcl", "1MN\n1MR1000,RP\n", 2),
+    ],
+)
+def test_it_is_told_once_with_its_line(name: str, text: str, line: int) -> None:
+    (found,) = ran(name, text).diagnostics
+    assert (found.code, found.severity, found.line) == ("never-waits", "warning", line)
+
+
+def test_many_moves_that_are_waited_for_are_none() -> None:
+    text = (
+        "Dim i As Integer\nFor i = 1 To 1100\n  MOVER(0) = 0.001 : GO(0)\n  PAUSE IDLE(0)\n  WAIT = 1\nNext\n"
+    )
+    result = run(Source("a.mnt", text), cache=False)
+    assert (len(result.controller.log.moves), result.diagnostics) == (1100, [])
