@@ -161,7 +161,9 @@ def do_table(environment: Environment, row: Row) -> Operation:
     """PRECISIONTABLE: the positions of the nut, forward and in reverse."""
     compensation = environment.part(Compensation)
 
-    def do(axis: int, forward: Array, reverse: Array | None) -> None:
+    def do(axis: int, forward: Array | None, reverse: Array | None) -> None:
+        if forward is None:
+            raise Refusal("range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL")
         elements(forward, row.name)
         compensation.attach(axis_of(environment, axis), forward, reverse)
 
