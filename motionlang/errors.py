@@ -56,6 +56,7 @@ CODES: dict[str, str] = {
     "event": "The event has no handler, or does not exist, and cannot be raised.",
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
+    "golden": "A run is not what its golden files say, or it has none.",
     "proof": "The motion was not as the program ordered it, or broke a bound.",
     "interrupted": "The run was ended from the keyboard, or by a signal.",
     "crash": "motionlang itself has a mistake, which is no mistake of the program.",

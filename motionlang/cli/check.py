@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import sys
+from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
+from motionlang.cli.parallel import in_parallel
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
 from motionlang.foreign import one_sentence
@@ -17,6 +19,7 @@ from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
+from motionlang.views.findings import Found, written
 from motionlang.views.terminal import wants_colour, width_of
 
 if TYPE_CHECKING:
@@ -28,21 +31,25 @@ SCHEMA = "motionlang.check/1"
 
 
 class CheckOptions:
-    """What the command line asks of a check: `strict` counts warnings as mistakes, `evidence` lists open readings."""
+    """What the command line asks of a check: `strict` counts warnings as mistakes, `evidence` lists open readings.
 
-    __slots__ = ("as_json", "dialect", "evidence", "machine", "model", "strict")
+    `form` is one of `views.findings.FORMATS`, `jobs` how many processes there are, 0 for as many as there are cores.
+    """
+
+    __slots__ = ("dialect", "evidence", "form", "jobs", "machine", "model", "strict")
 
     def __init__(
         self,
         dialect: str | None = None,
         *,
-        as_json: bool = False,
+        form: str = "text",
+        jobs: int = 0,
         machine: str | None = None,
         model: str | None = None,
         strict: bool = False,
         evidence: bool = False,
     ) -> None:
-        self.dialect, self.as_json, self.machine = dialect, as_json, machine
+        self.dialect, self.form, self.jobs, self.machine = dialect, form, jobs, machine
         self.model, self.strict, self.evidence = model, strict, evidence
 
 
@@ -57,21 +64,29 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
     if not found_files:
         sys.stderr.write(f"no programs in {', '.join(files)}\n")
         return 1
-    for file in found_files:
-        language, source, settings, diagnostics = _check(file, options)
+    document: list[Found] = []
+    jobs = 1 if STDIN in found_files else options.jobs
+    work = partial(_check, options=options)
+    for file, (language, source, settings, diagnostics) in zip(
+        found_files, in_parallel(work, found_files, jobs), strict=True
+    ):
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file
-        complain(
-            diagnostics, source, source.name if source is not None and source.name != name_of(file) else name
-        )
+        place = source.name if source is not None and source.name != name_of(file) else name
+        if options.form not in ("text", "json"):
+            document.append(Found(name, diagnostics, source, place, options.strict))
+            continue
+        complain(diagnostics, source, place)
         found = [each.as_dict() for each in diagnostics]
         rows.append({"program": name, "dialect": language, "diagnostics": found})
-        if not options.as_json:
+        if options.form == "text":
             sys.stdout.write(f"{name}: {tally(diagnostics) or 'no mistakes'}\n")
         if options.evidence and settings is not None and source is not None:
-            _tell_evidence(language, source, settings, rows[-1], options.as_json)
-    if options.as_json:
+            _tell_evidence(language, source, settings, rows[-1], options.form == "json")
+    if options.form == "json":
         sys.stdout.write(json.dumps({"schema": SCHEMA, "files": rows}, indent=1) + "\n")
+    elif options.form != "text":
+        sys.stdout.write(written(document, options.form, "check"))
     return 1 if wrong else 0
 
 

@@ -11,6 +11,7 @@ from motionlang import __version__
 from motionlang.cli.complaints import complain
 from motionlang.cli.machine_options import add_dialect, add_machine, set_values
 from motionlang.cli.options import Options
+from motionlang.cli.parallel import add_jobs
 from motionlang.cli.parser import Parser, add_command
 from motionlang.cli.run_options import add_run
 from motionlang.errors import ProgramError
@@ -144,7 +145,23 @@ def _add_check(commands: Commands) -> None:
         action="store_true",
         help="list the open readings that each program depends on, and how strong each is",
     )
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+    _add_form(parser)
+    add_jobs(parser)
+
+
+def _add_form(parser: argparse.ArgumentParser) -> None:
+    from motionlang.views.findings import FORMATS
+
+    parser.add_argument(
+        "--format",
+        choices=FORMATS,
+        default="text",
+        help="what is printed: text; one document for another tool, as JSON, SARIF or JUnit's XML; or the commands by "
+        "which GitHub marks the lines",
+    )
+    parser.add_argument(
+        "--json", action="store_const", dest="format", const="json", help="the same as --format json"
+    )
 
 
 def _mccl_models() -> list[str]:
@@ -167,7 +184,8 @@ def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> in
 
     options = CheckOptions(
         arguments.dialect,
-        as_json=arguments.json,
+        form=arguments.format,
+        jobs=arguments.jobs,
         machine=arguments.machine,
         model=arguments.model,
         strict=arguments.strict,
@@ -245,9 +263,11 @@ def _add_verify(commands: Commands) -> None:
         "and what it prints in pick.golden.txt",
     )
     parser.add_argument("--update", action="store_true", help="write the golden files anew")
+    _add_form(parser)
+    add_jobs(parser)
 
 
 def _verify(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     from motionlang.cli.verify import verify_command
 
-    return verify_command(arguments.paths, arguments.update)
+    return verify_command(arguments.paths, arguments.update, arguments.format, arguments.jobs)

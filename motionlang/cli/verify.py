@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
+from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
 from motionlang.cli.golden import differences, golden_files, programs, update
-from motionlang.cli.verify_besides import Besides, expectations, tell
+from motionlang.cli.parallel import in_parallel
+from motionlang.cli.verdict import Verdict
+from motionlang.cli.verify_besides import besides, expectations
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.source import Source
@@ -19,80 +23,113 @@ if TYPE_CHECKING:
 
     from motionlang.result import Run
 
+SCHEMA = "motionlang.verify/1"
 
-def verify_command(paths: Sequence[str], rewrite: bool) -> int:
+
+def verify_command(paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0) -> int:
     """Verify programs, or write their golden files anew; 1 where one differs, cannot be read or has none."""
     found = programs(paths)
     if not found:
         sys.stderr.write(f"no programs in {', '.join(paths)}\n")
         return 1
-    failed, besides = 0, Besides()
-    for program in found:
-        failed += _update(program) if rewrite else _verify(program)
-        besides.check(program, rewrite)
-    good = f"{len(found) - failed} of {len(found)} programs{besides.summary()}"
-    failed += sum(1 for each in besides.failed.values() if each)
-    sys.stdout.write(f"{good} {'have their golden files' if rewrite else 'as their golden files say'}\n")
-    return 1 if failed else 0
+    verdicts: list[Verdict] = []
+    for each in in_parallel(partial(_judged, rewrite), found, jobs):
+        for verdict in each:
+            verdicts.append(verdict)
+            if form in ("text", "json"):
+                complain(verdict.diagnostics, verdict.source, verdict.place)
+            if form == "text":
+                sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
+    if form == "text":
+        good = f"{_count(verdicts, 'program')}{_besides(verdicts)}"
+        sys.stdout.write(f"{good} {'have their golden files' if rewrite else 'as their golden files say'}\n")
+    elif form == "json":
+        sys.stdout.write(
+            json.dumps({"schema": SCHEMA, "programs": list(map(_row, verdicts))}, indent=1) + "\n"
+        )
+    else:
+        from motionlang.views.findings import Found, written
+
+        document = [Found(each.name, each.findings(), each.source, each.place) for each in verdicts]
+        sys.stdout.write(written(document, form, "verify"))
+    return 1 if any(each.failed for each in verdicts) else 0
 
 
-def _verify(program: str) -> bool:
-    """Whether a program failed."""
-    if not _is_readable(program):
-        return True
-    report, _ = golden_files(program)
+def _count(verdicts: Sequence[Verdict], kind: str) -> str:
+    """How many of a kind are well; "" where there are none."""
+    of_kind = [each for each in verdicts if each.kind == kind]
+    well = [each for each in of_kind if not each.failed]
+    return f"{len(well)} of {len(of_kind)} {kind}s" if of_kind else ""
+
+
+def _besides(verdicts: Sequence[Verdict]) -> str:
+    parts = [_count(verdicts, kind) for kind in ("scenario", "sweep")]
+    return "".join(f", {part}" for part in parts if part)
+
+
+def _row(verdict: Verdict) -> dict[str, object]:
+    found = [each.as_dict() for each in verdict.findings()]
+    return {verdict.kind: verdict.name, "as_golden": not verdict.failed, "diagnostics": found}
+
+
+def _judged(rewrite: bool, program: str) -> list[Verdict]:
+    """The verdict of a program, and those of what lies beside it."""
+    verdict = Verdict(program)
+    if _is_readable(verdict):
+        (_update if rewrite else _verify)(verdict)
+    return [verdict, *besides(program, rewrite)]
+
+
+def _verify(verdict: Verdict) -> None:
+    report, _ = golden_files(verdict.name)
     if not os.path.exists(report):
-        sys.stdout.write(f"{program}: no {os.path.basename(report)} beside it; --update writes one\n")
-        return True
-    result = _ran(program)
+        verdict.fail(f"no {os.path.basename(report)} beside it; --update writes one")
+        return
+    result = _ran(verdict)
     if result is None:
-        return True
+        return
     try:
-        found = differences(program, result)
+        found = differences(verdict.name, result)
     except OSError as error:
-        complain([unreadable(str(error.filename), error)], None, program)
-        return True
+        verdict.refuse([unreadable(str(error.filename), error)])
     except ValueError as error:
-        sys.stdout.write(f"{program}: {os.path.basename(report)} is not JSON: {error}\n")
-        return True
-    return tell(program, expectations(result) + found)
+        verdict.fail(f"{os.path.basename(report)} is not JSON: {error}")
+    else:
+        verdict.tell(expectations(result) + found)
 
 
-def _update(program: str) -> bool:
-    """Whether a program's golden files could not be written."""
-    result = _ran(program) if _is_readable(program) else None
+def _update(verdict: Verdict) -> None:
+    result = _ran(verdict)
     if result is None:
-        return True
+        return
     try:
-        if update(program, result):
-            sys.stdout.write(f"{program}: written\n")
+        if update(verdict.name, result):
+            verdict.lines.append(f"{verdict.name}: written")
     except OSError as error:
-        complain([unwritten(str(error.filename), error)], None, program)
-        return True
-    return False
+        verdict.refuse([unwritten(str(error.filename), error)])
 
 
-def _ran(program: str) -> Run | None:
+def _ran(verdict: Verdict) -> Run | None:
     """The run of a program; None where it, or the machine file beside it, cannot be read."""
+    program = verdict.name
     try:
         return run(program, cache=False)
     except OSError as error:
-        complain([unreadable(str(error.filename or program), error)], None, program)
+        verdict.refuse([unreadable(str(error.filename or program), error)])
     except ProgramError as error:
         machine = machine_of(program)
-        complain(error.diagnostics, Source.read(machine) if machine else None, machine or program)
+        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
     except (
         Exception
     ) as error:  # a mistake of motionlang's own is no reason to leave out the programs behind it
-        complain([crash(error, (program,))], None, program)
+        verdict.refuse([crash(error, (program,))])
     return None
 
 
-def _is_readable(program: str) -> bool:
+def _is_readable(verdict: Verdict) -> bool:
+    program = verdict.name
     if not os.path.exists(program):
-        complain([unreadable(program, FileNotFoundError(2, "no such file or directory"))], None, program)
-        return False
-    if dialect_of(program) is None:
-        complain([no_dialect(program)], None, program)
-        return False
-    return True
+        verdict.refuse([unreadable(program, FileNotFoundError(2, "no such file or directory"))])
+    elif dialect_of(program) is None:
+        verdict.refuse([no_dialect(program)])
+    return not verdict.failed

@@ -5,12 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import os
-import sys
-from functools import partial
 from typing import TYPE_CHECKING
 
-from motionlang.cli.complaints import complain, unreadable, unwritten
-from motionlang.cli.golden import MOST_DIFFERENCES, differences, golden_files, same, update
+from motionlang.cli.complaints import unreadable, unwritten
+from motionlang.cli.golden import differences, golden_files, same, update
+from motionlang.cli.verdict import Verdict
 from motionlang.errors import ProgramError
 from motionlang.scenarios import Scenario, scenario_files, unmet
 from motionlang.source import Source
@@ -19,37 +18,20 @@ from motionlang.sweeps.description import SUFFIX as SWEEP_SUFFIX
 from motionlang.sweeps.description import read_description
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from motionlang.result import Run
 
 
-class Besides:
-    """How many scenarios and sweeps there were, and how many of them failed."""
-
-    __slots__ = ("failed", "scenarios", "sweeps")
-
-    def __init__(self) -> None:
-        self.failed = {"scenario": 0, "sweep": 0}
-        self.scenarios = self.sweeps = 0
-
-    def summary(self) -> str:
-        """What is said of them behind the programs; nothing where there are none."""
-        parts = []
-        for name, count in (("scenario", self.scenarios), ("sweep", self.sweeps)):
-            if count:
-                parts.append(f"{count - self.failed[name]} of {count} {name}s")
-        return "".join(f", {part}" for part in parts)
-
-    def check(self, program: str, rewrite: bool) -> None:
-        """Check, or write anew, what lies beside one program; whatever is wrong is told."""
-        for path in scenario_files(program):
-            self.scenarios += 1
-            self.failed["scenario"] += _guarded(path, partial(_scenario, program, path, rewrite))
-        path = os.path.splitext(program)[0] + SWEEP_SUFFIX
-        if os.path.isfile(path):
-            self.sweeps += 1
-            self.failed["sweep"] += _guarded(path, partial(_sweep, program, path, rewrite))
+def besides(program: str, rewrite: bool) -> list[Verdict]:
+    """Check, or write anew, the scenarios and the sweep that lie beside a program."""
+    found = [
+        _guarded(Verdict(path, "scenario"), _scenario, program, rewrite) for path in scenario_files(program)
+    ]
+    path = os.path.splitext(program)[0] + SWEEP_SUFFIX
+    if os.path.isfile(path):
+        found.append(_guarded(Verdict(path, "sweep"), _sweep, program, rewrite))
+    return found
 
 
 def expectations(result: Run) -> list[str]:
@@ -58,31 +40,24 @@ def expectations(result: Run) -> list[str]:
     return unmet(result, expected) if expected else []  # type: ignore[arg-type]
 
 
-def tell(name: str, found: Sequence[str]) -> bool:
-    """Say what differs; whether anything did."""
-    if found:
-        sys.stdout.write(f"{name}: differs\n")
-        sys.stdout.writelines(f"  {each}\n" for each in found[:MOST_DIFFERENCES])
-        if len(found) > MOST_DIFFERENCES:
-            sys.stdout.write(f"  and {len(found) - MOST_DIFFERENCES} more\n")
-    return bool(found)
-
-
-def _guarded(path: str, work: Callable[[], bool]) -> bool:
-    """Whether something failed; a file that cannot be read or is wrong is told as such."""
+def _guarded(
+    verdict: Verdict, work: Callable[[str, Verdict, bool], None], program: str, rewrite: bool
+) -> Verdict:
+    """The verdict, also where a file cannot be read or is wrong."""
     try:
-        return work()
+        work(program, verdict, rewrite)
     except OSError as error:
-        complain([unreadable(str(error.filename or path), error)], None, path)
+        verdict.refuse([unreadable(str(error.filename or verdict.name), error)])
     except ProgramError as error:
-        complain(error.diagnostics, Source.read(path), path)
+        verdict.refuse(error.diagnostics, Source.read(verdict.name))
     except ValueError as error:
-        sys.stdout.write(f"{path}: {error}\n")
-    return True
+        verdict.fail(str(error))
+    return verdict
 
 
-def _scenario(program: str, path: str, rewrite: bool) -> bool:
+def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
     """A scenario is as expected, and as its golden files say where it has any."""
+    path = verdict.name
     scenario = Scenario(program, path)
     result = scenario.run()
     found = unmet(result, scenario.expected)
@@ -90,19 +65,20 @@ def _scenario(program: str, path: str, rewrite: bool) -> bool:
     if rewrite:
         try:
             if update(path, result):
-                sys.stdout.write(f"{path}: written\n")
+                verdict.lines.append(f"{path}: written")
         except OSError as error:
-            complain([unwritten(str(error.filename), error)], None, path)
-            return True
+            verdict.refuse([unwritten(str(error.filename), error)])
+            return
     elif golden:
         found += differences(path, result)
     elif not scenario.expected:
         found.append("it expects nothing, and has no golden file: write [[expect]], or --update")
-    return tell(path, found)
+    verdict.tell(found)
 
 
-def _sweep(program: str, path: str, rewrite: bool) -> bool:
+def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
     """The rows of a sweep are those of its golden file."""
+    path = verdict.name
     wishes = read_description(path)
     worlds = wishes.worlds()
     sweep = Sweep(
@@ -120,9 +96,11 @@ def _sweep(program: str, path: str, rewrite: bool) -> bool:
     ]
     golden = sweep_golden(path)
     if rewrite:
-        return _write(golden, names, rows)
+        _write(verdict, golden, names, rows)
+        return
     if not os.path.exists(golden):
-        return tell(path, [f"no {os.path.basename(golden)} beside it; --update writes one"])
+        verdict.tell([f"no {os.path.basename(golden)} beside it; --update writes one"])
+        return
     with open(golden, encoding="utf-8", newline="") as file:
         expected = list(csv.reader(file))
     found = [] if expected[:1] == [names] else [f"its columns are {', '.join(names)}"]
@@ -132,7 +110,7 @@ def _sweep(program: str, path: str, rewrite: bool) -> bool:
         for name, was, is_ in zip(names, old, new, strict=False):
             if not _same(was, is_):
                 found.append(f"variant {new[0]}: {name} is {is_} instead of {was}")
-    return tell(path, found)
+    verdict.tell(found)
 
 
 def _same(was: str, found: str) -> bool:
@@ -147,7 +125,7 @@ def sweep_golden(path: str) -> str:
     return path.removesuffix(".toml") + ".golden.csv"
 
 
-def _write(golden: str, names: list[str], rows: list[list[str]]) -> bool:
+def _write(verdict: Verdict, golden: str, names: list[str], rows: list[list[str]]) -> None:
     from motionlang.files import replacing
 
     text = io.StringIO()
@@ -156,11 +134,10 @@ def _write(golden: str, names: list[str], rows: list[list[str]]) -> bool:
         if os.path.exists(golden):
             with open(golden, encoding="utf-8", newline="") as file:
                 if file.read() == text.getvalue():
-                    return False
+                    return
         with replacing(golden, only_copy=True) as out:
             out.write(text.getvalue().encode())
     except OSError as error:
-        complain([unwritten(str(error.filename), error)], None, golden)
-        return True
-    sys.stdout.write(f"{golden}: written\n")
-    return False
+        verdict.refuse([unwritten(str(error.filename), error)])
+        return
+    verdict.lines.append(f"{golden}: written")

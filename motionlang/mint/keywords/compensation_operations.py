@@ -163,7 +163,9 @@ def do_table(environment: Environment, row: Row) -> Operation:
 
     def do(axis: int, forward: Array | None, reverse: Array | None) -> None:
         if forward is None:
-            raise Refusal("range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL")
+            raise Refusal(
+                "range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL"
+            )
         elements(forward, row.name)
         compensation.attach(axis_of(environment, axis), forward, reverse)
 

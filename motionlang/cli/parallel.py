@@ -1,0 +1,72 @@
+"""Many files at once, on all cores: the same work for each, the results in the order of the files."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser
+    from collections.abc import Callable, Iterator, Sequence
+
+    Item = TypeVar("Item")
+    Result = TypeVar("Result")
+
+# Fewer files than this for each process are done before a process has begun.
+_WORTH = 4
+
+
+def cores() -> int:
+    """How many processes this one may have at work."""
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
+
+
+def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int = 0) -> Iterator[Result]:
+    """`work` of each item, in their order; `jobs` processes, 0 for as many as there are cores and work for.
+
+    Work and items must be what another process can be sent. What work raises is raised where its result was due.
+    """
+    jobs = min(jobs, len(items)) or min(cores(), len(items) // _WORTH)
+    if jobs <= 1:
+        yield from map(work, items)
+        return
+    from concurrent.futures import ProcessPoolExecutor
+
+    pool = ProcessPoolExecutor(jobs, initializer=_be_quiet)
+    try:
+        yield from pool.map(work, items)
+    except BaseException:
+        # Whoever wants the end wants it now: no result is waited for.
+        for process in list((pool._processes or {}).values()):
+            process.terminate()
+        pool.shutdown(wait=False, cancel_futures=True)
+        raise
+    pool.shutdown()
+
+
+def _be_quiet() -> None:
+    """Ctrl-C reaches every process of a terminal; the first one alone answers."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def add_jobs(parser: ArgumentParser) -> None:
+    """The option of commands that take many files."""
+    parser.add_argument(
+        "--jobs",
+        metavar="N",
+        type=_jobs,
+        default=0,
+        help="processes at once; without it as many as there are cores",
+    )
+
+
+def _jobs(text: str) -> int:
+    import argparse
+
+    if not text.isdecimal() or not 1 <= int(text) <= 1024:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of processes from 1 to 1024")
+    return int(text)

@@ -1,0 +1,122 @@
+"""What was found in many files, as the tools of others read it: SARIF, JUnit's XML, GitHub's commands in a log."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape, quoteattr
+
+from motionlang import __version__
+from motionlang.errors import CODES
+from motionlang.views.diagnostics import render, tally
+from motionlang.views.terminal import printable
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.errors import Diagnostic
+    from motionlang.source import Source
+
+FORMATS = ("text", "json", "sarif", "junit", "github")
+SARIF = "https://json.schemastore.org/sarif-2.1.0.json"
+
+
+class Found:
+    """The diagnostics of one file; `place` is the file that they are about, which may be its machine file.
+
+    `strict` counts warnings as mistakes.
+    """
+
+    __slots__ = ("diagnostics", "file", "is_wrong", "place", "source")
+
+    def __init__(
+        self,
+        file: str,
+        diagnostics: Sequence[Diagnostic],
+        source: Source | None = None,
+        place: str = "",
+        strict: bool = False,
+    ) -> None:
+        self.file, self.diagnostics, self.source, self.place = file, diagnostics, source, place or file
+        self.is_wrong = any(strict or each.severity == "error" for each in diagnostics)
+
+
+def written(found: Sequence[Found], form: str, command: str) -> str:
+    """The whole document in one of `FORMATS` but "text" and "json"; `command` is what was done, as in "check"."""
+    return {"sarif": _sarif, "junit": _junit, "github": _github}[form](found, command)
+
+
+def _sarif(found: Sequence[Found], command: str) -> str:
+    results = [_result(each.place, one) for each in found for one in each.diagnostics]
+    rules = [
+        {"id": code, "shortDescription": {"text": CODES[code]}}
+        for code in sorted({one.code for each in found for one in each.diagnostics})
+    ]
+    driver = {"name": "motionlang", "version": __version__, "rules": rules}
+    run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
+    return json.dumps({"$schema": SARIF, "version": "2.1.0", "runs": [run]}, indent=1) + "\n"
+
+
+def _result(file: str, one: Diagnostic) -> dict[str, object]:
+    place: dict[str, object] = {"artifactLocation": {"uri": file.replace("\\", "/")}}
+    if one.line:
+        place["region"] = {"startLine": one.line}
+        if one.column:
+            place["region"] = {
+                "startLine": one.line, "startColumn": one.column, "endColumn": one.column + max(one.length, 1),
+            }  # fmt: skip
+    return {
+        "ruleId": one.code,
+        "level": one.severity,
+        "message": {"text": _with_hint(one)},
+        "locations": [{"physicalLocation": place}],
+    }
+
+
+def _junit(found: Sequence[Found], command: str) -> str:
+    """A test case a file: a failure where it has a mistake; warnings are what it printed."""
+    name = quoteattr(f"motionlang {command}")
+    wrong = [each for each in found if each.is_wrong]
+    head = f'name={name} tests="{len(found)}" failures="{len(wrong)}"'
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', f"<testsuites {head}>", f"<testsuite {head}>"]
+    for each in found:
+        lines.append(f"<testcase classname={name} name={quoteattr(_xml(each.file))}>")
+        text = "\n".join(render(one, each.source, name=each.place) for one in each.diagnostics)
+        if each.is_wrong:
+            lines.append(
+                f"<failure message={quoteattr(tally(each.diagnostics))}>{escape(_xml(text))}</failure>"
+            )
+        elif text:
+            lines.append(f"<system-out>{escape(_xml(text))}</system-out>")
+        lines.append("</testcase>")
+    return "\n".join([*lines, "</testsuite>", "</testsuites>"]) + "\n"
+
+
+def _xml(text: str) -> str:
+    """The text without the control characters that XML cannot have."""
+    return "\n".join(printable(line) for line in text.split("\n"))
+
+
+def _github(found: Sequence[Found], command: str) -> str:
+    lines = []
+    for each in found:
+        for one in each.diagnostics:
+            places = {"file": each.place, "line": one.line, "col": one.column}
+            if one.column:
+                places["endColumn"] = one.column + max(one.length, 1)
+            places["title"] = one.code
+            given = ",".join(f"{key}={_property(str(value))}" for key, value in places.items() if value)
+            lines.append(f"::{one.severity} {given}::{_data(_with_hint(one))}\n")
+    return "".join(lines)
+
+
+def _with_hint(one: Diagnostic) -> str:
+    return f"{one.message}\n{one.hint}" if one.hint else one.message
+
+
+def _data(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text: str) -> str:
+    return _data(text).replace(":", "%3A").replace(",", "%2C")

@@ -1,0 +1,84 @@
+"""`--format`: what `check` and `verify` say to other tools; and many files at once are told as one by one."""
+
+from __future__ import annotations
+
+import json
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.cli.programs import Cell
+
+SPARE = "PRINT 1\nDim spare As Integer\n"
+
+
+def test_sarif(cell: Cell) -> None:
+    cell.write("idle.mnt", SPARE)
+    ran = cell("check", "idle.mnt", "wrong.mcl", "--format", "sarif")
+    document = json.loads(ran.out)
+    (run,) = document["runs"]
+    warning, error, *_ = run["results"]
+    assert (ran.status, ran.err, document["version"]) == (1, "", "2.1.0")
+    assert run["tool"]["driver"]["name"] == "motionlang"
+    assert (warning["ruleId"], warning["level"], error["level"]) == ("unused-variable", "warning", "error")
+    assert warning["locations"] == [
+        {
+            "physicalLocation": {
+                "artifactLocation": {"uri": "idle.mnt"},
+                "region": {"startLine": 2, "startColumn": 5, "endColumn": 10},
+            }
+        }
+    ]
+    assert {rule["id"] for rule in run["tool"]["driver"]["rules"]} == {
+        each["ruleId"] for each in run["results"]
+    }
+
+
+def test_junit_counts_files(cell: Cell) -> None:
+    cell.write("idle.mnt", SPARE)
+    root = ElementTree.fromstring(
+        cell("check", "idle.mnt", "wrong.mcl", "ballscrew.mcl", "--format", "junit").out
+    )
+    suite = root[0]
+    assert (suite.get("tests"), suite.get("failures")) == ("3", "1")
+    assert [(each.get("name"), [part.tag for part in each]) for each in suite] == [
+        ("idle.mnt", ["system-out"]),
+        ("wrong.mcl", ["failure"]),
+        ("ballscrew.mcl", []),
+    ]
+    failure = suite.find("testcase/failure")
+    assert failure is not None
+    assert failure.get("message") == "1 error"
+    assert " --> wrong.mcl:2:1" in str(failure.text)
+    strict = cell("check", "idle.mnt", "--format", "junit", "--strict")
+    assert (strict.status, ElementTree.fromstring(strict.out)[0].get("failures")) == (1, "1")
+
+
+def test_github_escapes(cell: Cell) -> None:
+    cell.write("a,b.mnt", SPARE)
+    assert cell("check", "a,b.mnt", "--format", "github").out == (
+        "::warning file=a%2Cb.mnt,line=2,col=5,endColumn=10,title=unused-variable::spare is declared and never used\n"
+    )
+
+
+@pytest.mark.parametrize("form", ["json", "sarif", "junit", "github"])
+def test_verify(form: str, cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    ran = cell("verify", "ballscrew.mcl", "jog.mcl", "--format", form)
+    assert ran.status == 1
+    assert "no jog.golden.json beside it" in ran.out
+    if form == "json":
+        document = json.loads(ran.out)
+        assert [each["as_golden"] for each in document["programs"]] == [True, False]
+
+
+def test_many_at_once_are_told_as_one_by_one(cell: Cell) -> None:
+    (cell.folder / "line").mkdir()
+    for number in range(6):
+        cell.write(f"line/{number}.mnt", SPARE if number % 2 else "PRINT 1 +\n")
+    one, two = cell("check", "line", "--jobs", "1"), cell("check", "line", "--jobs", "2")
+    assert (one.status, one.out, one.err) == (two.status, two.out, two.err)
+    assert one.status == 1
+    one, two = cell("verify", "line", "--jobs", "1"), cell("verify", "line", "--jobs", "2")
+    assert (one.out, one.err) == (two.out, two.err)
+    assert cell("check", "line", "--jobs", "0").status == 2

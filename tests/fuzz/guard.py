@@ -1,0 +1,57 @@
+"""What brings the interpreter down, or takes it too long, in process."""
+
+from __future__ import annotations
+
+import signal
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType
+
+from motionlang import run
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect
+from motionlang.source import Source
+from tests.fuzz.inputs import SUFFIX
+
+# Machine time of a run, and seconds of this process that no input of this size may take.
+UNTIL, LONGEST = 0.5, 20.0
+
+
+class TooLong(Exception):
+    """An input that takes more time than any should."""
+
+
+@contextmanager
+def bounded(seconds: float) -> Iterator[None]:
+    """`TooLong` in the main thread after so many seconds of the process."""
+
+    def end(number: int, frame: FrameType | None) -> None:
+        raise TooLong(f"more than {seconds:g} s")
+
+    before = signal.signal(signal.SIGVTALRM, end)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+        signal.signal(signal.SIGVTALRM, before)
+
+
+def trouble(name: str, text: str) -> str:
+    """The last lines of the traceback that a program leads to, as it is checked and as it is run; "" for none."""
+    source = Source(f"fuzz{SUFFIX[name]}", text)
+    try:
+        with bounded(LONGEST):
+            try:
+                dialect(name).check(source, {})
+            except ProgramError:
+                pass
+            run(source, until=UNTIL, cache=False)
+    except Exception as error:
+        frames = traceback.extract_tb(error.__traceback__)
+        place = " < ".join(
+            f"{frame.filename.rpartition('motionlang/')[2]}:{frame.lineno}" for frame in frames[:-4:-1]
+        )
+        return f"{type(error).__name__}: {str(error)[:200]} at {place}"
+    return ""
