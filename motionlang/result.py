@@ -74,6 +74,13 @@ class Run:
             raise ValueError("a run is proved that was made with prove=True")
         return prove(Recorded(self.controller), self.orders, self.time)
 
+    def _repr_html_(self) -> str:
+        # Asked for by a notebook, which has the views; nothing below them may import them.
+        from importlib import import_module
+
+        shown: str = import_module("motionlang.views.notebook").html(self)
+        return shown
+
     @property
     def report(self) -> dict[str, object]:
         """The run as `motionlang.report/1`."""

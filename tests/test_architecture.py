@@ -95,6 +95,9 @@ HOMES: dict[str, tuple[str, ...]] = {
     "can": ("copley",),
     "pymodbus": ("serve",),
     "canopen": ("copley",),
+    "pygments": ("views",),
+    "serial": ("client",),
+    "shtab": ("cli",),
 }
 # Files whose sums are of whole numbers, though their text does not say so.
 WHOLE_SUMS = {"mint/compile/for_loops.py", "mint/lint/brackets.py", "mint/lint/buffer.py", "views/grid.py"}

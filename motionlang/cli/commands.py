@@ -82,7 +82,7 @@ def _with_factor(given: Sequence[str]) -> list[str]:
 
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
-    """The parser with all its commands; those of `FAMILIES` are only spelled out where `command` is one of them."""
+    """The parser with all its commands; those of `FAMILIES` are spelled out where `command` is one of them, or "*"."""
     parser = Parser(
         prog=PROGRAM,
         description="Run programs of motion controllers offline, in virtual time: Mint (Baldor/ABB) and MCCL (PMC).",
@@ -93,10 +93,11 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
     for add in (add_run, _add_check, _add_repl, _add_plan, _add_profiles, _add_keywords, _add_verify):
         add(commands)
     for name, (module, summary) in FAMILIES.items():
-        if name == command:
+        if command in (name, "*"):
             import_module(module).add_parser(commands)
         else:
             commands.add_parser(name, help=summary)
+    _add_completion(commands)
     return parser
 
 
@@ -271,3 +272,24 @@ def _verify(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> i
     from motionlang.cli.verify import verify_command
 
     return verify_command(arguments.paths, arguments.update, arguments.format, arguments.jobs)
+
+
+def _add_completion(commands: Commands) -> None:
+    from motionlang.cli.completion import SHELLS, completion_command
+
+    parser = add_command(
+        commands,
+        "completion",
+        "print what a shell needs to complete the command line",
+        completion_command,
+        COMPLETION,
+    )
+    parser.add_argument("shell", choices=SHELLS, help="the shell; needs the extra completion")
+
+
+COMPLETION = """\
+examples:
+  motionlang completion bash > ~/.local/share/bash-completion/completions/motionlang
+  motionlang completion zsh > ~/.zfunc/_motionlang
+  motionlang completion fish > ~/.config/fish/completions/motionlang.fish
+"""

@@ -91,11 +91,11 @@ class Client:
 
     @classmethod
     def open(cls, where: str, timeout: float = TIMEOUT) -> Self:
-        """`HOST:PORT`, the path of a serial device, or `virtual`."""
+        """`HOST:PORT`, the path of a serial device or a URL of pyserial, or `virtual`."""
         host, colon, port = where.rpartition(":")
         if where == "virtual":
             return cls.virtual(timeout=timeout)
-        if colon and port.isdecimal():
+        if colon and port.isdecimal() and "://" not in where:
             return cls.tcp(host.strip("[]") or "127.0.0.1", int(port), timeout)
         return cls.serial(where, timeout=timeout)
 

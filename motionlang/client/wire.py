@@ -1,4 +1,4 @@
-"""The ways to a board: TCP, and a serial device or the pseudo-terminal of `motionlang serve --pty`.
+"""The ways to a board: TCP, and a serial line, which may be the pseudo-terminal of `motionlang serve --pty`.
 
 A wire has `send(data)`, `receive(timeout)`, which waits for anything at all and answers b"" when nothing came in time,
 `now()` for time-outs, `close()`, and `fresh`, which says that nothing older can be on it. Anything that has these,
@@ -8,7 +8,6 @@ say around pyserial's `Serial`, can be given to `Client`.
 from __future__ import annotations
 
 import os
-import select
 import socket
 import time
 from typing import Protocol
@@ -72,65 +71,50 @@ class TcpWire:
 
 
 class SerialWire:
-    """A serial device: 8 bits, no parity, 1 stop bit, no handshake."""
+    """A serial line by pyserial: 8 bits, no parity, 1 stop bit, no handshake.
+
+    `path` is a device, a COM port, or a URL of pyserial such as `socket://host:port`. `ConnectionLost` where there is
+    none, or no pyserial (the extra `serial`); ValueError for a baud rate that it does not have.
+    """
 
     fresh = False
 
     def __init__(self, path: str, baud: int, timeout: float) -> None:
         try:
-            import termios
+            import serial
         except ImportError as error:
-            raise ConnectionLost(
-                "serial devices need a POSIX system; give Client a wire of your own"
-            ) from error
-        speed = getattr(termios, f"B{baud}", None)
-        if speed is None:
-            raise ValueError(f"{baud} is not a baud rate of this system")
+            raise ConnectionLost("serial lines need pyserial: pip install motionlang[serial]") from error
+        self._lost = serial.SerialException
         try:
-            self._device = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
-        except OSError as error:
+            self._line = serial.serial_for_url(path, baud, timeout=timeout, write_timeout=timeout)
+        except serial.SerialException as error:
+            if error.errno is None and "configure" in str(error):
+                raise ConnectionLost(f"{path} is not a serial device") from error
             raise ConnectionLost(f"no board at {path}: {_reason(error)}") from error
-        try:
-            raw = [0, 0, termios.CS8 | termios.CREAD | termios.CLOCAL, 0, speed, speed]
-            termios.tcsetattr(self._device, termios.TCSANOW, [*raw, termios.tcgetattr(self._device)[6]])
-            termios.tcflush(self._device, termios.TCIOFLUSH)
-        except termios.error as error:
-            os.close(self._device)
-            raise ConnectionLost(f"{path} is not a serial device") from error
-        self._timeout = timeout
+        except ValueError as error:
+            raise ValueError(f"{path} at {baud} baud: {str(error).lower()}") from error
         self.now = time.monotonic
 
     def send(self, data: bytes) -> None:
         """Write all of `data`. ConnectionLost where the device is gone or takes nothing for too long."""
-        end = time.monotonic() + self._timeout
-        while data:
-            select.select([], [self._device], [], max(0.0, end - time.monotonic()))
-            try:
-                data = data[os.write(self._device, data) :]
-            except BlockingIOError:
-                if time.monotonic() >= end:
-                    raise ConnectionLost("the device takes nothing") from None
-            except OSError as error:
-                raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
+        try:
+            self._line.write(data)
+        except (self._lost, OSError) as error:
+            raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
 
     def receive(self, timeout: float) -> bytes:
         """What comes within `timeout` seconds; b"" where nothing does. ConnectionLost at the end."""
-        ready, _, _ = select.select([self._device], [], [], max(timeout, 0.0))
-        if not ready:
-            return b""
         try:
-            data = os.read(self._device, MOST)
-        except BlockingIOError:
-            return b""
-        except OSError as error:
+            self._line.timeout = max(timeout, 0.0)
+            first: bytes = self._line.read(1)
+            return first + self._line.read(min(self._line.in_waiting, MOST)) if first else b""
+        except (self._lost, OSError) as error:
             raise ConnectionLost(f"the device is gone: {_reason(error)}") from error
-        if not data:
-            raise ConnectionLost("the device is gone")
-        return data
 
     def close(self) -> None:
-        os.close(self._device)
+        self._line.close()
 
 
 def _reason(error: OSError) -> str:
-    return (error.strerror or str(error)).lower()
+    # pyserial puts a sentence of its own where the system's word for the number would stand.
+    return (os.strerror(error.errno) if error.errno else str(error)).lower()

@@ -1,4 +1,4 @@
-"""Highlighting: the dialect cuts the text up, the keyword table says which words it knows."""
+"""The pieces of a line, each in its style."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from prompt_toolkit.styles import Style
 
 from motionlang.lang.dialect import Dialect
 from motionlang.repl.commands import is_command
+from motionlang.views.highlight import pieces
 
 STYLE = Style.from_dict(
     {
@@ -36,16 +37,7 @@ def styled(dialect: Dialect, text: str) -> StyleAndTextTuples:
     """`text` in pieces, each with its style; nothing of it is left out."""
     if is_command(text):
         return [("class:dotted", text)]
-    pieces: StyleAndTextTuples = []
-    at = 0
-    for kind, piece, offset in dialect.tokens(text):
-        if offset > at:
-            pieces.append(("", text[at:offset]))
-        pieces.append((_style(dialect, kind, piece), piece))
-        at = offset + len(piece)
-    if at < len(text):
-        pieces.append(("", text[at:]))
-    return pieces
+    return [(_STYLES.get(kind, ""), piece) for _, kind, piece in pieces(dialect, text)]
 
 
 class WordLexer(Lexer):
@@ -64,15 +56,10 @@ class WordLexer(Lexer):
         return lambda number: lines[number] if number < len(lines) else []
 
 
-def _style(dialect: Dialect, kind: str, text: str) -> str:
-    row = dialect.table().get(text) if kind in _WORDS else None
-    if row is not None:
-        return "class:" + ("move" if row.kind == "move" else "keyword" if row.simulated else "not-simulated")
-    return _STYLES.get(kind, "")
-
-
-_WORDS = ("word", "command", "not-simulated")
 _STYLES = {
+    "move": "class:move",
+    "keyword": "class:keyword",
+    "not-simulated": "class:not-simulated",
     "control": "class:control",
     "number": "class:number",
     "axis": "class:axis",

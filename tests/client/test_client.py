@@ -1,4 +1,4 @@
-"""One client, three boards: in this process, over TCP, at a serial device."""
+"""One client, four ways to a board: in this process, over TCP, at a serial device, at an address of pyserial."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from motionlang.mccl.hosts.console import Console
 from motionlang.serve import Limits, LockStep, RealTime, Server
 
 Open = Callable[[], Client]
-WAYS = ("virtual", "tcp", "device")
+WAYS = ("virtual", "tcp", "device", "socket://")
 
 
 @pytest.fixture
@@ -30,7 +30,8 @@ def open_client(request: pytest.FixtureRequest, console: Console) -> Iterator[Op
         return
     with Server(console, LockStep(console)) as server:
         address = server.listen("127.0.0.1", 0)
-        where = "{}:{}".format(*address) if request.param == "tcp" else device(server)
+        over = {"tcp": "", "socket://": "socket://"}.get(request.param)
+        where = device(server) if over is None else over + "{}:{}".format(*address)
         thread = threading.Thread(target=server.run, daemon=True)
         thread.start()
         yield lambda: Client.open(where)

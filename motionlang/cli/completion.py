@@ -1,0 +1,43 @@
+"""`motionlang completion`: what a shell reads to complete the command line, made from the parser that reads it."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+SHELLS = ("bash", "zsh", "fish")
+# What is a file, by how the help names it.
+FILES = ("FILE", "PATH", "M.toml")
+
+
+def completion_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+    """Print the script of a shell; 1 where shtab is missing."""
+    try:
+        import shtab
+    except ImportError:
+        sys.stderr.write(
+            "motionlang completion needs shtab, the extra completion\n"
+            "  hint: pip install motionlang[completion]\n"
+        )
+        return 1
+    from motionlang.cli.commands import build_parser
+
+    whole = build_parser("*")
+    for action in _actions(whole):
+        if str(action.metavar) in FILES:
+            action.complete = shtab.FILE  # type: ignore[attr-defined]
+    sys.stdout.write(shtab.complete(whole, arguments.shell) + "\n")
+    return 0
+
+
+def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:
+    """Every option and every argument of a command line, those of its commands too."""
+    for action in parser._actions:
+        yield action
+        if isinstance(action, argparse._SubParsersAction):
+            for inner in action.choices.values():
+                yield from _actions(inner)

@@ -1,0 +1,60 @@
+"""Mint and MCCL for Pygments, and so for Sphinx, `pygmentize` and `rich`: entry points name the two lexers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from pygments.lexer import Lexer
+from pygments.token import Comment, Error, Generic, Keyword, Name, Number, String, Text
+
+from motionlang.lang.dialect import dialect
+from motionlang.views.highlight import pieces
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_TOKENS: dict[str, Any] = {
+    "move": Name.Function,
+    "keyword": Name.Builtin,
+    "not-simulated": Name.Exception,
+    "control": Keyword,
+    "axis": Name.Label,
+    "register": Name.Variable,
+    "number": Number,
+    "string": String,
+    "text": String,
+    "comment": Comment,
+    "name": Name,
+    "bad": Error,
+    "unknown": Error,
+    "prompt": Generic.Prompt,
+}
+
+
+class _DialectLexer(Lexer):
+    """What both have in common; `dialect_name` is the name of the language here."""
+
+    dialect_name: ClassVar[str]
+
+    def get_tokens_unprocessed(self, text: str) -> Iterator[tuple[int, Any, str]]:
+        """Offset, token type and text of each piece, as Pygments asks for them."""
+        for offset, kind, piece in pieces(dialect(self.dialect_name), text):
+            yield offset, _TOKENS.get(kind, Text), piece
+
+
+class MintLexer(_DialectLexer):
+    """Mint (Baldor, ABB)."""
+
+    name = "Mint"
+    aliases: ClassVar[list[str]] = ["mint"]
+    filenames: ClassVar[list[str]] = ["*.mnt", "*.mntx", "*.prg"]
+    dialect_name = "mint"
+
+
+class McclLexer(_DialectLexer):
+    """MCCL (Precision MicroControl)."""
+
+    name = "MCCL"
+    aliases: ClassVar[list[str]] = ["mccl"]
+    filenames: ClassVar[list[str]] = ["*.mcl", "*.mccl"]
+    dialect_name = "mccl"
