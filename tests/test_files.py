@@ -18,7 +18,7 @@ from motionlang import files
 from motionlang.files import InUse, Lock, replacing, same_file, unwritable
 
 PACKAGE = Path(motionlang.__file__).parent
-# What is no file of the user's: the null device, a history that prompt_toolkit appends to, a serial device, a build.
+# What is no file of the user's: the null device, a history that prompt_toolkit appends to, a build.
 ELSEWHERE = {"files.py", "cli/__init__.py", "repl/history.py", "_wheel.py"}
 WRITERS = {
     "write_text",

@@ -72,6 +72,7 @@ BESIDES = {
     "dpr": {"value": "1"},
     "remote": {"channel": "1"},
     "encoder": {"channel": "1"},
+    "expect": {"time": "1"},
 }
 
 
