@@ -9,6 +9,7 @@ from motionlang.mccl.axis.flags import FAULTS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.mccl.axis.backlash import Backlash
     from motionlang.mccl.models import Model
 
 # Modes of operation, as their commands name them.
@@ -62,7 +63,6 @@ class AxisState:
         "backlash",
         "breakpoint",
         "breakpoint_reached",
-        "compensates",
         "constant",
         "controlling",
         "deadband",
@@ -84,6 +84,7 @@ class AxisState:
         "number",
         "on_arc",
         "on_line",
+        "play",
         "recording",
         "rested",
         "reversed_phase",
@@ -95,7 +96,6 @@ class AxisState:
         "soft_high",
         "soft_low",
         "synchronised",
-        "takeup",
         "units",
         "vector",
     )
@@ -125,13 +125,26 @@ class AxisState:
         self.jog, self.jogging = JogSettings(), False
         self.recording = False
         self.half_steps = self.reversed_phase = False
-        # The velocity at which a stepper starts and stops, and what is added to its targets against backlash.
+        # The velocity at which a stepper starts and stops.
         self.minimum = 0.0
-        self.compensates, self.backlash, self.takeup = False, 0.0, 0.0
+        # Half the backlash, counts, and what the motor does about it while it is compensated.
+        self.backlash = 0.0
+        self.play: Backlash | None = None
         # What the auxiliary encoder counted when it was given the value 0, and at its last index.
         self.aux_zero = self.aux_index = 0.0
         # Settings of the servo loop and the output stage, by the name of their row's verb.
         self.kept: dict[str, float] = {}
+
+    @property
+    def shift(self) -> float:
+        """How far the motor is from where the load is, counts, which the controller's positions are."""
+        return 0.0 if self.play is None else self.play.shift()
+
+    def set_backlash(self, half: float) -> None:
+        """BD: half the backlash, counts."""
+        self.backlash = half
+        if self.play is not None:
+            self.play.resize(half)
 
     def forget_faults(self) -> None:
         """What MN forgets."""

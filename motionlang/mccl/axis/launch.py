@@ -1,8 +1,4 @@
-"""What becomes of a position move on its way to the controller: backlash is taken up, a stepper starts at once.
-
-Compensation of backlash adds BD in the direction of the move, so that the load comes to the same place from either
-side. The target that the program knows is without it: TT tells that one, TP and TO where the motor is.
-"""
+"""What becomes of a position move on its way to the controller: a stepper starts and stops at MV at once."""
 
 from __future__ import annotations
 
@@ -20,31 +16,19 @@ INFINITY = float("inf")
 
 
 def aim(controller: Controller, axis: AxisState) -> float:
-    """The target as the program knows it, counts; where the axis is demanded to be while it runs without one."""
+    """The target, counts; where the axis is demanded to be while it runs without one."""
     target = controller.target(axis.number)
-    if abs(target) == INFINITY:
-        target = controller.demand(axis.number)
-    return target - axis.takeup
+    return target if abs(target) < INFINITY else controller.demand(axis.number)
 
 
 def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -> None:
-    """Start a position move to `target`, counts as the program knows them."""
+    """Start a position move to `target`, counts."""
     controller, number = board.controller, axis.number
-    takeup = _takeup(controller, axis, target)
-    profile = _from_minimum(controller, axis, target + takeup)
+    profile = _from_minimum(controller, axis, target)
     if profile is None:
-        controller.move_to(number, target + takeup, word, line)
+        controller.move_to(number, target, word, line)
     else:
         controller.play(number, profile, word, line)
-    axis.takeup = takeup
-
-
-def _takeup(controller: Controller, axis: AxisState, target: float) -> float:
-    """What a move to `target` needs on top; one that goes nowhere leaves it as it is."""
-    if not axis.compensates:
-        return 0.0
-    way = target - aim(controller, axis)
-    return copysign(axis.backlash, way) if way else axis.takeup
 
 
 def _from_minimum(controller: Controller, axis: AxisState, target: float) -> Profile | None:

@@ -33,11 +33,11 @@ def _word(which: int) -> Reading:
 
 
 def _position(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.position(axis.number))
+    return _moving(board, axis, board.controller.position(axis.number) + axis.shift)
 
 
 def _optimal(board: Board, axis: AxisState) -> tuple[float, float]:
-    return _moving(board, axis, board.controller.demand(axis.number))
+    return _moving(board, axis, board.controller.demand(axis.number) + axis.shift)
 
 
 def _velocity(board: Board, axis: AxisState) -> tuple[float, float]:
@@ -51,7 +51,7 @@ def _following(board: Board, axis: AxisState) -> tuple[float, float]:
 def _target(board: Board, axis: AxisState) -> tuple[float, float]:
     if abs(board.controller.target(axis.number)) < INFINITY:
         return aim(board.controller, axis), INFINITY
-    return _optimal(board, axis)
+    return _moving(board, axis, aim(board.controller, axis))
 
 
 def _index(board: Board, axis: AxisState) -> tuple[float, float]:
@@ -130,7 +130,11 @@ def _write_deadband(board: Board, axis: AxisState, value: float) -> None:
 
 
 def _write_position(board: Board, axis: AxisState, value: float) -> None:
-    board.define_position(axis, value)
+    board.define_position(axis, value - axis.shift)
+
+
+def _write_backlash(board: Board, axis: AxisState, value: float) -> None:
+    axis.set_backlash(value)
 
 
 def _write_auxiliary(board: Board, axis: AxisState, value: float) -> None:
@@ -169,7 +173,7 @@ _WRITINGS: dict[str, Writing] = {
     "DEADBAND": _write_deadband,
     "HIGHLIMIT": _write_limit("soft_high"),
     "LOWLIMIT": _write_limit("soft_low"),
-    "BACKLASH": _write("backlash"),
+    "BACKLASH": _write_backlash,
     "AUXPOSITION": _write_auxiliary,
 }
 _SIGNED = frozenset({"POSITION", "HIGHLIMIT", "LOWLIMIT", "AUXPOSITION"})

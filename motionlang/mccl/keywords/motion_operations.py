@@ -115,7 +115,7 @@ def direction(task: CommandTask, command: Command) -> None:
 def define_home(task: CommandTask, command: Command) -> None:
     value = float(task.value(command))
     for axis in task.axes(command):
-        task.board.define_position(axis, axis.position(value))
+        task.board.define_position(axis, axis.position(value) - axis.shift)
 
 
 def position_mode(task: CommandTask, command: Command) -> None:
@@ -183,7 +183,7 @@ def start_moves(task: CommandTask, command: Command, targets: list[tuple[AxisSta
                 f"{command.name} needs axis {axis.number} in position mode; it is in {axis.mode} mode",
                 f"{axis.number}PM switches it back",
             )
-    stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target + axis.takeup)]
+    stalled = [axis.number for axis, target in targets if _must_rest(task, axis, target)]
     _check_rest(task, command, stalled)
     if not stalled:
         _start(task, command, targets)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def learn_position(task: CommandTask, command: Command) -> None:
     controller, point = task.board.controller, task.whole(command)
     for axis in task.axes(command):
-        task.board.points[point, axis.number] = controller.position(axis.number) - axis.takeup
+        task.board.points[point, axis.number] = controller.position(axis.number)
 
 
 def learn_target(task: CommandTask, command: Command) -> None:

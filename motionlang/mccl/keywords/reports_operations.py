@@ -27,7 +27,7 @@ def _each(reading: Reading) -> Action:
 
 
 def _position(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.position(axis.number))
+    return axis.say(task.board.controller.position(axis.number) + axis.shift)
 
 
 def _target(task: CommandTask, axis: AxisState) -> str:
@@ -35,7 +35,7 @@ def _target(task: CommandTask, axis: AxisState) -> str:
 
 
 def _optimal(task: CommandTask, axis: AxisState) -> str:
-    return axis.say(task.board.controller.demand(axis.number))
+    return axis.say(task.board.controller.demand(axis.number) + axis.shift)
 
 
 def _following(task: CommandTask, axis: AxisState) -> str:

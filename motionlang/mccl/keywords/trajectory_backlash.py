@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.mccl.axis.backlash import Backlash
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mccl.resolve.command import Command
@@ -10,18 +12,27 @@ if TYPE_CHECKING:
 
 def backlash_distance(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
-        axis.backlash = axis.distance(float(task.value(command)))
+        axis.set_backlash(axis.distance(float(task.value(command))))
 
 
 def backlash_on(task: CommandTask, command: Command) -> None:
     """The axis stands in the middle of its backlash now; the next move takes it up."""
     for axis in task.axes(command):
-        axis.compensates, axis.takeup = True, 0.0
+        _forget(task, axis.number)
+        axis.play = Backlash(task.board.controller, axis.number, axis.backlash)
 
 
 def backlash_off(task: CommandTask, command: Command) -> None:
+    """Where the motor is is where the axis is from now on."""
     for axis in task.axes(command):
-        axis.compensates, axis.takeup = False, 0.0
+        _forget(task, axis.number)
+
+
+def _forget(task: CommandTask, number: int) -> None:
+    axis = task.board.axes[number]
+    ahead, axis.play = axis.shift, None
+    if ahead:
+        task.board.define_position(axis, task.board.controller.position(number) + ahead)
 
 
 ACTIONS: dict[str, Action] = {

@@ -1,0 +1,58 @@
+"""Draws docs/images/backlash.png: `python -m tests.backlash_picture`. Needs the extra `plot`.
+
+The motor is what ENCODER reads while the program runs; the load is pushed by one flank of the play or the other.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from motionlang.execution import run
+from motionlang.source import Source
+from motionlang.views.servo_plot import drawing
+
+PICTURE = Path(__file__).parent.parent / "docs" / "images" / "backlash.png"
+PLAY = 24.0
+PROGRAM = """BACKLASH(0) = {play} : BACKLASHMODE(0) = {mode}
+SPEED(0) = 2000 : ACCEL(0) = 20000 : DECEL(0) = 20000
+MOVEBUFFERSIZE(0) = 5 : MOVEA(0) = 400 : MOVEDWELL(0) = 100 : MOVEA(0) = 200 : GO(0)
+While TIME < 700
+PRINT TIME, " ", ENCODER(0)
+WAIT 1
+End While
+"""
+
+
+def motor(mode: int) -> tuple[list[float], list[float]]:
+    """Times, ms, and where the motor is, counts."""
+    program = PROGRAM.format(play=PLAY, mode=mode)
+    rows = [line.split() for line in run(Source("play.mnt", program), cache=False).output]
+    return [float(time) for time, _ in rows], [float(position) for _, position in rows]
+
+
+def load(positions: list[float]) -> list[float]:
+    """Where the load is: the motor pushes it up when it is the whole play above, and down when it is at it."""
+    found, here = [], 0.0
+    for position in positions:
+        here = min(max(here, position - PLAY), position)
+        found.append(here)
+    return found
+
+
+def main() -> None:
+    """Draw."""
+    with drawing(str(PICTURE), 9.0, 4.0) as figure:
+        panels = figure.subplots(1, 2, sharey=True)
+        for axes, mode, title in zip(panels, (0, 1), ("without compensation", "BACKLASHMODE 1"), strict=True):
+            times, positions = motor(mode)
+            axes.plot(times, positions, label="motor (ENCODER)")
+            axes.plot(times, load(positions), label="load", linestyle="--")
+            for goal in (200.0, 400.0):
+                axes.axhline(goal, color="0.7", linewidth=0.8, zorder=0)
+            axes.set(title=title, xlabel="ms", xlim=(0, 700))
+            axes.legend(frameon=False, loc="lower right")
+        panels[0].set_ylabel("counts")
+
+
+if __name__ == "__main__":
+    main()

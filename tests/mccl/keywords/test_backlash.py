@@ -1,0 +1,41 @@
+"""Backlash: the motor is ahead of the load by half of it, with a simulated motor too; in Mint by the same mechanism."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.source import Source
+from tests.mccl.conftest import Runner
+
+MOTOR = {"axis.1.plant.amplifier": "current"}
+
+
+@pytest.mark.parametrize("machine", [{}, MOTOR], ids=["demand", "motor"])
+def test_the_motor_is_ahead_of_the_load_whichever_way_it_goes(
+    machine: dict[str, object], mccl: Runner
+) -> None:
+    text = "1SG0.02,1SD0.5,1MN,1BD10,1BN,1TP\n1MA500,1WS0.3,1TP,1TT\n1MA0,1WS0.3,1TP,1TT\n1VM,1DI0,1GO,WA0.1,1ST,1WS0.3"
+    result = mccl(f"{text},1TP,1BF,1TP", machine=machine)
+    *moves, before, after = (int(line.split()[1]) for line in result.output)
+    assert moves == [pytest.approx(each, abs=1 if machine else 0) for each in (0, 510, 500, -10, 0)]
+    assert before == after  # the motor stays where it is, and is the axis's place again
+    assert result.controller.position(1) == pytest.approx(before, abs=1)
+
+
+def test_a_size_that_changes_leaves_the_motor_where_it_is(mccl: Runner) -> None:
+    result = mccl("1MN,1BD10,1BN,1MA500,1WS,1TP\n1BD4,1TP,1MR1,1WS,1TP,1DH0,1TP,1MA-100,1WS,1TP")
+    assert [int(line.split()[1]) for line in result.output] == [510, 510, 505, 0, -104]
+
+
+@pytest.mark.parametrize("motor", [False, True])
+def test_mint_has_the_same_with_the_play_on_one_side(motor: bool) -> None:
+    machine = {"axis.0.plant.amplifier": "current"} if motor else {}
+    text = (
+        "KPROP(0) = 2 : KVEL(0) = 20 : SPEED(0) = 1000 : ACCEL(0) = 10000 : DECEL(0) = 10000\n"
+        "BACKLASH(0) = 20 : BACKLASHMODE(0) = 1\n"
+        "MOVER(0) = 500 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0) - POS(0)\n"
+        "MOVER(0) = -500 : GO(0) : PAUSE IDLE(0) : PRINT ENCODER(0) - POS(0)\n"
+    )
+    result = run(Source("play.mnt", text), machine=machine, cache=False)
+    assert [float(line) for line in result.output] == [20.0, 0.0]
