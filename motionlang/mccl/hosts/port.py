@@ -291,7 +291,9 @@ class PortTask(CommandTask):
             return Wait(now, lambda: True, lambda: now, "")
         return Wait(now, lambda: self.occupied, lambda: INFINITY, "for the host to send a line")
 
-    def _carry_out(self, line: Line) -> Wait | None:
+    gated = True
+
+    def _gate(self, line: Line) -> Wait | None:
         if not self._may_go_on():
             self.paid = self._holds = True
             if self.stepping:
@@ -299,7 +301,7 @@ class PortTask(CommandTask):
                 self._send(f"{{ C{self.pc},{command.text} }} <")
             return Wait(self.board.controller.clock.now, self._may_go_on, lambda: INFINITY, "for a key")
         self._granted = self._holds = False
-        return super()._carry_out(line)
+        return None
 
     def _may_go_on(self) -> bool:
         return self._granted or not (self.paused or self.stepping or self._port.full)

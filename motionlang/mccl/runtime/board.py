@@ -226,8 +226,6 @@ class Board:
 
     def is_shared(self, task: CommandTask) -> bool:
         """Whether another task wants its turn."""
-        if len(self.tasks) < 2:
-            return False
         return any(other.wait is None and other is not task and not other.done for other in self.tasks)
 
     def take_turn(self, task: CommandTask) -> None:

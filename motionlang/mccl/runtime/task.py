@@ -120,12 +120,13 @@ class CommandTask(Task):
         wait = self._go_on(now)
         if wait is not None:
             return now, wait
-        clock, left = self.board.controller.clock, SLICE
-        if len(self.board.tasks) > 1:
-            self.board.take_turn(self)
+        board, poll, cost, lacks, gated = self.board, self.poll, self.cost, self.lacks, self.gated
+        clock, left = board.controller.clock, SLICE
+        if len(board.tasks) > 1:
+            board.take_turn(self)
         while left:
-            line = self.line
-            if line is None or self.pc >= len(line.commands):
+            line, pc = self.line, self.pc
+            if line is None or pc >= len(line.commands):
                 if self._step_out():
                     continue
                 return now, self._rest(now)
@@ -133,15 +134,30 @@ class CommandTask(Task):
                 self.paid = False
             else:
                 self.count += 1
-                now = self.base + self.count * self.cost
+                now = self.base + self.count * cost
                 if now >= horizon or now >= clock.horizon:
                     self.paid = True
                     return now, None
                 clock.now = now
-            wait = self._carry_out(line)
-            if wait is not None:
+            if gated and (wait := self._gate(line)) is not None:
                 return now, wait
-            if self.board.is_shared(self):
+            # One command; written out here, as a call of its own would be a tenth of what it costs.
+            command = line.commands[pc]
+            self.here, self.pc = pc, pc + 1
+            if not command.pure:
+                poll.effects += 1
+            try:
+                if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
+                    self.close_path()
+                if command.name in lacks:
+                    raise missing(board.model, command.name)
+                wait = command.action(self, command)
+            except (Fault, Refusal) as trouble:
+                self._refused(trouble)
+            else:
+                if wait is not None:
+                    return now, wait
+            if len(board.tasks) > 1 and board.is_shared(self):
                 return now, None
             left -= 1
         return now, None
@@ -256,6 +272,13 @@ class CommandTask(Task):
         """The line to carry out when the last one is done; None at the end."""
         return None
 
+    # Whether `_gate` is asked before each command.
+    gated = False
+
+    def _gate(self, line: Line) -> Wait | None:
+        """What the next command of a line has to wait for."""
+        return None
+
     def _rest(self, now: float) -> Wait | None:
         """What remains to wait for when there are no more lines; None ends the task."""
         self.done = True
@@ -274,22 +297,6 @@ class CommandTask(Task):
             if wait is not None:
                 return wait
         return None
-
-    def _carry_out(self, line: Line) -> Wait | None:
-        command = line.commands[self.pc]
-        self.here = self.pc
-        self.pc += 1
-        if not command.pure:
-            self.poll.effects += 1
-        try:
-            if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
-                self.close_path()
-            if command.name in self.lacks:
-                raise missing(self.board.model, command.name)
-            return command.action(self, command)
-        except (Fault, Refusal) as trouble:
-            self._refused(trouble)
-            return None
 
     def _refused(self, trouble: Fault | Refusal) -> None:
         if self.board.refused(self, trouble):
