@@ -150,7 +150,7 @@ def test_an_error_of_our_own_is_told_and_costs_a_line(serve: Serve, monkeypatch:
         raise ZeroDivisionError("so it is")
 
     with monkeypatch.context() as patch:
-        patch.setattr("motionlang.mccl.hosts.port.PortTask._carry_out", broken)
+        patch.setattr("motionlang.mccl.hosts.port.PortTask._gate", broken)
         first.send(b"1TP\r")
         first.expect(b"?3\n>")
     assert first.ask(b"1TP") == second.ask(b"1TP") == b"01 0\n>"

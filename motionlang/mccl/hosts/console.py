@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Moves, profiles and changes that a board that is served for days remembers.
 MEMORY = 1000
+# Of how many requests one has it look for what can be forgotten: looking costs as much as a request.
+SELDOM = 50
 
 
 class Console:
@@ -45,6 +47,7 @@ class Console:
         self.board = Board(machine)
         self.ports: list[Port] = []
         self._downloads: list[Download] = []
+        self._passes = 0
         self._gate = _Gate(self)
         self._scheduler = machine.scheduler = Scheduler(machine.controller, self._gate)
 
@@ -129,9 +132,10 @@ class Console:
         return time
 
     def _forget(self) -> None:
-        """Drop history that nobody will ask for: a served board may run for days."""
-        controller = self.machine.controller
-        controller.forget_history(MEMORY)
+        """Drop history that nobody will ask for, now and then: a served board may run for days."""
+        self._passes += 1
+        if self._passes % SELDOM == 0:
+            self.machine.controller.forget_history(MEMORY)
 
 
 class _Gate(Task):
