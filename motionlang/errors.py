@@ -61,6 +61,7 @@ CODES: dict[str, str] = {
     "interrupted": "The run was ended from the keyboard, or by a signal.",
     "crash": "motionlang itself has a mistake, which is no mistake of the program.",
     "window": "A picture or a trace was asked for what the run does not have.",
+    "budget": "The run took longer than the machine file's budget allows.",
     "recording": "What was measured cannot be read, or not be compared.",
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",

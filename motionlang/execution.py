@@ -131,6 +131,10 @@ def run(
         result.machine.nv.close()
     result.machine.close_terminals()
     result.time = result.machine.clock.now
+    if result.status == "ended" and any(key.startswith("budget.") for key in settings):
+        from motionlang.cycle.budget import over_budget
+
+        result.diagnostics += over_budget(result, settings)
     return result
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 REPORTS = ("table", "json", "none")
 TRACES = (".csv", ".npz", ".parquet", ".vcd")
 PLOTS = (".png", ".svg", ".html")
+PROFILES = (".json", ".trace.json", ".speedscope.json")
 RATE = 1000.0
 # TN1069: trajectory points a second, and samples of the loop that goes from one to the next in a straight line.
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
@@ -30,6 +31,8 @@ class Options:
         "overrides",
         "plot",
         "points",
+        "profile",
+        "profile_to",
         "prove",
         "rate",
         "realtime",
@@ -65,6 +68,9 @@ class Options:
         # The command line itself, to be told where it brought motionlang down.
         self.given: list[str] = []
         self.prove = False
+        # The time profile: as a table, and as a file.
+        self.profile = False
+        self.profile_to: str | None = None
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Options) and all(

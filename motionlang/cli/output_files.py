@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unwritten
-from motionlang.cli.options import PLOTS, TRACES
+from motionlang.cli.options import PLOTS, PROFILES, TRACES
 from motionlang.errors import Diagnostic, Terminated
 from motionlang.execution import machine_of
 from motionlang.files import same_file, unwritable
@@ -33,7 +33,7 @@ NEEDED = {
 
 def wrong_target(option: str, path: str) -> str | None:
     """What is wrong with the file that `option` names, as far as it can be told before the run."""
-    formats = TRACES if option == "--trace" else PLOTS
+    formats = {"--trace": TRACES, "--plot": PLOTS, "--profile-to": PROFILES}[option]
     suffix = os.path.splitext(path)[1].lower()
     known = f"{', '.join(formats[:-1])} and {formats[-1]}"
     if suffix not in formats:
@@ -52,6 +52,8 @@ def write_files(result: Run, options: Options) -> int:
         status = _write(options.trace, lambda: _write_trace(result, options))
     if options.plot is not None:
         status = max(status, _write(options.plot, lambda: _write_plot(result, options)))
+    if options.profile_to is not None:
+        status = max(status, _write(options.profile_to, lambda: _write_profile(result, options)))
     return status
 
 
@@ -117,6 +119,14 @@ def _write_plot(result: Run, options: Options) -> None:
         from motionlang.views.plot import write_plot
 
         write_plot(result, options.plot, servos, window)
+
+
+def _write_profile(result: Run, options: Options) -> None:
+    from motionlang.cycle.export import write_profile
+    from motionlang.cycle.profile import TimeProfile
+
+    assert options.profile_to is not None
+    write_profile(TimeProfile(result), options.profile_to)
 
 
 def _motors(result: Run) -> dict[int, ServoTrace]:

@@ -213,6 +213,13 @@ def _report(result: Run, options: Options) -> None:
         charts=seen and drawn,
         everything=options.everything,
     )
+    if options.profile:
+        from motionlang.cycle.profile import TimeProfile
+        from motionlang.views.cycle import render_profile
+
+        colour = wants_colour(sys.stdout)
+        made = TimeProfile(result)
+        table += "\n" + render_profile(made, width=width, colour=colour, everything=options.everything)
     if result.output:
         table = "\n" + table
     sys.stdout.write(table if drawn else plain(table))
@@ -220,7 +227,7 @@ def _report(result: Run, options: Options) -> None:
 
 def _write_files(result: Run, options: Options) -> int:
     """The trace and the picture, where they were asked for; 1 when one could not be written."""
-    if options.trace is None and options.plot is None:
+    if options.trace is None and options.plot is None and options.profile_to is None:
         return 0
     from motionlang.cli.output_files import write_files
 

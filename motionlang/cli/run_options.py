@@ -113,13 +113,35 @@ def add_run(commands: Commands) -> None:
         action="store_true",
         help="hold the motion against what the program ordered, and say what was proved; status 1 where it is not so",
     )
+    parser.add_argument(
+        "--profile",
+        action="store_true",
+        help="tell where the time goes: by cause, line and sub, along the chain of what the end waited for",
+    )
+    parser.add_argument(
+        "--profile-to",
+        metavar="FILE",
+        help="write that into FILE: .json, .trace.json (Perfetto) or .speedscope.json",
+    )
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
 def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> Options:
     """The options of a `run` line."""
     options = Options(arguments.file)
-    for name in ("dialect", "machine", "report", "until", "realtime", "trace", "plot", "nv", "prove"):
+    for name in (
+        "dialect",
+        "machine",
+        "report",
+        "until",
+        "realtime",
+        "trace",
+        "plot",
+        "nv",
+        "prove",
+        "profile",
+        "profile_to",
+    ):
         setattr(options, name, getattr(arguments, name))
     options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
     options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
@@ -137,7 +159,8 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
 
     _check_sampling(arguments, parser)
     options = run_options(arguments, parser)
-    for option, path in (("--trace", options.trace), ("--plot", options.plot)):
+    written = (("--trace", options.trace), ("--plot", options.plot), ("--profile-to", options.profile_to))
+    for option, path in written:
         if path is not None:
             problem = wrong_target(option, path)
             if problem is not None:

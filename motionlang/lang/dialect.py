@@ -112,6 +112,10 @@ class Dialect:
         """Line, column and length of the place `at` that a task or a node names."""
         raise NotImplementedError
 
+    def blocks(self, source: Source) -> list[tuple[str, int, int]]:
+        """The subs, tasks and handlers of a program: how each is called, its first and its last line."""
+        return []
+
     def interactive(self, machine: Machine) -> Interactive:
         """An interpreter for a person who types one line after the other."""
         raise NotImplementedError

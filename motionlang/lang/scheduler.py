@@ -72,6 +72,8 @@ class Scheduler:
         self.outside = outside
         # Whether the clock goes on with nobody but the tasks being asked.
         self.by_itself = pace is None and outside is None
+        # When the program had ended, while motion goes on.
+        self.ended: float | None = None
         # When the running task was resumed, when its turn began, whether no other could have had it, and when it ends;
         # an event cuts a turn in two, and does not end it.
         self.began = self.turn_began = 0.0
@@ -105,9 +107,10 @@ class Scheduler:
 
         Raises `Stuck` when the parent waits for what can never happen, and whatever a task raises.
         """
-        if not self.run_program(until) or not self.settle(until):
+        if not self.run_program(until):
             return "until"
-        return "ended"
+        self.ended = self.clock.now
+        return "ended" if self.settle(until) else "until"
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
@@ -156,7 +159,9 @@ class Scheduler:
     def _waited(self, task: Task, wait: Wait) -> None:
         """Write a wait that is over into the log."""
         why = "" if wait.cause == "time" else wait.why
-        self._log.waits.add((task.name, task.at, wait.since, self.clock.now, wait.cause, wait.what, why))
+        *callers, at = task.stack
+        row = task.name, at, wait.since, self.clock.now, wait.cause, wait.what, why, tuple(callers)
+        self._log.waits.add(row)
         if self._took:
             self._write_turns()
 

@@ -139,6 +139,11 @@ class Task:
         return INFINITY
 
     @property
+    def stack(self) -> tuple[int, ...]:
+        """Where it stands, behind the places of the calls that led there, the outermost first."""
+        return (self.at,)
+
+    @property
     def running(self) -> bool:
         """Whether a statement of the task is being executed at this very moment."""
         return False
@@ -188,13 +193,18 @@ class GeneratorTask(Task):
             while caller is not None and caller.f_code.co_filename != self._file:
                 caller = caller.f_back
             return self._places[caller.f_lineno] if caller is not None else 0
-        line = 0
+        return self.stack[-1]
+
+    @property
+    def stack(self) -> tuple[int, ...]:
+        """The places of its subs, the innermost last; not while it is running."""
+        places = []
         inner: object = self._generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
             if frame.f_code.co_filename == self._file:
-                line = frame.f_lineno
+                places.append(self._places[frame.f_lineno])
             inner = getattr(inner, "gi_yieldfrom", None)
-        return self._places[line]
+        return tuple(places) or (self._places[0],)
 
     @property
     def running(self) -> bool:

@@ -86,6 +86,11 @@ class Mint(Dialect):
         module = parse(source)
         return module.line(at), module.column(at), module.length(at)
 
+    def blocks(self, source: Source) -> list[tuple[str, int, int]]:
+        from motionlang.mint.syntax.extent import blocks
+
+        return blocks(source)
+
     def interactive(self, machine: Machine) -> Interactive:
         from motionlang.mint.interactive import MintInteractive
 

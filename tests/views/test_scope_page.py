@@ -129,14 +129,14 @@ def test_search_finds_commands_lines_and_text_of_lines(browser: Browser) -> None
     browser.keys("/")
     field = browser.find("#search")
     field.send_keys("home again\n")
-    assert browser.find("#hits").text == "1 of 6"
+    assert browser.find("#hits").text == "1 of 15"
     first = browser.js("marks[0]")
     assert browser.js(f"data.axes[0].moves.find((each) => each.start === {first}).line") == 10
     field.send_keys("\n")
-    assert browser.find("#hits").text == "2 of 6"
+    assert browser.find("#hits").text == "2 of 15"
     field.clear()
     field.send_keys("line 6\n")
-    assert browser.find("#hits").text == "1 of 6"
+    assert browser.find("#hits").text == "1 of 15"
     field.clear()
     field.send_keys("CIRCLE\n")
     assert browser.find("#hits").text == "nothing found"
@@ -146,7 +146,7 @@ def test_search_finds_commands_lines_and_text_of_lines(browser: Browser) -> None
 
 def test_axes_and_quantities_are_switched_by_their_names(browser: Browser) -> None:
     before = browser.js("panels.length")
-    for name in ("axis 1", "acceleration", "channels"):
+    for name in ("axis 1", "acceleration", "channels", "waits"):
         browser.driver.find_element("xpath", f"//button[text()='{name}']").click()
     browser.settled()
     assert browser.js("panels.length") < before
@@ -164,6 +164,18 @@ def test_the_way_of_two_axes(browser: Browser) -> None:
     choices[1].send_keys("Y: axis 1")
     browser.until("document.querySelectorAll('#way path.way').length > 10")
     assert "30 by 40 uu" in browser.find("#way").text
+
+
+def test_the_lines_that_take_the_time_lead_to_where_they_do(browser: Browser) -> None:
+    browser.js("document.getElementById('profile').open = true")
+    rows = browser.driver.find_elements("css selector", "#lines tr")
+    assert "3.3000 s" in rows[0].text
+    assert "VECTORR(0, 1) = 30, 40" in rows[0].text
+    browser.js("document.querySelector('#lines tr').scrollIntoView({block: 'center'})")
+    rows[0].click()
+    assert browser.js("marks[0]") == pytest.approx(browser.js("data.lines[0].time"))
+    assert browser.js("data.bands.map((band) => band.name)") == ["critical chain", "ParentTask"]
+    assert browser.js("document.querySelectorAll('#scope .wait').length") > 5
 
 
 @pytest.mark.parametrize("kind", ["csv", "svg", "png"])

@@ -34,7 +34,7 @@ class Waited(NamedTuple):
     """A task has waited, from `since` to `until`.
 
     `cause` is one of `CAUSES`, `what` the numbers of its axes or channels, `why` how a person would say it ("" for a
-    time).
+    time). `callers` are the places of the calls that led there, the outermost first.
     """
 
     task: str
@@ -44,6 +44,7 @@ class Waited(NamedTuple):
     cause: str
     what: tuple[int, ...]
     why: str
+    callers: tuple[int, ...] = ()
 
 
 class Turns(NamedTuple):

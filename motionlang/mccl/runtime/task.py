@@ -103,6 +103,11 @@ class CommandTask(Task):
         return line.places[self.here] if line is not None and self.here < len(line.places) else 0
 
     @property
+    def stack(self) -> tuple[int, ...]:
+        called = (line.places[pc - 1] for line, pc, _ in self.calls if 0 < pc <= len(line.places))
+        return (*called, self.place)
+
+    @property
     def source_line(self) -> int:
         """Number of the source line of the command being carried out."""
         return self.line.number if self.line is not None else 0

@@ -16,6 +16,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from motionlang import __version__
+from motionlang.cycle.places import Places
+from motionlang.cycle.profile import TimeProfile
+from motionlang.cycle.tasks import waits_of
 from motionlang.files import replacing
 from motionlang.report import finite
 from motionlang.report import moves as moves_of
@@ -31,6 +34,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.record.trace import Array, Trace
     from motionlang.controller.servo.trace import ServoTrace
+    from motionlang.cycle.chain import Link
     from motionlang.measured.comparison import Comparison
     from motionlang.result import Run
     from motionlang.views.panels import Curve
@@ -101,7 +105,8 @@ def _data(
 ) -> Row:
     trace = run.trace
     rows: list[Row] = list(moves_of(run))
-    lines = sorted({row["line"] for row in rows if row["line"]})
+    cycle = TimeProfile(run)
+    lines = sorted({row["line"] for row in rows} | {link.place.line for link in cycle.links} - {0})
     return {
         "program": printable(run.source.name),
         "outcome": f"{dialect_name(run.dialect.name)} · {outcome(run)}",
@@ -112,7 +117,8 @@ def _data(
         "first": _first(window, trace),
         "against": None if against is None else _against(against),
         "events": [],
-        "bands": [],
+        "bands": _bands(run, cycle),
+        "lines": _by_line(cycle),
         "axes": [_axis(trace, axis, rows, servos.get(axis)) for axis in trace.axes],
         "measured": [
             {
@@ -128,6 +134,36 @@ def _data(
             for lane in lanes(run.controller)
         ],
     }
+
+
+def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
+    """Lanes of blocks: the critical chain of the run, and what each task waited for."""
+    chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
+    bands: list[Row] = [{"name": "critical chain", "spans": chain}]
+    places = Places(run)
+    for task, waits in waits_of(run).items():
+        spans = [
+            [wait.since, wait.until, wait.why or f"for {wait.until - wait.since:.6g} s", places.of(wait).line]
+            for wait in waits
+        ]
+        bands.append({"name": task, "spans": spans})
+    return bands
+
+
+def _stretch(link: Link) -> str:
+    return f"{link.cause}, axis {', '.join(map(str, link.axes))}" if link.axes else link.cause
+
+
+def _by_line(cycle: TimeProfile) -> list[Row]:
+    """The lines that take the time, the longest first, each with the moment at which it first does."""
+    first: dict[int, float] = {}
+    for link in cycle.links:
+        first.setdefault(link.place.line, link.begin)
+    return [
+        {"line": share.line, "seconds": share.seconds, "time": first[share.line]}
+        for share in cycle.lines()
+        if share.line and share.seconds
+    ]
 
 
 def _first(window: Window, trace: Trace) -> Row:

@@ -274,7 +274,7 @@ function drawReadout() {
     const { move, phase } = found;
     parts.push(`<span>${escaped(axis.name)}: <b>${escaped(move.command)}</b> ${escaped(phase)}${lineText(move.line)}</span>`);
   }
-  for (const band of hidden.has("tasks") ? [] : data.bands) {
+  for (const band of hidden.has("waits") ? [] : data.bands) {
     const span = spansIn(band).find(([begin, end]) => begin <= pointer && pointer <= end);
     if (span) parts.push(`<span>${escaped(band.name)}: ${escaped(span[2])}${lineText(span[3])}</span>`);
   }

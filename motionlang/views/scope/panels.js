@@ -15,8 +15,8 @@ function chosenPanels() {
     if (shown.length) shown[0].head = axis.name;
     for (const panel of shown) made.push({ ...panel, axis });
   }
-  if (data.bands.length && !hidden.has("tasks")) {
-    made.push({ bands: data.bands, height: LANE * data.bands.length, head: "tasks" });
+  if (data.bands.length && !hidden.has("waits")) {
+    made.push({ bands: data.bands, height: LANE * data.bands.length, head: "waits" });
   }
   if (hidden.has("channels")) return made;
   const channels = data.lanes.filter((lane) => !lane.digital).map(analoguePanel);
@@ -66,7 +66,7 @@ function seriesCurve({ times, values }, kind, isStepped = false) {
 function switches() {
   const groups = data.axes.map((axis) => axis.name);
   if (data.events.length) groups.push("events");
-  if (data.bands.length) groups.push("tasks");
+  if (data.bands.length) groups.push("waits");
   if (data.lanes.length) groups.push("channels");
   const quantities = data.quantities.map(([quantity]) => quantity).filter((each) => each !== "jerk" || data.axes.some((axis) => axis.jerks));
   for (const axis of data.axes) for (const { quantity } of axis.servo) if (!quantities.includes(quantity)) quantities.push(quantity);

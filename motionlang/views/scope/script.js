@@ -151,7 +151,7 @@ function begin() {
     document.getElementById("exports").append(button);
   }
   document.getElementById("keys").addEventListener("click", () => help.showModal());
-  listEvents();
+  fillLists();
   addEventListener("scroll", redraw, { passive: true });
   new ResizeObserver(redraw).observe(scope);
   redraw();

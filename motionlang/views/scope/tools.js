@@ -102,20 +102,27 @@ const EXPORTS = {
   },
 };
 
-/** What happened, a row an event, each a way to its time. */
-function listEvents() {
-  const list = document.getElementById("events");
+/** A row of a list that leads to a time. */
+function rowTo(time, texts, kind = "") {
+  const row = document.createElement("tr");
+  row.className = kind;
+  row.tabIndex = 0;
+  for (const text of texts) row.insertCell().textContent = text;
+  row.addEventListener("click", () => goTo(time));
+  row.addEventListener("keydown", (key) => { if (key.key === "Enter") goTo(time); });
+  return row;
+}
+
+/** What happened, and which lines take the time: a row each, and a way to its moment. */
+function fillLists() {
+  const most = 1000, code = (line) => data.source[line] || "", number = (line) => (line ? `line ${line}` : "");
   document.getElementById("list").toggleAttribute("hidden", !data.events.length);
   document.getElementById("count").textContent = `${data.events.length} event${data.events.length === 1 ? "" : "s"}`;
-  for (const event of data.events.slice(0, 1000)) {
-    const row = document.createElement("tr");
-    row.className = event.grave ? "grave" : "";
-    row.tabIndex = 0;
-    for (const text of [clock(event.time, 1e-6), event.text, event.line ? `line ${event.line}` : "", data.source[event.line] || ""]) {
-      row.insertCell().textContent = text;
-    }
-    row.addEventListener("click", () => goTo(event.time));
-    row.addEventListener("keydown", (key) => { if (key.key === "Enter") goTo(event.time); });
-    list.append(row);
-  }
+  const events = data.events.slice(0, most).map((event) =>
+    rowTo(event.time, [clock(event.time, 1e-6), event.text, number(event.line), code(event.line)], event.grave ? "grave" : ""));
+  document.getElementById("events").append(...events);
+  document.getElementById("profile").toggleAttribute("hidden", !data.lines.length);
+  const lines = data.lines.slice(0, most).map(({ line, seconds, time }) =>
+    rowTo(time, [`${seconds.toFixed(4)} s`, `${((100 * seconds) / END).toFixed(1)} %`, number(line), code(line)]));
+  document.getElementById("lines").append(...lines);
 }

@@ -1,0 +1,113 @@
+"""The time profile for other programs: trace events (Perfetto, chrome://tracing) and speedscope."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from motionlang import __version__
+from motionlang.cycle.places import Places
+from motionlang.cycle.profile import PROGRAM
+from motionlang.cycle.tasks import waits_of
+from motionlang.files import replacing
+
+if TYPE_CHECKING:
+    from motionlang.cycle.profile import TimeProfile
+
+    Row = dict[str, Any]
+
+MICRO = 1e6
+# The suffixes of `--profile-to`, the longest first, and what is written.
+FORMATS = (".speedscope.json", ".trace.json", ".json")
+
+
+def write_profile(made: TimeProfile, path: str) -> None:
+    """Write the profile in the format of the suffix. Raises OSError."""
+    lower = path.lower()
+    if lower.endswith(".speedscope.json"):
+        document = speedscope(made)
+    elif lower.endswith(".trace.json"):
+        document = trace_events(made)
+    else:
+        document = made.report()
+    with replacing(path) as file:
+        file.write((json.dumps(document, indent=1) + "\n").encode())
+
+
+def trace_events(made: TimeProfile) -> Row:
+    """A lane for the chain, one for each task's waits, one for each axis's moves with their phases; microseconds."""
+    run = made.run
+    events: list[Row] = []
+    lanes: dict[str, int] = {}
+
+    def put(lane: str, name: str, begin: float, end: float, **about: object) -> None:
+        number = lanes.setdefault(lane, len(lanes) + 1)
+        row = {"name": name, "cat": lane.partition(" ")[0], "ph": "X", "pid": 1, "tid": number}
+        events.append(row | {"ts": begin * MICRO, "dur": (end - begin) * MICRO, "args": about})
+
+    for link in made.links:
+        name = f"{link.cause}, line {link.place.line}" if link.place.line else link.cause
+        put("chain", name, link.begin, link.end, line=link.place.line, axes=link.axes, task=link.task)
+    places = Places(run)
+    for task, waits in waits_of(run).items():
+        for wait in waits:
+            what = wait.why or f"for {wait.until - wait.since:.6g} s"
+            put(f"task {task}", what, wait.since, wait.until, line=places.of(wait).line, cause=wait.cause)
+    for move in run.controller.log.moves:
+        if move.profile is None:
+            continue
+        lane, begin = f"axis {move.axis}", move.start_time
+        put(lane, move.command or "move", begin, min(begin + move.profile.duration, run.time), line=move.line)
+        for phase in move.profile.phases:
+            end = min(begin + phase.duration, run.time)
+            if end > begin:
+                put(lane, phase.name, begin, end)
+            begin = end
+    names = [
+        {"name": "thread_name", "ph": "M", "pid": 1, "tid": number, "args": {"name": lane}}
+        for lane, number in lanes.items()
+    ]
+    return {"traceEvents": names + events, "otherData": {"version": f"motionlang {__version__}"}}
+
+
+def speedscope(made: TimeProfile) -> Row:
+    """The chain as weighted stacks: the program, what was called, the line, and what it did."""
+    places = Places(made.run)
+    frames: dict[tuple[str, int], int] = {}
+    samples, weights = [], []
+    for link in made.links:
+        stack = [(PROGRAM, 0)]
+        for line in link.place.callers:
+            stack += [(places.sub(line) or PROGRAM, 0), (_named(made, line), line)]
+        stack += [(link.place.sub or PROGRAM, 0), (_named(made, link.place.line), link.place.line)]
+        stack.append((link.cause, 0))
+        unique = [frame for k, frame in enumerate(stack) if k == 0 or frame != stack[k - 1]]
+        samples.append([frames.setdefault(frame, len(frames)) for frame in unique])
+        weights.append(link.duration)
+    name = made.run.source.name
+    return {
+        "$schema": "https://www.speedscope.app/file-format-schema.json",
+        "exporter": f"motionlang {__version__}",
+        "name": name,
+        "shared": {
+            "frames": [
+                {"name": frame, "file": name, "line": line} if line else {"name": frame}
+                for frame, line in frames
+            ]
+        },
+        "profiles": [
+            {
+                "type": "sampled",
+                "name": name,
+                "unit": "seconds",
+                "startValue": 0.0,
+                "endValue": made.seconds,
+                "samples": samples,
+                "weights": weights,
+            }
+        ],
+    }
+
+
+def _named(made: TimeProfile, line: int) -> str:
+    return f"line {line}: {made.run.source.line(line).strip()[:60]}" if line else PROGRAM

@@ -1,0 +1,53 @@
+"""Where in the program something happened: line, sub, and the lines that led there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from motionlang.controller.record.records import Waited
+    from motionlang.result import Run
+
+
+class Place(NamedTuple):
+    """A line, the sub it stands in ("" outside of all), and the lines of the calls that led there, outermost first."""
+
+    line: int
+    sub: str
+    callers: tuple[int, ...]
+
+
+class Places:
+    """The places of a run; each is looked up once."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._lines: dict[int, int] = {}
+        self._blocks = run.dialect.blocks(run.source)
+        self._at_lines: dict[int, Place] = {}
+        self._known: dict[tuple[int, tuple[int, ...]], Place] = {}
+
+    def line(self, at: int) -> int:
+        """The line of a place in the program."""
+        if at not in self._lines:
+            self._lines[at] = self._run.dialect.locate(self._run.source, at)[0]
+        return self._lines[at]
+
+    def sub(self, line: int) -> str:
+        """The innermost block that a line stands in."""
+        inside = [block for block in self._blocks if block[1] <= line <= block[2]]
+        return min(inside, key=lambda block: block[2] - block[1])[0] if inside else ""
+
+    def of(self, wait: Waited) -> Place:
+        """Where a task waited."""
+        key = wait.at, wait.callers
+        if key not in self._known:
+            line = self.line(wait.at)
+            self._known[key] = Place(line, self.sub(line), tuple(map(self.line, wait.callers)))
+        return self._known[key]
+
+    def at_line(self, line: int) -> Place:
+        """A line of which nobody knows who led there."""
+        if line not in self._at_lines:
+            self._at_lines[line] = Place(line, self.sub(line), ())
+        return self._at_lines[line]

@@ -1,0 +1,183 @@
+"""The time profile of a run: its tasks, its critical chain by line, sub and cause, and which axis waits for which."""
+
+from __future__ import annotations
+
+from math import fsum
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from motionlang.cycle.chain import Chain, Link, Motion
+from motionlang.cycle.places import Places
+from motionlang.cycle.tasks import TaskTime, task_times, waits_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from motionlang.result import Run
+
+SCHEMA = "motionlang.cycle/1"
+# What calls everything, and has what stands in no sub.
+PROGRAM = "the program"
+
+
+class Share(NamedTuple):
+    """Seconds of the chain that belong together: of a line, a sub or an axis; `total` has what it called, too."""
+
+    name: str
+    line: int
+    seconds: float
+    total: float
+    causes: dict[str, float]
+
+
+class Slack(NamedTuple):
+    """`axis` had ended its move and stood while `other` still moved: the seconds that it could have been slower."""
+
+    axis: int
+    other: int
+    seconds: float
+
+
+class TimeProfile:
+    """Where the time of a run went; all sums are exact."""
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+        self._waits = waits_of(run)
+        self.tasks: list[TaskTime] = task_times(run, self._waits)
+        chain = Chain(run, self._waits)
+        self.links: list[Link] = chain.links
+        self._motions = chain.motions
+        self._alike = _alike(self.links)
+        self._places = Places(run)
+
+    @property
+    def seconds(self) -> float:
+        """What the chain adds up to: the run's time."""
+        return fsum(link.duration for link in self.links)
+
+    def lines(self) -> list[Share]:
+        """The chain by the lines of the program, the longest first."""
+        return self._shares(lambda link: ((str(link.place.line), link.place.line),), own=True)
+
+    def subs(self) -> list[Share]:
+        """By sub: `seconds` in the sub itself, `total` with what it called. What stands in none is the program."""
+
+        places = self._places
+
+        def names(link: Link) -> Iterable[tuple[str, int]]:
+            yield link.place.sub or PROGRAM, 0
+            for line in reversed(link.place.callers):
+                yield places.sub(line) or PROGRAM, 0
+            yield PROGRAM, 0
+
+        return self._shares(names)
+
+    def kinds(self) -> list[Share]:
+        """By what takes the time: travel of which axes, dwells, waits, computing."""
+
+        def name(link: Link) -> str:
+            if link.is_motion:
+                axes = ", ".join(map(str, link.axes))
+                return f"travel of axis {axes}" if len(link.axes) == 1 else f"travel of axes {axes}"
+            return link.cause
+
+        return self._shares(lambda link: ((name(link), 0),), own=True)
+
+    def slacks(self) -> list[Slack]:
+        """Who stood and waited for whom, where a task waited for several axes that had begun together."""
+        found: dict[tuple[int, int], list[float]] = {}
+        groups: dict[tuple[int, float], list[Motion]] = {}
+        for motion in self._motions:
+            groups.setdefault((motion.line, motion.begin), []).append(motion)
+        waits = [wait for waits in self._waits.values() for wait in waits if wait.cause != "time"]
+        ends = {_millis(wait.until) for wait in waits}
+        for group in groups.values():
+            last = group[-1]  # they are in the order of their ends
+            if len(group) > 1 and not ends.isdisjoint((_millis(last.end), _millis(last.end) + 1)):
+                for motion in group[:-1]:
+                    for axis in motion.axes:
+                        found.setdefault((axis, last.axes[0]), []).append(last.end - motion.end)
+        rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items()]
+        return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))
+
+    def report(self) -> dict[str, Any]:
+        """The profile as plain data, schema `motionlang.cycle/1`."""
+        return {
+            "schema": SCHEMA,
+            "program": self.run.source.name,
+            "time": self.run.time,
+            "tasks": [task._asdict() for task in self.tasks],
+            "kinds": [share._asdict() for share in self.kinds()],
+            "lines": [share._asdict() for share in self.lines()],
+            "subs": [share._asdict() for share in self.subs()],
+            "slack": [slack._asdict() for slack in self.slacks()],
+            "chain": [
+                {
+                    "begin": link.begin,
+                    "end": link.end,
+                    "cause": link.cause,
+                    "line": link.place.line,
+                    "sub": link.place.sub,
+                    "callers": link.place.callers,
+                    "task": link.task,
+                    "axes": link.axes,
+                }
+                for link in self.links
+            ],
+        }
+
+    def sub(self, line: int) -> str:
+        """The sub that a line stands in, "" for none."""
+        return self._places.sub(line)
+
+    def total(self, links: Iterable[Link]) -> float:
+        """The seconds of some of the chain."""
+        return fsum(link.duration for link in links)
+
+    def shares_of(self, links: Iterable[Link]) -> list[Share]:
+        """Some of the chain by line, the longest first; what has no line left out."""
+        made = self._shares(lambda link: ((str(link.place.line), link.place.line),), True, links)
+        return [share for share in made if share.line]
+
+    def _shares(self, names: Any, own: bool = False, links: Iterable[Link] | None = None) -> list[Share]:
+        """The chain by the names that a link has: the first has it for its own, all of them have it in their totals."""
+        mine: dict[str, dict[str, list[float]]] = {}
+        totals: dict[str, list[float]] = {}
+        lines: dict[str, int] = {}
+        for link, times in self._alike.values() if links is None else _alike(links).values():
+            for k, (name, line) in enumerate(dict.fromkeys(names(link))):
+                lines[name] = line
+                causes = mine.setdefault(name, {})
+                if k == 0:
+                    causes.setdefault(link.cause, []).extend(times)
+                totals.setdefault(name, []).extend(times)
+        shares = [
+            Share(
+                name,
+                lines[name],
+                fsum(time for times in causes.values() for time in times),
+                fsum(totals[name]),
+                {cause: fsum(times) for cause, times in causes.items()},
+            )
+            for name, causes in mine.items()
+        ]
+        return sorted(
+            shares, key=lambda share: (-(share.seconds if own else share.total), share.line, share.name)
+        )
+
+
+def _alike(links: Iterable[Link]) -> dict[object, tuple[Link, list[float]]]:
+    """Links that differ in nothing but their times: one of them, and how long each of them took."""
+    found: dict[object, tuple[Link, list[float]]] = {}
+    for link in links:
+        key = link.place, link.cause, link.axes
+        known = found.get(key)
+        if known is None:
+            found[key] = link, [link.end - link.begin]
+        else:
+            known[1].append(link.end - link.begin)
+    return found
+
+
+def _millis(time: float) -> int:
+    return int(time * 1000.0)

@@ -1,0 +1,85 @@
+"""Each task's own time: what it computed, what it waited for, and when others had the machine; it adds up to its life.
+
+With one task the machine is its own whenever it does not wait. Where several run, the log has who computed in between;
+what is left of a task's life is time in which it was ready and others had the machine, or in which polls that could
+change nothing were skipped.
+"""
+
+from __future__ import annotations
+
+from math import fsum
+from typing import TYPE_CHECKING, NamedTuple
+
+from motionlang.controller.record.records import Waited
+
+if TYPE_CHECKING:
+    from motionlang.result import Run
+
+
+class TaskTime(NamedTuple):
+    """Seconds of one task from `begin` to `end`: `waiting` by cause, `computing`, and `ready` while others computed."""
+
+    name: str
+    begin: float
+    end: float
+    waiting: dict[str, float]
+    computing: float
+    ready: float
+
+    @property
+    def life(self) -> float:
+        """How long it lived."""
+        return self.end - self.begin
+
+
+def waits_of(run: Run) -> dict[str, list[Waited]]:
+    """The waits of each task in the order of time, those too that were under way when the run ended."""
+    found: dict[str, list[Waited]] = {}
+    for wait in run.machine.log.waits:
+        found.setdefault(wait.task, []).append(wait)
+    scheduler = run.machine.scheduler
+    for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
+        under_way, mine = task.wait, found.setdefault(task.name, [])
+        if under_way is not None and under_way.since < run.time:
+            *callers, at = task.stack
+            about = under_way.cause, tuple(under_way.what), under_way.why, tuple(callers)
+            mine.append(Waited(task.name, at, under_way.since, run.time, *about))
+    return found
+
+
+def parent_of(run: Run) -> str:
+    """The name of the task whose end is the program's."""
+    return run.machine.scheduler.parent.name if run.machine.scheduler is not None else ""
+
+
+def ended_at(run: Run) -> float:
+    """When the program had ended, if it has; motion may have gone on after that."""
+    scheduler = run.machine.scheduler
+    return run.time if scheduler is None or scheduler.ended is None else scheduler.ended
+
+
+def task_times(run: Run, waits: dict[str, list[Waited]]) -> list[TaskTime]:
+    """The time of each task, with its `waits`: the parent first, then in the order in which they began."""
+    parent, over = parent_of(run), ended_at(run)
+    first: dict[str, float] = {}
+    last: dict[str, float] = {}
+    computed: dict[str, list[float]] = {}
+    for turn in run.machine.log.turns:
+        for name, seconds in zip(turn.tasks, turn.seconds, strict=True):
+            computed.setdefault(name, []).append(seconds)
+            first.setdefault(name, turn.time)
+            last[name] = turn.until
+    made = []
+    for name in dict.fromkeys((parent, *first, *waits)):
+        mine = waits.get(name, [])
+        begin = 0.0 if name == parent else min(first.get(name, over), mine[0].since if mine else over)
+        end = over if name == parent else max(last.get(name, begin), mine[-1].until if mine else begin)
+        waiting: dict[str, list[float]] = {}
+        for wait in mine:
+            waiting.setdefault(wait.cause, []).append(min(wait.until, end) - wait.since)
+        causes = {cause: fsum(times) for cause, times in waiting.items()}
+        rest = fsum((end, -begin, *(-time for time in causes.values())))
+        computing = fsum(computed[name]) if name in computed and len(first) > 1 else rest
+        computing = min(computing, rest)
+        made.append(TaskTime(name, begin, end, causes, computing, fsum((rest, -computing))))
+    return made

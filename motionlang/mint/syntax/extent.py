@@ -1,0 +1,30 @@
+"""From which line to which the blocks of a program reach: its subs, tasks and handlers, as a profile names them."""
+
+from __future__ import annotations
+
+from motionlang.mint.syntax.parser import parse
+from motionlang.mint.syntax.traversal import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.mint.syntax.nodes import Module, Node
+    from motionlang.source import Source
+
+
+def blocks(source: Source) -> list[tuple[str, int, int]]:
+    """Name, first and last line of every block; a sub in a task is a block in a block."""
+    module = parse(source)
+    named: list[tuple[str, Node, Sequence[object]]] = []
+    for task in module.tasks:
+        named.append((f"task {task.name}", task, [*task.body, *task.subs]))
+        named += ((sub.name, sub, sub.body) for sub in task.subs)
+    named += ((sub.name, sub, sub.body) for sub in module.subs)
+    named += ((f"event {event.name}", event, event.body) for event in module.events)
+    named += (("Startup", startup, startup.body) for startup in module.startup)
+    return [(name, module.line(node.at), _last(module, node, body)) for name, node, body in named]
+
+
+def _last(module: Module, node: Node, body: Sequence[object]) -> int:
+    return module.line(max((each.at for each in walk(body)), default=node.at))

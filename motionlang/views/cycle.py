@@ -1,0 +1,166 @@
+"""Where the time of a run went, for a person: by cause, by line and by sub, who waits for whom, and each task's own."""
+
+from __future__ import annotations
+
+from math import fsum
+from typing import TYPE_CHECKING
+
+from motionlang.cycle.chain import MOVING
+from motionlang.views.grid import Column, grid
+from motionlang.views.terminal import printable, styled
+from motionlang.views.words import clock_time
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from motionlang.cycle.profile import Share, TimeProfile
+
+# Lines of the program in the table, and of a program that is listed as a whole.
+MOST_LINES, MOST_LISTED = 20, 60
+LONGEST = 40
+
+_KINDS = (
+    Column("what takes the time", align="<", style="word"),
+    Column("seconds", "s"),
+    Column(""),
+    Column("", align="<"),
+)
+_LINES = (
+    Column("line"),
+    Column("sub", align="<", drop=3, style="word"),
+    Column("seconds", "s"),
+    Column(""),
+    Column("moving", "s"),
+    Column("dwell", "s", drop=2),
+    Column("waiting", "s"),
+    Column("computing", "s", drop=1),
+    Column("", align="<", drop=4),
+)
+_SUBS = (
+    Column("sub", align="<", style="word"),
+    Column("self", "s"),
+    Column(""),
+    Column("total", "s"),
+    Column(""),
+)
+_TASKS = (
+    Column("task", align="<", style="word"),
+    Column("life", "s"),
+    Column("computing", "s"),
+    Column("ready", "s"),
+    Column("waiting for", align="<"),
+)
+
+
+def render_profile(
+    made: TimeProfile, *, width: int = 100, colour: bool = False, everything: bool = False
+) -> str:
+    """The profile as text that ends with a newline; `everything` has all lines, and the program listed."""
+    whole = made.seconds
+    parts = [
+        [styled(f"where the {clock_time(whole)} go", "bold", colour)],
+        _kinds(made, whole, width, colour),
+    ]
+    if made.slacks():
+        parts.append([_slack(row.axis, row.other, row.seconds) for row in made.slacks()])
+    parts.append(_lines(made, whole, width, colour, everything))
+    subs = made.subs()
+    if len(subs) > 1:
+        parts.append(grid(_SUBS, [_sub(share, whole) for share in subs], width=width, colour=colour))
+    if len(made.tasks) > 1:
+        parts.append(
+            grid(_TASKS, [_task(made, k) for k in range(len(made.tasks))], width=width, colour=colour)
+        )
+    if everything:
+        parts.append(_listing(made, whole, colour))
+    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+
+
+def _kinds(made: TimeProfile, whole: float, width: int, colour: bool) -> list[str]:
+    rows = [
+        [share.name, _seconds(share.seconds), _part(share.seconds, whole), _causes(share.causes)]
+        for share in made.kinds()
+    ]
+    return grid(_KINDS, rows, width=width, colour=colour)
+
+
+def _causes(causes: Mapping[str, float]) -> str:
+    """How long of a travel each phase took."""
+    if len(causes) < 2:
+        return ""
+    return ", ".join(f"{name} {_seconds(causes[name])}" for name in MOVING if name in causes)
+
+
+def _slack(axis: int, other: int, seconds: float) -> str:
+    return f"axis {axis} waits for axis {other}: {_seconds(seconds)} s"
+
+
+def _lines(made: TimeProfile, whole: float, width: int, colour: bool, everything: bool) -> list[str]:
+    shares = [share for share in made.lines() if share.line]
+    shown = shares if everything else shares[:MOST_LINES]
+    lines = grid(_LINES, [_line(made, share, whole) for share in shown], width=width, colour=colour)
+    if len(shown) < len(shares):
+        rest = fsum(share.seconds for share in shares[len(shown) :])
+        more = f"… and {len(shares) - len(shown)} more lines, {_seconds(rest)} s: --all shows them"
+        lines.append(styled(more, "dim", colour))
+    return lines
+
+
+def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
+    causes = share.causes
+    waiting = [cause for cause in causes if cause not in (*MOVING, "dwell", "computing")]
+    source = made.run.source.line(share.line).strip()
+    return [
+        str(share.line),
+        made.sub(share.line),
+        _seconds(share.seconds),
+        _part(share.seconds, whole),
+        _sum(causes, MOVING),
+        _sum(causes, ("dwell",)),
+        _sum(causes, waiting),
+        _sum(causes, ("computing",)),
+        printable(source if len(source) <= LONGEST else f"{source[: LONGEST - 1]}…"),
+    ]
+
+
+def _sum(causes: Mapping[str, float], names: Sequence[str]) -> str:
+    found = [causes[name] for name in names if name in causes]
+    return _seconds(fsum(found)) if found else ""
+
+
+def _sub(share: Share, whole: float) -> list[str]:
+    return [
+        share.name,
+        _seconds(share.seconds),
+        _part(share.seconds, whole),
+        _seconds(share.total),
+        _part(share.total, whole),
+    ]
+
+
+def _task(made: TimeProfile, number: int) -> list[str]:
+    task = made.tasks[number]
+    causes = sorted(task.waiting.items(), key=lambda item: -item[1])
+    waiting = ", ".join(f"{name} {_seconds(seconds)}" for name, seconds in causes if seconds)
+    return [task.name, _seconds(task.life), _seconds(task.computing), _seconds(task.ready), waiting]
+
+
+def _listing(made: TimeProfile, whole: float, colour: bool) -> list[str]:
+    """The program with the seconds and the share of each line before it."""
+    by_line = {share.line: share.seconds for share in made.lines()}
+    lines = made.run.source.text.rstrip("\n").split("\n")
+    out = []
+    for number, text in enumerate(lines, 1):
+        seconds = by_line.get(number)
+        head = f"{_seconds(seconds):>10}  {_part(seconds, whole):>6}" if seconds else " " * 18
+        out.append(f"{styled(head, 'word', colour)}  {number:>4}  {printable(text)}".rstrip())
+    return out
+
+
+def _seconds(value: float) -> str:
+    """Seconds as a person reads them in a column."""
+    return f"{value:.4f}"
+
+
+def _part(value: float, whole: float) -> str:
+    return f"{value / whole:.1%}" if whole else ""
