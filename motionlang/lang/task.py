@@ -206,6 +206,17 @@ class GeneratorTask(Task):
             inner = getattr(inner, "gi_yieldfrom", None)
         return tuple(places) or (self._places[0],)
 
+    def callers(self) -> tuple[int, ...]:
+        """The same while it is running and without the innermost one, for what the program's code has called."""
+        frame: FrameType | None = _getframe(2)
+        found = []
+        while (
+            frame is not None and frame.f_back is not None and frame.f_back.f_code.co_filename == self._file
+        ):
+            frame = frame.f_back
+            found.append(self._places[frame.f_lineno])
+        return tuple(found[::-1])
+
     @property
     def running(self) -> bool:
         return bool(getattr(self._generator, "gi_running", False))

@@ -85,6 +85,12 @@ def test_a_sub_has_its_own_time_and_that_of_what_it_called() -> None:
     assert shares["the program"].total == pytest.approx(3.0, abs=1e-3)
 
 
+def test_a_dwell_in_a_sub_knows_who_called_it() -> None:
+    made = profiled("Rest\nEnd\nSub Rest()\n  Nap 100\nEnd Sub\nSub Nap(ByVal ms)\n  WAIT(ms)\nEnd Sub\n")
+    (link,) = [each for each in made.links if each.cause == "dwell"]
+    assert (link.place.line, link.place.sub, link.place.callers) == (7, "Nap", (1, 4))
+
+
 def test_an_axis_that_could_have_been_slower_is_told() -> None:
     """Z is there after 0.5 s, X after 1.1 s."""
     (slack,) = profiled(PROGRAM, machine=WORLD).slacks()

@@ -323,7 +323,8 @@ class Environment:
             found = statements.pass_by(t, milliseconds / 1000.0)
             if found is not None:
                 self.clock.now = end = statements.base
-                self.machine.log.waits.add((self.task.name, at, since, end, "time", (), ""))
+                callers = self.task.callers()
+                self.machine.log.waits.add((self.task.name, at, since, end, "time", (), "", callers))
                 return found
         end = statements.rest(t, milliseconds / 1000.0)
         self.wait = wait_until(self.machine, statements.reached, end)
