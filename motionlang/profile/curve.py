@@ -339,6 +339,12 @@ def hold(position: float, duration: float = inf) -> Profile:
 
 def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
     """The same motion under another shape name, and if `name` is given one phase of that name."""
+    if not profile.pieced:
+        from copy import copy
+
+        twin = copy(profile)  # its pieces are good for drawing only
+        twin.shape = shape
+        return twin
     recipe = (profile.start_velocity, profile.end_velocity) if name else profile._recipe
     made = Profile(shape, profile.start, profile.end, profile.duration, recipe)
     knots, pieces, marks = profile.curve

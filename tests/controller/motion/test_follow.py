@@ -472,3 +472,15 @@ def test_an_offset_on_a_cam() -> None:
         assert at(c, 1, 0.01 * k) == pytest.approx(at(plain, 1, 0.01 * k) + 3.0, abs=1e-9)
     for k in range(600):
         assert abs(at(c, 1, 0.01 * k + 0.01) - at(c, 1, 0.01 * k)) < 0.35
+
+
+def test_a_slave_of_a_slave_on_a_curve_follows_it_to_the_last_bits() -> None:
+    """Not the pieces that a picture of that motion is drawn with."""
+    c = machine(3, shape="scurve", accel_jerk=1000.0, decel_jerk=6000.0)
+    c.load_fly(1, 0, 30.0, 20.0)
+    c.go([1])
+    c.gear(2, 1, -19.42)
+    c.move_to(0, 15.0)
+    for k in range(1, 60):
+        until(c, 0.02 * k)
+        assert c.position(2) == pytest.approx(-19.42 * c.position(1), rel=1e-12, abs=1e-15)

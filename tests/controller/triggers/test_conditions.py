@@ -19,7 +19,7 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, Refusal
-from motionlang.controller.triggers.conditions import ACTIONS
+from motionlang.controller.triggers.conditions import ACTIONS, BY_INPUT, BY_WORD
 from motionlang.controller.triggers.homing import Homing
 from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.machine.machine import Machine
@@ -91,6 +91,19 @@ def _several(c: Controller, blend: bool) -> None:
     c.go([0])
 
 
+def _there_and_back(c: Controller, axes: list[int], mode: str = "") -> None:
+    """60 forward and 60 back on axis 0, while axis 1 goes on: stopping between, as a contour, or blended."""
+    for axis in (0, 1):
+        c.configure(axis, "contour_mode", mode == "contour")
+        c.configure(axis, "contour_angle", 180.0)
+        c.configure(axis, "blend_mode", mode == "blend")
+        c.configure(axis, "blend_distance", 3.0)
+    there, back = {0: 60.0, 1: 80.0}, {0: -60.0, 1: 80.0}
+    c.load_line_by(axes, [there[axis] for axis in axes])
+    c.load_line_by(axes, [back[axis] for axis in axes])
+    c.go([axes[0]])
+
+
 def _arc(c: Controller) -> None:
     c.load_arc([0, 1], [30.0, 0.0], 180.0, relative=True)
     c.load_arc([0, 1], [-30.0, 0.0], 180.0, relative=True)
@@ -159,7 +172,31 @@ KINDS = {
 # The kinds that turn by themselves, and those that cannot.
 BY_THEMSELVES = ("arc", "cam", "spline")
 SOFT = ("met", "placed", "renamed")
-NEVER_BACK = ("path", "path of another axis", "contour", "blend")
+# Paths turn where one that goes back follows: each with how that is begun.
+BACK: dict[str, Callable[[Controller], None]] = {
+    "path": lambda c: _there_and_back(c, [0, 1]),
+    "path of another axis": lambda c: _there_and_back(c, [1, 0]),
+    "contour": lambda c: _there_and_back(c, [0, 1], "contour"),
+    "blend": lambda c: _there_and_back(c, [0, 1], "blend"),
+}
+
+
+def _turn_of_path(name: str, action: str, motor: bool) -> tuple[Controller, float, Free, Kind]:
+    """The reverse limit is active all the while; the path that goes back is come upon at 60."""
+    kind = Kind(BACK[name], None, 1.0, lambda s: 60.0 - 0.6 * s, renamed=False)
+    low, high = 0.0, 0.5 * END
+    probe = Free(kind, END, motor).controller.axes[0]
+    turned = next(k for k in range(round(END * 1e3)) if probe.velocity(k * 1e-3) < 0.0)
+    low, high = (turned - 1) * 1e-3, turned * 1e-3
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if probe.velocity(middle) < 0.0 else (middle, high)
+    free = Free(kind, high, motor)
+    free.velocity = -1.0 if free.velocity == 0.0 else free.velocity
+    c = machine(motor)
+    limit(c, action, -1).set_active(True)
+    kind.begin(c)
+    return c, 0.0, free, kind
 
 
 def limit(c: Controller, action: str, sign: int = +1) -> Limit:
@@ -301,9 +338,6 @@ def _at_moment(kind: Kind, way: str, action: str, motor: bool) -> tuple[Controll
 def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
     kind = KINDS[name]
     for action in ACTIONS:
-        if way == "turned into" and name in NEVER_BACK:
-            assert kind.turn is None  # straight on: there is no turn
-            continue
         if way == "renamed" and not kind.renamed:
             with pytest.raises(Refusal):
                 _at_moment(kind, way, action, motor)
@@ -312,6 +346,8 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
             c, shift, free = _met(kind, action, motor)
         elif way == "already active":
             c, shift, free = _already(kind, action, motor)
+        elif way == "turned into" and name in BACK:
+            c, shift, free, kind = _turn_of_path(name, action, motor)
         elif way == "turned into":
             c, shift, free = _turned(kind, name, action, motor)
         else:
@@ -336,4 +372,63 @@ def test_a_limit_holds(name: str, way: str, motor: bool) -> None:
 
 
 def test_every_kind_turns_or_cannot() -> None:
-    assert all(kind.turn is not None or name in NEVER_BACK for name, kind in KINDS.items())
+    assert all(kind.turn is not None or name in BACK for name, kind in KINDS.items())
+
+
+# What no direction matters to: an error or analogue input, as it comes and as its mode is put in force; the drive.
+@pytest.mark.parametrize("name", KINDS)
+def test_an_error_of_no_direction_holds(name: str) -> None:
+    for motor in (False, True):
+        for way in ("mode", "enabled", "input"):
+            for action in ACTIONS:
+                kind, c = KINDS[name], machine(motor)
+                made = limit(c, "ignore" if way == "mode" else action, 0)
+                made.enabled = way != "enabled"
+                made.set_active(way != "input")
+                kind.begin(c)
+                c.clock.advance(kind.moment)
+                {"mode": lambda: setattr(made, "action", action), "enabled": lambda: setattr(made, "enabled", True),
+                 "input": lambda: made.set_active(True)}[way]()  # fmt: skip
+                free = Free(kind, kind.moment, motor)
+                expected = rest(kind, free, action)
+                c.clock.advance(END)
+                where = f"{way}, {action}, {'a motor' if motor else 'none'}"
+                assert bool(c.faults(0)) is (action != "ignore"), where
+                if expected is not None:
+                    assert c.axes[0].position(END) == pytest.approx(expected, abs=2e-3), where
+                    assert c.axes[0].velocity(END) == 0.0, where
+
+
+PLAYED, REFUSING = ("spline",), ("cam", "fly")
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_suspend_holds_and_lets_go(name: str) -> None:
+    """By word and by input: to rest at DECEL, a table in its own time; then on to where it was going."""
+    for reason in (BY_WORD, BY_INPUT):
+        for motor in (False, True):
+            kind, c = KINDS[name], machine(motor)
+            kind.begin(c)
+            c.clock.advance(kind.moment)
+            if name in REFUSING:
+                with pytest.raises(Refusal):
+                    c.suspend(0, reason)
+                continue
+            free = Free(kind, kind.moment, motor)
+            expected = rest(kind, free, "stop")
+            if name in PLAYED:  # its time slows down evenly within 0.1 s
+                expected = Free(kind, kind.moment + 0.05, motor).position
+            c.suspend(0, reason)
+            c.clock.advance(END)
+            a = c.axes[0]
+            where = f"reason {reason}, {'a motor' if motor else 'none'}"
+            assert a.position(END) == pytest.approx(expected, abs=2e-3), where
+            assert a.velocity(END) == 0.0, where
+            assert c.axes[0].move is not None, where
+            c.resume(0, reason)
+            c.clock.advance(6.0 * END)
+            whole = Free(kind, 6.0 * END, motor).controller.axes[0]
+            if whole.move is None and name != "home":
+                assert a.position(6.0 * END) == pytest.approx(whole.position(6.0 * END), abs=1e-5), where
+            else:
+                assert a.velocity(6.0 * END) == pytest.approx(whole.velocity(6.0 * END), abs=1e-6), where
