@@ -65,14 +65,23 @@ class Run:
         """The motion, to be sampled at any rate."""
         return self.controller.trace
 
-    def proof(self) -> Proof:
-        """The motion held against what the program ordered; ValueError for a run without `prove`."""
+    def proof(self, views: bool = True) -> Proof:
+        """The motion held against what the program ordered; ValueError for a run without `prove`.
+
+        With `views` its report and its trace are held against it, too.
+        """
+        from motionlang.controller.record.judge_views import ROWS
         from motionlang.controller.record.proof import prove
         from motionlang.controller.record.track import Recorded
 
         if self.orders is None:
             raise ValueError("a run is proved that was made with prove=True")
-        return prove(Recorded(self.controller), self.orders, self.time)
+        if not views:
+            return prove(Recorded(self.controller), self.orders, self.time)
+        from motionlang.report import moves
+
+        samples = self.trace.sample(ROWS / self.time) if self.time > 0.0 else None
+        return prove(Recorded(self.controller), self.orders, self.time, moves(self), samples)
 
     def _repr_html_(self) -> str:
         # Asked for by a notebook, which has the views; nothing below them may import them.

@@ -11,13 +11,15 @@ from typing import TYPE_CHECKING
 from motionlang.controller.record.judge import SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
+from motionlang.controller.record.judge_views import judge_report, judge_trace
 from motionlang.controller.record.spans import half_angle
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from motionlang.controller.move import Move
     from motionlang.controller.record.orders import Order, Orders
+    from motionlang.controller.record.trace import Samples
     from motionlang.controller.record.track import Recorded, WholeTrack
     from motionlang.profile import State
 
@@ -25,9 +27,19 @@ if TYPE_CHECKING:
 LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 
-def prove(controller: Recorded, orders: Orders, until: float) -> Proof:
-    """Prove what a controller did up to a time."""
+def prove(
+    controller: Recorded,
+    orders: Orders,
+    until: float,
+    report: Iterable[Mapping[str, object]] | None = None,
+    samples: Samples | None = None,
+) -> Proof:
+    """Prove what a controller did up to a time, by its log; the moves of a report and a trace too, where there are."""
     proof, run = Proof(), Run(controller.axes, controller.moves, orders, until)
+    if report is not None:
+        judge_report(proof, run, report)
+    if samples is not None:
+        judge_trace(proof, run, samples)
     for number, a in controller.axes.items():
         records = orders.of[number]
         assert len(records) == len(a.profiles), f"axis {number} has a profile that nobody recorded"

@@ -9,7 +9,11 @@ import pytest
 from motionlang import run
 from motionlang.controller.axis import Axis
 from motionlang.controller.record.orders import Order
+from motionlang.controller.record.proof import prove
+from motionlang.controller.record.trace import Samples
+from motionlang.controller.record.track import Recorded
 from motionlang.profile import Profile, hold, plan
+from motionlang.report import moves
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -185,3 +189,28 @@ def test_an_order_that_the_motion_breaks_is_found(name: str) -> None:
     for axis, records in result.orders.of.items():
         result.orders.of[axis] = [forge(order) for order in records]
     assert any(message in each for each in found(result)), found(result)
+
+
+def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
+    result = proved(MOVE)
+    assert result.orders is not None
+    (row,), recorded = list(moves(result)), Recorded(result.controller)
+    samples = result.trace.sample(10.0)
+
+    def told(report: dict[str, object], trace: Samples = samples) -> list[str]:
+        assert result.orders is not None
+        return [
+            each.message for each in prove(recorded, result.orders, result.time, [report], trace).violations
+        ]
+
+    assert told(row) == []
+    assert told({**row, "end": 101.0}) == [
+        "axis 0 from 0.000000 s: the report has it at 101 at 5.300000 s, the track at 100"
+    ]
+    assert told({**row, "peak_speed": 20.1}) == [
+        "axis 0 from 0.000000 s: the report has a peak of 20.1, the track 20"
+    ]
+    assert "the report has it at 7" in told({**row, "start_time": 7.0})[0]
+    times, place, *others = samples.data
+    forged = Samples(samples.columns, (times, place + 0.01 * (times > 2.05), *others))
+    assert told(row, forged) == ["axis 0 at 2.100000 s: the trace has it at 40.01, the track at 40"]

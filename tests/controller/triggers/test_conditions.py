@@ -387,8 +387,12 @@ def test_an_error_of_no_direction_holds(name: str) -> None:
                 made.set_active(way != "input")
                 kind.begin(c)
                 c.clock.advance(kind.moment)
-                {"mode": lambda: setattr(made, "action", action), "enabled": lambda: setattr(made, "enabled", True),
-                 "input": lambda: made.set_active(True)}[way]()  # fmt: skip
+                if way == "mode":
+                    made.action = action
+                elif way == "enabled":
+                    made.enabled = True
+                else:
+                    made.set_active(True)
                 free = Free(kind, kind.moment, motor)
                 expected = rest(kind, free, action)
                 c.clock.advance(END)
