@@ -8,6 +8,7 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
+    from motionlang.controller.record.certificate import Limit
     from motionlang.controller.record.judge import Proof
     from motionlang.controller.record.orders import Orders
     from motionlang.controller.record.trace import Trace
@@ -25,6 +26,7 @@ class Run:
     """
 
     __slots__ = (
+        "certificate",
         "crash",
         "diagnostics",
         "dialect",
@@ -45,6 +47,7 @@ class Run:
         # An error of motionlang's own, which ended the run.
         self.crash: Exception | None = None
         self.orders: Orders | None = None  # of a run that is to be proved
+        self.certificate: list[Limit] | None = None  # of one whose limits are certified
 
     @property
     def controller(self) -> Controller:

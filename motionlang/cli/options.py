@@ -21,6 +21,7 @@ class Options:
 
     __slots__ = (
         "cache",
+        "certify",
         "columns",
         "dialect",
         "everything",
@@ -71,6 +72,7 @@ class Options:
         # The time profile: as a table, and as a file.
         self.profile = False
         self.profile_to: str | None = None
+        self.certify = False
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Options) and all(

@@ -99,9 +99,19 @@ def _tell(result: Run, options: Options) -> int:
     proof = result.proof() if result.orders is not None and result.crash is None else None
     if proof is not None:
         result.diagnostics += proof.violations
+    if options.certify and proof is not None:
+        from motionlang.cli.certify import certify
+
+        result.certificate = certify(result)
     _report(result, options)
     if proof is not None and options.report == "table":
-        sys.stdout.write("\n" + "\n".join(proof.lines()) + "\n")
+        sys.stdout.write("\n")
+        if result.certificate:
+            from motionlang.cli.certify import print_certificate
+
+            print_certificate(result, result.certificate, proof, options.machine)
+        else:
+            sys.stdout.write("\n".join(proof.lines()) + "\n")
     if result.diagnostics:
         from motionlang.cli.complaints import complain
 

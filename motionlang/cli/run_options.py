@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import os
 import sys
 from typing import TYPE_CHECKING
 
@@ -123,6 +124,12 @@ def add_run(commands: Commands) -> None:
         metavar="FILE",
         help="write that into FILE: .json, .trace.json (Perfetto) or .speedscope.json",
     )
+    parser.add_argument(
+        "--certify",
+        action="store_true",
+        help="hold what each axis reached against the [axis.N.limits] of the machine file: a table to sign; status 1 "
+        "where one is passed. FILE may be a folder. It proves the motion, too",
+    )
     parser.add_argument("--no-cache", action="store_true", help="compile anew, and do not keep the result")
 
 
@@ -141,8 +148,10 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
         "prove",
         "profile",
         "profile_to",
+        "certify",
     ):
         setattr(options, name, getattr(arguments, name))
+    options.prove = options.prove or options.certify
     options.points = (arguments.trajectory_rate or TRAJECTORY_RATE) if arguments.as_controller else None
     options.rate = arguments.rate or (SERVO_RATE if arguments.as_controller else RATE)
     options.window = (arguments.begin or 0.0, arguments.end, arguments.axes, arguments.path)
@@ -169,6 +178,10 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
             if diagnostic is not None:
                 return refuse(options, [diagnostic], None, 1)
     options.given = arguments.given
+    if options.certify and os.path.isdir(options.file):
+        from motionlang.cli.certify import certify_folder
+
+        return certify_folder(options.file, options)
     return run_command(options)
 
 

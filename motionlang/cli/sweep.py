@@ -105,6 +105,7 @@ def _description(arguments: argparse.Namespace) -> Description:
     if arguments.keep is not None:
         wishes.keep = [each.strip() for each in arguments.keep.split(",") if each.strip()]
     wishes.prove = wishes.prove or arguments.prove
+    wishes.certify = wishes.certify or arguments.certify
     if wishes.minimise is not None and wishes.maximise is not None:
         raise ValueError("one thing is best: give --minimise or --maximise")
     return wishes
@@ -138,6 +139,7 @@ def _made(arguments: argparse.Namespace, wishes: Description) -> tuple[Sweep, Re
             worlds=worlds,
             until=wishes.until,
             prove=wishes.prove,
+            certify=wishes.certify,
         )
     except ProgramError as error:
         complain(error.diagnostics, source, arguments.file)

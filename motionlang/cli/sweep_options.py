@@ -81,6 +81,11 @@ def add_parser(commands: Commands) -> None:
         action="store_true",
         help="hold the motion of every variant against what the program ordered",
     )
+    add(
+        "--certify",
+        action="store_true",
+        help="a variant that passes a limit of the machine file is a bad one",
+    )
     add("--minimise", metavar="EXPR", help="tell the variant for which this is smallest")
     add("--maximise", metavar="EXPR", help="tell the variant for which this is largest")
     add("--where", metavar="EXPR", help="of those only for which this is true")

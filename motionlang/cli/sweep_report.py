@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
 # Bad variants that are named for each thing that is wrong.
 MOST_BAD = 3
+_FIGURES = re.compile(r"\d[\d.e+-]*")
 # The width of a table that goes into a file or a pipe.
 PIPED_WIDTH = 160
 
@@ -160,12 +162,14 @@ class Report:
         """Bad variants apart from the others, those with the same thing wrong together."""
         from motionlang.views.sweep_table import cell
 
-        alike: dict[str, list[int]] = {}
+        alike: dict[str, tuple[str, list[int]]] = {}
         for index, problem in bad.items():
             place = f" (line {problem['line']})" if problem["line"] else ""
-            alike.setdefault(f"{problem['code']}: {problem['message']}{place}", []).append(index)
+            message = f"{problem['code']}: {problem['message']}{place}"
+            # The same but for its figures is the same.
+            alike.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
         sys.stderr.write(f"{len(bad)} of {count} variants are bad\n")
-        for message, indices in alike.items():
+        for message, indices in alike.values():
             named = [
                 ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
                 for index in indices[:MOST_BAD]

@@ -88,6 +88,7 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         worlds=worlds,
         until=wishes.until,
         prove=wishes.prove,
+        certify=wishes.certify,
     )
     names = ["variant", *sweep.space.names, *sweep.job.keep, "problem"]
     rows = [

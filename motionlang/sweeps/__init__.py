@@ -71,6 +71,7 @@ class Sweep:
         worlds: Mapping[str, Mapping[str, Mapping[str, object]]] | None = None,
         until: float | None = None,
         prove: bool = False,
+        certify: bool = False,
     ) -> None:
         """As `sweep` has them.
 
@@ -93,6 +94,7 @@ class Sweep:
             worlds or {},
             until,
             prove,
+            certify,
         )
         if len(self.space):
             self._check(source, language)
@@ -146,6 +148,7 @@ def sweep(
     overrides: Mapping[str, float | str] | None = None,
     until: float | None = None,
     prove: bool = False,
+    certify: bool = False,
 ) -> Iterator[Row]:
     """Run a program in many variants and yield a row for each, as they come.
 
@@ -153,8 +156,9 @@ def sweep(
     or texts such as "500:5000:10"; every combination is a variant. A list of points, `[{"accel": 500.0}, …]`, is one
     variant a point. `keep` names what is kept of a run, see docs/sweep.md. `executor` is any
     `concurrent.futures.Executor`, such as Dask's; without one, `jobs` processes of this machine. The other arguments
-    are those of `run`. A variant that goes wrong is a row with its `problem`; what is wrong with all of them is raised
-    before the first one runs, as `Sweep` says.
+    are those of `run`; with `certify` a variant that passes a limit of the machine is a bad one. A variant that goes
+    wrong is a row with its `problem`; what is wrong with all of them is raised before the first one runs, as `Sweep`
+    says.
     """
     made = Sweep(
         program,
@@ -165,5 +169,6 @@ def sweep(
         overrides=overrides,
         until=until,
         prove=prove,
+        certify=certify,
     )
     return map(made.row, made.results(executor, jobs))

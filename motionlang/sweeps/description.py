@@ -33,7 +33,8 @@ KEYS = {
     "maximise": "an expression that is to be large",
     "where": "an expression that must be true of the best",
     "pareto": "two or more expressions that are to be small, by commas",
-    "prove": "true: the motion of every variant is held against what the program ordered",
+    "certify": "true: a variant that passes a limit of the machine is a bad one",
+    "prove": "true: the motion of every variant is held against what was ordered",
 }  # fmt: skip
 _TEXTS, _COUNTS = ("machines", "scenarios", "minimise", "maximise", "where", "pareto"), ("random", "latin")
 
@@ -41,8 +42,8 @@ _TEXTS, _COUNTS = ("machines", "scenarios", "minimise", "maximise", "where", "pa
 class Description:
     """The wishes by the keys of the file, as far as they are said."""
 
-    __slots__ = ("dimensions", "keep", "latin", "machines", "maximise", "minimise", "pareto", "prove", "random",
-                 "scenarios", "seed", "until", "where")  # fmt: skip
+    __slots__ = ("certify", "dimensions", "keep", "latin", "machines", "maximise", "minimise", "pareto", "prove",
+                 "random", "scenarios", "seed", "until", "where")  # fmt: skip
 
     def __init__(self) -> None:
         self.dimensions: list[Dimension] = []
@@ -58,6 +59,7 @@ class Description:
         self.where: str | None = None
         self.pareto: str | None = None
         self.prove = False
+        self.certify = False
 
     def space(self, worlds: Mapping[str, Mapping[str, object]]) -> Space:
         """The variants; ValueError where there are none, or not as many as can be."""
@@ -173,10 +175,10 @@ def _take(found: Description, key: str, value: object, folder: str) -> tuple[str
         if not isinstance(value, str):
             return wrong
         setattr(found, key, os.path.join(folder, value) if key in ("machines", "scenarios") else value)
-    elif key == "prove":
+    elif key in ("prove", "certify"):
         if not isinstance(value, bool):
             return wrong
-        found.prove = value
+        setattr(found, key, value)
     elif key == "until":
         if not number or not 0 <= value < 1e300:  # type: ignore[operator]
             return wrong

@@ -41,6 +41,7 @@ class Job:
 
     __slots__ = (
         "_digest",
+        "certify",
         "dialect",
         "keep",
         "name",
@@ -64,12 +65,13 @@ class Job:
         worlds: Mapping[str, Mapping[str, Mapping[str, object]]],
         until: float | None,
         prove: bool,
+        certify: bool = False,
     ) -> None:
         self.name, self.text, self.dialect = source.name, source.text, dialect
         self.names, self.keep = tuple(names), tuple(keep)
         self.settings, self.overrides = dict(settings), dict(overrides)
         self.worlds = {kind: {n: dict(s) for n, s in some.items()} for kind, some in worlds.items()}
-        self.until, self.prove = until, prove
+        self.until, self.prove, self.certify = until, prove or certify, certify
         self._digest = ""
 
     def __getstate__(self) -> dict[str, Any]:
@@ -175,6 +177,11 @@ class Worker:
             diagnostics.append(Diagnostic("crash", f"motionlang itself failed: {what}"))
         elif self.job.prove:
             diagnostics += found.proof().violations
+        if self.job.certify and found.crash is None:
+            from motionlang.controller.record.certificate import certificate, violations
+
+            lines = certificate(found.controller, found.machine.settings, found.time)
+            diagnostics += violations(found.controller, lines, found.time)
         return told(diagnostics) if diagnostics else None
 
 

@@ -61,6 +61,12 @@ def _extreme(which: str) -> Reader:
     return read
 
 
+def _margin(run: Run, number: int) -> float | None:
+    from motionlang.controller.record.certificate import certificate, least_margin
+
+    return least_margin(certificate(run.controller, run.machine.settings, run.time))
+
+
 def _motor(column: str, rms: bool = False) -> Reader:
     def read(run: Run, axis: int) -> float | None:
         from motionlang.controller.record.extremes import motor_peak
@@ -88,6 +94,7 @@ ROWS = (
     Quantity("torque.N", "N m", "the largest torque of its motor", _motor("torque")),
     Quantity("rms_torque.N", "N m", "the root of the mean square of that torque over the run", _motor("torque", True)),
     Quantity("output.N", "V", "the largest output to its motor", _motor("output")),
+    Quantity("margin", "", "the least margin of the machine's [axis.N.limits], as a part of the limit", _margin),
 )  # fmt: skip
 _BY_NAME = {row.name.partition(".")[0] + ("." if "." in row.name else ""): row for row in ROWS}
 

@@ -34,6 +34,21 @@ KEYS: dict[str, tuple[str, str]] = {
         "number",
         "Where the machine stands at power-up, measured from its own zero, in user units.",
     ),
+    "axis.N.limits.position": (
+        "pair",
+        "Where the machine may be, in user units; `run --certify` tells how far it went.",
+    ),
+    "axis.N.limits.speed": ("positive", "How fast it may be, in user units a second."),
+    "axis.N.limits.acceleration": (
+        "positive",
+        "Its greatest acceleration and deceleration, in user units/s².",
+    ),
+    "axis.N.limits.jerk": ("positive", "Its greatest jerk, in user units/s³; a trapezoid's is infinite."),
+    "axis.N.limits.torque": ("positive", "The greatest torque of its simulated motor, N m."),
+    "axis.N.limits.following_error": (
+        "positive",
+        "The greatest following error of its simulated motor, in user units.",
+    ),
     "mint.readings.WORD": (
         "reading",
         "What a word of Mint reads whose value this program cannot know, such as DRIVEBUSVOLTS = 325, or "

@@ -1,0 +1,95 @@
+"""`motionlang run --certify`: the limits of the machine against what a run reached, of a program or a folder."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from motionlang.cli.complaints import complain, unreadable
+from motionlang.cli.golden import programs
+from motionlang.controller.record.certificate import certificate, violations
+from motionlang.errors import ProgramError
+from motionlang.execution import machine_of, run
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.cli.options import Options
+    from motionlang.controller.record.certificate import Limit
+    from motionlang.controller.record.judge import Proof
+    from motionlang.result import Run
+
+# Programs without limits that are named.
+MOST_NAMED = 5
+
+
+def certify(result: Run) -> list[Limit]:
+    """The certificate of a run; what speaks against it becomes diagnostics of the run."""
+    lines = certificate(result.controller, result.machine.settings, result.time)
+    result.diagnostics += violations(result.controller, lines, result.time)
+    return lines
+
+
+def print_certificate(result: Run, lines: Sequence[Limit], proof: Proof | None, machine: str | None) -> None:
+    """Write the table to standard output."""
+    from motionlang.views.certificate import certificate_lines
+    from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+
+    width = width_of(sys.stdout) if is_terminal(sys.stdout) else 160
+    text = _text_of(machine)
+    made = certificate_lines(result, lines, proof, text, width=width, colour=wants_colour(sys.stdout))
+    written = "\n".join(made) + "\n"
+    sys.stdout.write(written if draws(sys.stdout) else plain(written))
+
+
+def _text_of(machine: str | None) -> str:
+    try:
+        return "" if machine is None else Source.read(machine).text
+    except OSError:
+        return ""
+
+
+def certify_folder(folder: str, options: Options) -> int:
+    """The certificates of all programs of a folder, each on the machine beside it; 1 where one cannot be signed.
+
+    Programs whose machine has no limits are named at the end.
+    """
+    found, without, failed = programs([folder]), [], 0
+    if not found:
+        sys.stderr.write(f"no programs in {folder}\n")
+        return 1
+    signed = 0
+    for program in found:
+        try:
+            result = run(
+                program, until=options.until, overrides=options.overrides, cache=options.cache, prove=True
+            )
+        except OSError as error:
+            complain([unreadable(str(error.filename or program), error)], None, program)
+            failed += 1
+            continue
+        except ProgramError as error:
+            complain(error.diagnostics, None, program)
+            failed += 1
+            continue
+        if not any(".limits." in key for key in result.machine.settings):
+            without.append(os.path.relpath(program, folder))
+            continue
+        proof = result.proof()
+        result.diagnostics += proof.violations
+        lines = certify(result)
+        if options.report == "table":
+            print_certificate(result, lines, proof, machine_of(program))
+            sys.stdout.write("\n")
+        wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
+        if result.diagnostics:
+            complain(result.diagnostics, result.source, program)
+        failed += wrong
+        signed += not wrong
+    sys.stdout.write(f"{signed} of {signed + failed} machines keep their limits\n")
+    if without:
+        more = f", and {len(without) - MOST_NAMED} more" if len(without) > MOST_NAMED else ""
+        sys.stdout.write(f"no limits are known for {len(without)}: {', '.join(without[:MOST_NAMED])}{more}\n")
+    return 1 if failed or not signed else 0

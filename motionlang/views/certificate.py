@@ -1,0 +1,67 @@
+"""The limit certificate on a terminal: a table to sign."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+from typing import TYPE_CHECKING
+
+from motionlang import __version__
+from motionlang.views.grid import Column, grid
+from motionlang.views.terminal import styled
+from motionlang.views.words import figure
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.controller.record.certificate import Limit
+    from motionlang.controller.record.judge import Proof
+    from motionlang.result import Run
+
+COLUMNS = (
+    Column("axis"), Column("limit", align="<"), Column("", align="<"), Column("allowed"), Column("reached"),
+    Column("at", "s", drop=2), Column("line", drop=1), Column("margin"), Column("", align="<"),
+)  # fmt: skip
+
+
+def certificate_lines(
+    run: Run, lines: Sequence[Limit], proof: Proof | None, machine: str, *, width: int, colour: bool = False
+) -> list[str]:
+    """The table, what was proved of the motion, what was certified, and the place for a name."""
+    rows = [_row(line) for line in lines]
+    styles = ["" if line.verdict == "within" else "error" for line in lines]
+    within = sum(line.verdict == "within" for line in lines)
+    out = [styled(f"limits of {run.source.name}", "bold", colour)]
+    out += grid(COLUMNS, rows, width=width, colour=colour, styles=styles)
+    out += ["", f"{within} of {len(lines)} limits are kept"]
+    if proof is not None:
+        broken = len(proof.violations)
+        looked = ", ".join(f"{count} {name}" for name, count in proof.counts.items() if count)
+        out.append(f"the motion is as the program ordered it: {looked or 'nothing moved'}" if not broken
+                   else f"the motion is not as the program ordered it: {broken} violations")  # fmt: skip
+    out.append(
+        f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
+    )
+    out += ["", "checked by ______________________________   date ______________"]
+    return out
+
+
+def _row(line: Limit) -> list[str]:
+    margin = ""
+    if line.margin is not None:
+        margin = f"{figure(line.margin)} uu" if "position" in line.name else f"{100.0 * line.margin:.1f} %"
+    return [
+        str(line.axis),
+        line.name,
+        line.unit,
+        f"{line.limit:.6g}",
+        "" if line.reached is None else f"{line.reached + 0.0:.6g}",
+        "" if line.time is None else figure(line.time, 6),
+        str(line.line) if line.line else "",
+        margin,
+        {"within": "", "beyond": "beyond", "unknown": "unknown: no motor is simulated"}[line.verdict],
+    ]
+
+
+def _digest(text: str) -> str:
+    """The first letters of the SHA-256 of a text, by which two of them are told apart."""
+    return f"sha256 {sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:16]}"
