@@ -22,6 +22,7 @@ LEVELS: dict[str, int] = {
     "client": 14,
     "serve": 13,
     "views": 12,
+    "diff": 11,
     "sweeps": 11,
     "scenarios": 11,
     "execution": 10,

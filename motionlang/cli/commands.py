@@ -27,6 +27,7 @@ PROGRAM = "motionlang"
 FAMILIES = {
     "pvt": ("motionlang.cli.pvt", "position-velocity-time moves for Copley drives"),
     "servo": ("motionlang.cli.servo", "the servo behind the profile: slip, DAC steps, tuning, comparison"),
+    "diff": ("motionlang.cli.diff", "tell what a change did: two programs, or one and its golden files"),
     "sweep": ("motionlang.cli.sweep_options", "run a program in many variants, and say which is best"),
     "compare": (
         "motionlang.cli.compare",
@@ -264,6 +265,9 @@ def _add_verify(commands: Commands) -> None:
         "and what it prints in pick.golden.txt",
     )
     parser.add_argument("--update", action="store_true", help="write the golden files anew")
+    parser.add_argument(
+        "--review", action="store_true", help="ask of each program that differs whether that is accepted"
+    )
     _add_form(parser)
     add_jobs(parser)
 
@@ -271,7 +275,11 @@ def _add_verify(commands: Commands) -> None:
 def _verify(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     from motionlang.cli.verify import verify_command
 
-    return verify_command(arguments.paths, arguments.update, arguments.format, arguments.jobs)
+    if arguments.review and (arguments.update or not sys.stdin.isatty() or arguments.format != "text"):
+        parser.error("--review asks at a terminal; --update accepts everything")
+    return verify_command(
+        arguments.paths, arguments.update, arguments.format, arguments.jobs, arguments.review
+    )
 
 
 def _add_completion(commands: Commands) -> None:

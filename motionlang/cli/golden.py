@@ -10,18 +10,18 @@ import json
 import os
 from typing import TYPE_CHECKING
 
+from motionlang.diff.reports import difference
+from motionlang.diff.tolerance import EXACT
 from motionlang.execution import dialect, dialects
 from motionlang.files import replacing
 from motionlang.report import text
+from motionlang.views.diff import diff_lines
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from motionlang.result import Run
 
-TOLERANCE = 1e-9
-# A figure this small is rounding, whatever it is compared with.
-NOTHING = 1e-12
 MOST_DIFFERENCES = 8
 
 
@@ -46,15 +46,17 @@ def golden_files(program: str) -> tuple[str, str]:
 
 
 def differences(program: str, result: Run) -> list[str]:
-    """How a program's run differs from its golden files; OSError where one cannot be read, ValueError for no JSON."""
+    """How a program's run differs from its golden files; OSError where one cannot be read, ValueError for no report."""
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
-    found = list(_compare("", expected, json.loads(text(result, whole=False))))
+    if not isinstance(expected, dict):
+        raise ValueError("it is no report")
+    found = diff_lines(difference(expected, json.loads(text(result, whole=False))), most=MOST_DIFFERENCES)
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read()
-        if lines != _printed(result):
+        if lines != _printed(result) and expected.get("output") == result.output:
             found.append(f"the printed output is not that of {os.path.basename(printed)}")
     return found
 
@@ -84,27 +86,6 @@ def _write(path: str, content: str) -> None:
         file.write(content.encode())
 
 
-def _compare(place: str, expected: object, found: object) -> Iterator[str]:
-    """Every difference between two JSON values, by the place in the document at which it is."""
-    if isinstance(expected, dict) and isinstance(found, dict):
-        for name in sorted(expected.keys() | found.keys()):
-            inner = f"{place}.{name}" if place else name
-            if name not in expected or name not in found:
-                yield f"{inner} is {'new' if name not in expected else 'missing'}"
-            else:
-                yield from _compare(inner, expected[name], found[name])
-    elif isinstance(expected, list) and isinstance(found, list):
-        if len(expected) != len(found):
-            yield f"{place} has {len(found)} entries instead of {len(expected)}"
-        for i, (one, other) in enumerate(zip(expected, found, strict=False)):
-            yield from _compare(f"{place}[{i}]", one, other)
-    elif not same(expected, found):
-        yield f"{place} is {json.dumps(found)} instead of {json.dumps(expected)}"
-
-
 def same(expected: object, found: object) -> bool:
     """Whether two values are one, figures within a billionth."""
-    if isinstance(expected, float) and isinstance(found, float):
-        size = max(abs(expected), abs(found))
-        return expected == found or abs(expected - found) <= max(TOLERANCE * size, NOTHING)
-    return expected == found and type(expected) is type(found)
+    return EXACT.same(expected, found)

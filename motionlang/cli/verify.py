@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 SCHEMA = "motionlang.verify/1"
 
 
-def verify_command(paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0) -> int:
+def verify_command(
+    paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0, review: bool = False
+) -> int:
     """Verify programs, or write their golden files anew; 1 where one differs, cannot be read or has none."""
     found = programs(paths)
     if not found:
@@ -40,6 +42,8 @@ def verify_command(paths: Sequence[str], rewrite: bool, form: str = "text", jobs
                 complain(verdict.diagnostics, verdict.source, verdict.place)
             if form == "text":
                 sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
+            if review and verdict.failed and verdict.lines:
+                _review(each[0].name, verdict)
     if form == "text":
         good = f"{_count(verdicts, 'program')}{_besides(verdicts)}"
         sys.stdout.write(f"{good} {'have their golden files' if rewrite else 'as their golden files say'}\n")
@@ -53,6 +57,23 @@ def verify_command(paths: Sequence[str], rewrite: bool, form: str = "text", jobs
         document = [Found(each.name, each.findings(), each.source, each.place) for each in verdicts]
         sys.stdout.write(written(document, form, "verify"))
     return 1 if any(each.failed for each in verdicts) else 0
+
+
+def _review(program: str, verdict: Verdict) -> None:
+    """Ask whether what is otherwise is accepted; if so the golden files are written anew, and nothing failed."""
+    sys.stdout.flush()
+    answer = input(f"{verdict.name}: accept? [y]es, [n]o, [q]uit: ").strip().lower()[:1]
+    if answer == "q":
+        raise KeyboardInterrupt
+    if answer != "y":
+        return
+    again = Verdict(verdict.name, verdict.kind)
+    if verdict.kind == "program":
+        _update(again)
+    else:
+        (again,) = besides(program, True, verdict.name)
+    verdict.failed = again.failed
+    complain(again.diagnostics, again.source, again.place)
 
 
 def _count(verdicts: Sequence[Verdict], kind: str) -> str:
@@ -96,6 +117,8 @@ def _verify(verdict: Verdict) -> None:
         verdict.fail(f"{os.path.basename(report)} is not JSON: {error}")
     else:
         verdict.tell(expectations(result) + found)
+        if verdict.failed and result.diagnostics:  # of a program that no longer compiles, for one
+            verdict.diagnostics, verdict.source = result.diagnostics, result.source
 
 
 def _update(verdict: Verdict) -> None:

@@ -23,13 +23,15 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 
-def besides(program: str, rewrite: bool) -> list[Verdict]:
-    """Check, or write anew, the scenarios and the sweep that lie beside a program."""
+def besides(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
+    """Check, or write anew, the scenarios and the sweep that lie beside a program, or one of them."""
     found = [
-        _guarded(Verdict(path, "scenario"), _scenario, program, rewrite) for path in scenario_files(program)
+        _guarded(Verdict(path, "scenario"), _scenario, program, rewrite)
+        for path in scenario_files(program)
+        if only in ("", path)
     ]
     path = os.path.splitext(program)[0] + SWEEP_SUFFIX
-    if os.path.isfile(path):
+    if only in ("", path) and os.path.isfile(path):
         found.append(_guarded(Verdict(path, "sweep"), _sweep, program, rewrite))
     return found
 

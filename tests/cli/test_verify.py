@@ -37,11 +37,55 @@ def test_a_difference_is_named_by_its_place(cell: Cell) -> None:
     assert ran.status == 1
     assert ran.out == (
         "ballscrew.mcl: differs\n"
+        "  line 4: MR of axis 1, 1 move: accel 0.25 → 0.2 s\n"
         "  axes[0].error is new\n"
-        "  moves[0].phases[0].duration is 0.2 instead of 0.25\n"
+        "  the motion is first otherwise at 0.000080 s, on axis 1\n"
         "  the printed output is not that of ballscrew.golden.txt\n"
         "0 of 1 programs as their golden files say\n"
     )
+
+
+PICK = (
+    "SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\nPRINT TIME\n"
+)
+
+
+def test_a_line_that_is_put_in_is_no_difference_and_a_mistake_is_shown(cell: Cell) -> None:
+    cell.write("pick.mnt", PICK)
+    cell("verify", "pick.mnt", "--update")
+    cell.write("pick.mnt", "' a remark\n\n" + PICK)
+    assert cell("verify", "pick.mnt").status == 0
+    cell.write("pick.mnt", PICK.replace("ACCEL", "ACEL"))
+    ran = cell("verify", "pick.mnt")
+    assert ran.status == 1
+    assert "  the run: ended → fault\n" in ran.out
+    assert "  no more: line 2: MOVEA of axis 0 by 100 uu" in ran.out
+    assert "pick.mnt:1:18" in ran.err
+
+
+def test_a_change_is_accepted_program_by_program(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("wrong.mcl", "jog.mcl", "ballscrew.mcl"):
+        (cell.folder / name).unlink()
+    for name in ("a.mnt", "b.mnt", "c.mnt"):
+        cell.write(name, PICK)
+    cell("verify", ".", "--update")
+    for name in ("a.mnt", "b.mnt", "c.mnt"):
+        cell.write(name, PICK.replace("= 200", "= 150"))
+    assert cell("verify", ".", "--review").status == 2  # nobody is there to be asked
+    monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
+    answers = iter("yn")
+    asked: list[str] = []
+
+    def answer(text: str) -> str:
+        asked.append(text)
+        return next(answers, "q")
+
+    monkeypatch.setattr("builtins.input", answer)
+    assert cell("verify", ".", "--review").status == 130
+    assert [text[:7] for text in asked] == ["./a.mnt", "./b.mnt", "./c.mnt"]
+    ran = cell("verify", ".")
+    assert "a.mnt" not in ran.out
+    assert "./b.mnt: differs\n  time: " in ran.out
 
 
 def test_what_has_no_golden_file_or_no_file_at_all(cell: Cell) -> None:

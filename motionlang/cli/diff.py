@@ -1,0 +1,189 @@
+"""`motionlang diff A [B]`: two programs, two machines, two variants, or a program and its golden files."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from typing import TYPE_CHECKING, Any
+
+from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.golden import golden_files
+from motionlang.cli.machine_options import add_dialect, set_values
+from motionlang.diff.motion import parting
+from motionlang.diff.reports import difference
+from motionlang.diff.tolerance import Tolerance
+from motionlang.errors import ProgramError
+from motionlang.execution import dialect_of, machine_of, run
+from motionlang.lang.machine.file import read_machine
+from motionlang.report import build
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    import argparse
+
+    from motionlang.cli.parser import Commands
+    from motionlang.result import Run
+
+SUMMARY = "tell what a change did: two programs, machines or variants, or a program and its golden files"
+EPILOG = """\
+A and B are programs, or reports as `run --report json` writes them. Without B, A is compared with its golden files, or,
+where --set-b or --machine-b says what is otherwise, with itself. Moves and prints are aligned by what they are, not by
+their numbers: a line that is put in somewhere is no difference.
+
+exit status: 0 nothing is otherwise; 1 something is; 2 the command line is wrong
+
+examples:
+  motionlang diff pick.mnt                                what has changed since the golden files were written
+  motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
+  motionlang diff pick.mnt --set-b rate=2000              one variant beside another
+  motionlang diff pick.mnt --machine-b worn.machine.toml
+"""
+
+
+def add_parser(commands: Commands) -> None:
+    """Register `diff`; the handler is `arguments.handler`."""
+    parser = commands.add_parser(
+        "diff", help=SUMMARY, description=SUMMARY[0].upper() + SUMMARY[1:] + ".", epilog=EPILOG
+    )
+    parser.set_defaults(handler=diff_command, parser=parser)
+    add = parser.add_argument
+    add("a", metavar="A", help="a program, or a report")
+    add("b", metavar="B", nargs="?", help="another one")
+    add_dialect(parser)
+    for side in "ab":
+        add(
+            f"--machine-{side}",
+            metavar="M.toml",
+            help=f"the machine of {side.upper()}, instead of the one beside it",
+        )
+        add(
+            f"--set-{side}",
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
+            help=f"as --set of run, for {side.upper()}",
+        )
+    add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
+        help="time=1ms, position=0.01uu, speed=2%%: what differs by less is the same; may be repeated")  # fmt: skip
+    add("--until", type=float, metavar="S", help="end the runs after S seconds of machine time")
+    add("--all", action="store_true", help="tell everything, not the first of each kind")
+    add("--json", action="store_true", help="print one JSON document and nothing else")
+
+
+def diff_command(arguments: argparse.Namespace) -> int:
+    """Compare and tell; answers with the exit status."""
+    parser = arguments.parser
+    try:
+        tolerance = Tolerance(*arguments.tolerance)
+    except ValueError as error:
+        parser.error(str(error))
+    other = arguments.b
+    if other is None and (arguments.set_b or arguments.machine_b):
+        other = arguments.a
+    if other is None and arguments.a.lower().endswith(".json"):
+        parser.error("a report is compared with another one: give B")
+    golden = other is None
+    sides = []
+    for side, path in (("a", arguments.a), ("b", other)):
+        read = _golden(arguments.a) if path is None else _side(arguments, side, path)
+        if read is None:
+            return 1
+        sides.append(read)
+    if golden:
+        sides.reverse()  # what was comes first
+    (old, old_run), (new, new_run) = sides
+    found = difference(old, new, tolerance)
+    parted = None
+    if old_run is not None and new_run is not None:
+        parted = parting(old_run, new_run, tolerance.size("position"))
+    if arguments.json:
+        sys.stdout.write(json.dumps(_data(found, parted), default=vars) + "\n")
+    else:
+        _print(found, parted, arguments.all)
+    return 0 if found.same else 1
+
+
+def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str, Any], Run | None] | None:
+    """The report of one side, and its run where it is a program; None where there is none, which has been told."""
+    try:
+        if path.lower().endswith(".json"):
+            return _report(path)
+        if arguments.dialect is None and dialect_of(path) is None:
+            complain([no_dialect(path)], None, path)
+            return None
+        settings: dict[str, object] = {}
+        overrides: dict[str, float | str] = {}
+        set_values(getattr(arguments, f"set_{side}"), settings, overrides, arguments.parser)
+        machine = machine_of(path, getattr(arguments, f"machine_{side}"))
+        if machine is not None:
+            try:
+                settings = read_machine(Source.read(machine)) | settings
+            except ProgramError as error:
+                complain(error.diagnostics, Source.read(machine), machine)
+                return None
+        result = run(
+            path, dialect=arguments.dialect, machine=settings, until=arguments.until, overrides=overrides
+        )
+        if result.diagnostics:
+            complain(result.diagnostics, result.source, path)
+        return build(result), result
+    except OSError as error:
+        complain([unreadable(str(error.filename or path), error)], None, path)
+    except ProgramError as error:
+        complain(error.diagnostics, None, path)
+    return None
+
+
+def _golden(program: str) -> tuple[dict[str, Any], Run | None] | None:
+    path = golden_files(program)[0]
+    if not os.path.exists(path):
+        sys.stderr.write(f"{program}: no {os.path.basename(path)} beside it to be compared with; give B\n")
+        return None
+    try:
+        return _report(path)
+    except OSError as error:
+        complain([unreadable(path, error)], None, path)
+        return None
+
+
+def _report(path: str) -> tuple[dict[str, Any], None] | None:
+    """A report from its file; None where the file is none, or was cut off."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        try:
+            found = json.load(file)
+        except (ValueError, RecursionError) as error:
+            sys.stderr.write(f"{path} is not JSON: {error}\n")
+            return None
+    if not isinstance(found, dict) or not str(found.get("schema", "")).startswith("motionlang.report/"):
+        sys.stderr.write(
+            f"{path} is no report: its schema is {found.get('schema') if isinstance(found, dict) else None!r}\n"
+        )
+        return None
+    return found, None
+
+
+def _data(found: Any, parted: Any) -> dict[str, Any]:
+    return {
+        "schema": "motionlang.diff/1",
+        "same": found.same,
+        "time": found.time,
+        "status": found.status,
+        "lines": [{name: getattr(each, name) for name in each.__slots__} for each in found.lines],
+        "gone": found.gone,
+        "new": found.new,
+        "prints": [dict(zip(("old", "new", "was", "is"), each, strict=True)) for each in found.prints],
+        "errors": [{"how": how, "what": what} for how, what in found.errors],
+        "others": found.others,
+        "parting": None if parted is None else {name: getattr(parted, name) for name in parted.__slots__},
+    }
+
+
+def _print(found: Any, parted: Any, everything: bool) -> None:
+    from motionlang.views.diff import MOST, diff_lines
+    from motionlang.views.terminal import draws, plain, wants_colour
+
+    most = 1_000_000 if everything else MOST
+    lines = diff_lines(found, parted, colour=wants_colour(sys.stdout), most=most) or ["nothing is otherwise"]
+    text = "\n".join(lines) + "\n"
+    sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))

@@ -1,0 +1,104 @@
+"""Two sequences aligned by content: the longest common part, found from both ends and by Myers' greedy algorithm."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Hashable, Sequence
+
+    Pairs = list[tuple[int, int]]
+
+# Insertions and deletions beyond which two sequences are not looked at so closely: the work grows with their square.
+MOST_EDITS = 600
+
+
+def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
+    """The places of what both have, in order; None where they differ in more than `MOST_EDITS` entries."""
+    first = 0
+    while first < len(a) and first < len(b) and a[first] == b[first]:
+        first += 1
+    last = 0
+    while last < min(len(a), len(b)) - first and a[-1 - last] == b[-1 - last]:
+        last += 1
+    middle = _myers(a[first : len(a) - last], b[first : len(b) - last])
+    if middle is None:
+        return None
+    pairs = [(n, n) for n in range(first)]
+    pairs += [(first + i, first + j) for i, j in middle]
+    return pairs + [(len(a) - n, len(b) - n) for n in range(last, 0, -1)]
+
+
+def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
+    if not a or not b:
+        return []
+    # furthest[k] is the furthest place in a on the diagonal k that so many edits reach.
+    furthest, steps = {1: 0}, []
+    for edits in range(min(len(a) + len(b), MOST_EDITS) + 1):
+        steps.append(dict(furthest))
+        for k in range(-edits, edits + 1, 2):
+            down = k == -edits or (k != edits and furthest[k - 1] < furthest[k + 1])
+            i = furthest[k + 1] if down else furthest[k - 1] + 1
+            while i < len(a) and i - k < len(b) and a[i] == b[i - k]:
+                i += 1
+            furthest[k] = i
+            if i >= len(a) and i - k >= len(b):
+                return _way_back(steps, len(a), len(b), a, b)
+    return None
+
+
+def _way_back(
+    steps: list[dict[int, int]], i: int, j: int, a: Sequence[Hashable], b: Sequence[Hashable]
+) -> Pairs:
+    pairs = []
+    for edits in range(len(steps) - 1, -1, -1):
+        furthest, k = steps[edits], i - j
+        down = k == -edits or (k != edits and furthest[k - 1] < furthest[k + 1])
+        before = k + 1 if down else k - 1
+        start = furthest[before] if edits else 0
+        while i > start + (0 if down or not edits else 1) and i > 0 and j > 0 and a[i - 1] == b[j - 1]:
+            i, j = i - 1, j - 1
+            pairs.append((i, j))
+        if edits:
+            i, j = start, start - before
+    return pairs[::-1]
+
+
+def aligned(
+    a: Sequence[object], b: Sequence[object], *keys: Callable[[object], Hashable]
+) -> list[tuple[int | None, int | None]]:
+    """Every entry of both, in order, beside the one of the other that it corresponds to, or None.
+
+    Entries correspond that are equal by the first key; between these, by the next one; by the last key, where all is
+    too different, the first of one to the first of the other.
+    """
+    if not keys:
+        return [*((i, None) for i in range(len(a))), *((None, j) for j in range(len(b)))]
+    key = keys[0]
+    found = common([key(each) for each in a], [key(each) for each in b])
+    if found is None:
+        found = [] if len(keys) > 1 else _by_number(a, b, key)
+    out: list[tuple[int | None, int | None]] = []
+    i = j = 0
+    for i_next, j_next in [*found, (len(a), len(b))]:
+        between = aligned(a[i:i_next], b[j:j_next], *keys[1:]) if i < i_next or j < j_next else []
+        out += [(None if x is None else i + x, None if y is None else j + y) for x, y in between]
+        if i_next < len(a) and j_next < len(b):
+            out.append((i_next, j_next))
+        i, j = i_next + 1, j_next + 1
+    return out
+
+
+def _by_number(a: Sequence[object], b: Sequence[object], key: Callable[[object], Hashable]) -> Pairs:
+    """The nth of a kind beside the nth of the same kind, as far as that keeps both in order."""
+    places: dict[Hashable, list[int]] = {}
+    for j in range(len(b) - 1, -1, -1):
+        places.setdefault(key(b[j]), []).append(j)
+    pairs, last = [], -1
+    for i, each in enumerate(a):
+        waiting = places.get(key(each), [])
+        while waiting and waiting[-1] <= last:
+            waiting.pop()
+        if waiting:
+            last = waiting.pop()
+            pairs.append((i, last))
+    return pairs

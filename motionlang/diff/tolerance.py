@@ -1,0 +1,65 @@
+"""How far off two figures may be and still be the same: tubes with units, such as time=1ms and position=0.01uu."""
+
+from __future__ import annotations
+
+import re
+
+# Figures agree that differ by no more than this part, or by so little: another mathematical library is no difference.
+PART, NOTHING = 1e-9, 1e-12
+_TUBE = re.compile(r"(\w+)=([0-9.eE+-]+)\s*(%|[a-zA-Z/²]*)$")
+# What a tube is about, its units and what they are in the units of a report.
+UNITS = {
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
+    "position": {"uu": 1.0},
+    "speed": {"uu/s": 1.0},
+}
+# The fields of a report that a tube is about.
+FIELDS = {
+    "time": "time", "start_time": "time", "duration": "time", "settle_time": "time", "start": "position",
+    "end": "position", "distance": "position", "position": "position", "peak_following_error": "position",
+    "following_error": "position", "peak_speed": "speed",
+}  # fmt: skip
+
+
+class Tolerance:
+    """Tubes by what they are about: so much, or such a part of the figure."""
+
+    __slots__ = ("_parts", "_sizes")
+
+    def __init__(self, *texts: str) -> None:
+        """From texts such as "time=1ms", "position=0.01uu", "speed=2%"; ValueError for any other."""
+        self._sizes: dict[str, float] = {}
+        self._parts: dict[str, float] = {}
+        for text in texts:
+            found = _TUBE.match(text.strip())
+            units = UNITS.get(found[1]) if found else None
+            if found is None or units is None or (found[3] != "%" and found[3] not in units):
+                raise ValueError(
+                    f"{text!r} is no tolerance such as time=1ms, position=0.01uu, speed=10uu/s or speed=2%"
+                )
+            try:
+                size = float(found[2])
+            except ValueError:
+                raise ValueError(f"{found[2]!r} in {text!r} is no number") from None
+            if not 0.0 <= size < float("inf"):
+                raise ValueError(f"the tolerance {text!r} must be 0 or more")
+            if found[3] == "%":
+                self._parts[found[1]] = size / 100.0
+            else:
+                self._sizes[found[1]] = size * units[found[3]]
+
+    def size(self, kind: str) -> float:
+        """The absolute tube of times, positions or speeds."""
+        return self._sizes.get(kind, 0.0)
+
+    def same(self, expected: object, found: object, field: str = "") -> bool:
+        """Whether two values of a field are the same."""
+        if isinstance(expected, float) and isinstance(found, float):
+            kind = FIELDS.get(field, "")
+            size = max(abs(expected), abs(found))
+            tube = max(self._sizes.get(kind, 0.0), self._parts.get(kind, PART) * size, PART * size, NOTHING)
+            return expected == found or abs(expected - found) <= tube
+        return expected == found and type(expected) is type(found)
+
+
+EXACT = Tolerance()

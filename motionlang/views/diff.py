@@ -1,0 +1,92 @@
+"""What a change did, in words: time first, then lines, prints, errors and the rest."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from motionlang.diff.tolerance import FIELDS
+from motionlang.views.terminal import printable, styled
+
+if TYPE_CHECKING:
+    from motionlang.diff.motion import Parting
+    from motionlang.diff.reports import Difference, LineChange
+
+UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
+# Entries of a kind that are told one by one.
+MOST = 12
+
+
+def diff_lines(
+    found: Difference, parted: Parting | None = None, *, colour: bool = False, most: int = MOST
+) -> list[str]:
+    """The difference as lines of text; none where there is none."""
+    out: list[str] = []
+    if found.status is not None:
+        out.append(f"the run: {found.status[0]} → {found.status[1]}")
+    if found.time is not None:
+        was, is_ = found.time
+        part = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
+        out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{part})", "bold", colour))
+    by_time = sorted(found.lines, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis))
+    out += _first([_line(each) for each in by_time], most, "lines")
+    out += _first([f"no more: {_move(each)}" for each in found.gone], most, "moves that are gone")
+    out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
+    out += _first([_print(*each) for each in found.prints], most, "printed lines")
+    out += _first(
+        [f"{'no more' if how == 'gone' else 'new'}: {what}" for how, what in found.errors], most, "errors"
+    )
+    out += _first(found.others, most, "others")
+    if parted is not None:
+        out.append(
+            f"the motion parts at {parted.time:.6f} s: axis {parted.axis}, by {parted.largest:.6g} uu at most "
+            f"(at {parted.largest_at:.6f} s)"
+        )
+    elif found.first is not None and out:
+        out.append(f"the motion is first otherwise at {found.first[0]:.6f} s, on axis {found.first[1]}")
+    return out
+
+
+def _first(lines: list[str], most: int, what: str) -> list[str]:
+    return lines if len(lines) <= most else [*lines[:most], f"and {len(lines) - most} more {what}"]
+
+
+def _line(change: LineChange) -> str:
+    where = f"line {change.old}" if change.old == change.new else f"line {change.old}, now {change.new}"
+    moves = "1 move" if change.count == 1 else f"{change.count} moves"
+    told = [_figure(name, *pair) for name, pair in change.figures.items()]
+    sums = []
+    if change.duration:
+        sums.append(f"{change.duration:+.6f} s in motion")
+    if change.wait:
+        sums.append(f"{change.wait:+.6f} s before it")
+    if change.count > 1 and sums:
+        sums[-1] += " together"
+    return f"{where}: {change.command} of axis {change.axis}, {moves}: {', '.join((*told, *sums))}"
+
+
+def _figure(name: str, was: Any, is_: Any) -> str:
+    kind = FIELDS.get(name, "" if name.endswith("distance") else "time" if isinstance(was, float) else "")
+    unit = UNITS.get(kind, "uu" if name.endswith("distance") else "")
+    one, other = _value(was), _value(is_)
+    if one == other and isinstance(was, float) and isinstance(is_, float):
+        one, other = f"{was:.12g}", f"{is_:.12g}"
+    return f"{name.replace('_', ' ')} {one} → {other}{f' {unit}' if unit else ''}"
+
+
+def _value(value: object) -> str:
+    return "none" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _move(move: dict[str, Any]) -> str:
+    return (
+        f"line {move['line']}: {move['command']} of axis {move['axis']} by {_value(move['distance'])} uu "
+        f"at {move['start_time']:.6f} s"
+    )
+
+
+def _print(old: int | None, new: int | None, was: str, is_: str) -> str:
+    if old is None:
+        return f"new: printed line {new}, {printable(is_)!r}"
+    if new is None:
+        return f"no more: printed line {old}, {printable(was)!r}"
+    return f"printed line {new}: {printable(was)!r} → {printable(is_)!r}"

@@ -1,0 +1,51 @@
+"""`motionlang diff`: programs, reports, golden files and variants, one beside the other."""
+
+from __future__ import annotations
+
+import json
+
+from tests.cli.programs import Cell
+
+PICK = "Const rate = 1000\nSPEED(0) = 200 : ACCEL(0) = rate : DECEL(0) = rate\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
+
+
+def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) -> None:
+    cell.write("pick.mnt", PICK)
+    cell.write("fast.mnt", PICK.replace("= 1000", "= 2000"))
+    cell("verify", "pick.mnt", "--update")
+    assert cell("diff", "pick.mnt").out == "nothing is otherwise\n"
+    ran = cell("diff", "pick.mnt", "fast.mnt")
+    assert (ran.status, ran.err) == (1, "")
+    assert ran.out.startswith(
+        "time: 0.700050 → 0.600050 s (-0.100000 s, -14 %)\nline 3: MOVEA of axis 0, 1 move: "
+    )
+    assert "the motion parts at 0.000" in ran.out
+    assert cell("diff", "pick.mnt", "--set-b", "rate=2000").out == ran.out
+    cell.write("pick.mnt", PICK.replace("= 1000", "= 2000"))
+    assert cell("diff", "pick.mnt").out.startswith("time: 0.700050 → 0.600050 s")  # what was comes first
+    document = json.loads(cell("diff", "pick.mnt", "--json").out)
+    assert (document["schema"], document["same"]) == ("motionlang.diff/1", False)
+    assert document["lines"][0]["command"] == "MOVEA"
+    assert cell("diff", "pick.mnt", "--tolerance", "time=1s", "--tolerance", "speed=50%").status == 1
+
+
+def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
+    cell.write("pick.mnt", PICK)
+    cell.write("cut.json", '{"schema": "motionlang.report/1", "moves": [')
+    cell.write("other.json", "[1]")
+    cell.write("odd.txt", "x")
+    cell.write("wrong.machine.toml", "axes = 3\n")
+    for words, status, told in (
+        (("pick.mnt",), 1, "no pick.golden.json beside it"),
+        (("pick.mnt", "none.mnt"), 1, "none.mnt cannot be read"),
+        (("pick.mnt", "cut.json"), 1, "cut.json is not JSON"),
+        (("pick.mnt", "other.json"), 1, "other.json is no report"),
+        (("cut.json",), 2, "give B"),
+        (("pick.mnt", "odd.txt"), 1, "the language of odd.txt is unknown"),
+        (("pick.mnt", "--machine-b", "wrong.machine.toml"), 1, "there is no key axes"),
+        (("pick.mnt", "--set-b", "rat=1"), 1, "did you mean rate"),
+        (("pick.mnt", "pick.mnt", "--tolerance", "time=1h"), 2, "is no tolerance such as"),
+    ):
+        ran = cell("diff", *words)
+        assert ran.status == status, (words, ran)
+        assert told in ran.err, (words, ran)
