@@ -163,14 +163,15 @@ class Hand:
 
     def _end(self) -> None:
         """Nothing of this sweep goes on, whatever ended it; an executor that somebody gave us lives on."""
-        for future in self._under_way:
-            future.cancel()
-        if self._given is None and self._executor is not None:
-            stop = getattr(self._executor, "_processes", None) if self._under_way else None
-            processes = list(stop.values()) if stop else []
-            self._executor.shutdown(wait=not self._under_way, cancel_futures=True)
-            for process in processes:
+        if self._given is not None:
+            for future in self._under_way:
+                future.cancel()
+        elif self._executor is not None:
+            # What is under way is cut off, not cancelled: a pool of Python 3.11 stumbles over cancelled work as it ends.
+            processes = getattr(self._executor, "_processes", None) or {}
+            for process in list(processes.values()) if self._under_way else ():
                 process.terminate()
+            self._executor.shutdown(wait=True)
         self._under_way.clear()
 
 
