@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from time import process_time
 
-from benchmarks.shift import PROGRAM
+from shift import PROGRAM
+
 from motionlang.diff.motion import parting
 from motionlang.diff.reports import difference
 from motionlang.execution import run

@@ -39,6 +39,7 @@ LEVELS: dict[str, int] = {
     "lang": 4,
     "controller": 3,
     "profile": 2,
+    "cores": 1,
     "errors": 1,
     "files": 1,
     "source": 1,

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, TypeVar
+
+from motionlang.cores import cores
 
 if TYPE_CHECKING:
     from argparse import ArgumentParser
@@ -14,12 +15,6 @@ if TYPE_CHECKING:
 
 # Fewer files than this for each process are done before a process has begun.
 _WORTH = 4
-
-
-def cores() -> int:
-    """How many processes this one may have at work."""
-    affinity = getattr(os, "sched_getaffinity", None)
-    return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
 
 
 def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int = 0) -> Iterator[Result]:

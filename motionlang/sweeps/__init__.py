@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 
+from motionlang.cores import cores
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_for, settings_beside
 from motionlang.source import Source
 from motionlang.sweeps.job import Job
-from motionlang.sweeps.pool import Hand, cores
+from motionlang.sweeps.pool import Hand
 from motionlang.sweeps.quantities import quantity
 from motionlang.sweeps.space import Space, space_of
 

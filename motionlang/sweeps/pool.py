@@ -31,12 +31,6 @@ MOST_AHEAD, AHEAD = 512, 3
 TRIES, WHOLE_TRIES = 5, 2
 
 
-def cores() -> int:
-    """How many processors this process may use."""
-    affinity = getattr(os, "sched_getaffinity", None)
-    return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
-
-
 class _Chunk:
     __slots__ = ("tries", "variants")
 
@@ -167,7 +161,7 @@ class Hand:
             for future in self._under_way:
                 future.cancel()
         elif self._executor is not None:
-            # What is under way is cut off, not cancelled: a pool of Python 3.11 stumbles over cancelled work as it ends.
+            # What is under way is cut off, not cancelled: Python 3.11 stumbles over cancelled work as a pool ends.
             processes = getattr(self._executor, "_processes", None) or {}
             for process in list(processes.values()) if self._under_way else ():
                 process.terminate()
