@@ -11,7 +11,7 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.diff.motion import parting
-from motionlang.diff.reports import difference
+from motionlang.diff.reports import check, difference
 from motionlang.diff.tolerance import Tolerance
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
@@ -155,10 +155,10 @@ def _report(path: str) -> tuple[dict[str, Any], None] | None:
         except (ValueError, RecursionError) as error:
             sys.stderr.write(f"{path} is not JSON: {error}\n")
             return None
-    if not isinstance(found, dict) or not str(found.get("schema", "")).startswith("motionlang.report/"):
-        sys.stderr.write(
-            f"{path} is no report: its schema is {found.get('schema') if isinstance(found, dict) else None!r}\n"
-        )
+    try:
+        check(found)
+    except ValueError as error:
+        sys.stderr.write(f"{path} cannot be compared with: {error}\n")
         return None
     return found, None
 

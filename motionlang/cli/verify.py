@@ -114,7 +114,8 @@ def _verify(verdict: Verdict) -> None:
     except OSError as error:
         verdict.refuse([unreadable(str(error.filename), error)])
     except ValueError as error:
-        verdict.fail(f"{os.path.basename(report)} is not JSON: {error}")
+        what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared with"
+        verdict.fail(f"{os.path.basename(report)} {what}: {error}")
     else:
         verdict.tell(expectations(result) + found)
         if verdict.failed and result.diagnostics:  # of a program that no longer compiles, for one

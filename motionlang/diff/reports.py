@@ -85,8 +85,35 @@ class Difference:
         return min(times, default=None)
 
 
+# What a move must have to be compared, and what kind of value that is.
+_NEEDED = {"axis": int, "command": str, "line": int, "start_time": float, "phases": list}
+
+
+def check(report: object) -> None:
+    """ValueError where something is no report of a run, or has lost a part."""
+    if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
+        raise ValueError("it is no report of a run")
+    for name in ("moves", "output", "diagnostics"):
+        if not isinstance(report.get(name, []), list):
+            raise ValueError(f"its {name} are no list")
+    for number, move in enumerate(report.get("moves", [])):
+        lacks = [
+            name
+            for name, kind in _NEEDED.items()
+            if not isinstance(move, dict) or not isinstance(move.get(name), kind)
+        ]
+        lacks += [name for name in ("duration", "distance") if isinstance(move, dict) and name not in move]
+        phases = move["phases"] if not lacks else []
+        if lacks or not all(
+            isinstance(each, dict) and {"name", "duration", "distance"} <= each.keys() for each in phases
+        ):
+            raise ValueError(f"its move {number} lacks {', '.join(lacks) or 'a part of a phase'}")
+
+
 def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Difference:
-    """How `new` differs from `old`, both as `motionlang.report/1`."""
+    """How `new` differs from `old`, both as `motionlang.report/1`; ValueError where one of them is none."""
+    check(old)
+    check(new)
     found = Difference()
     if not tolerance.same(old.get("time"), new.get("time"), "time"):
         found.time = old.get("time", 0.0), new.get("time", 0.0)

@@ -34,12 +34,19 @@ def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
     cell.write("cut.json", '{"schema": "motionlang.report/1", "moves": [')
     cell.write("other.json", "[1]")
     cell.write("odd.txt", "x")
+    move = {"axis": 0, "command": "MOVEA", "line": 1, "duration": 1.0, "distance": 2.0}
+    cell.write("lost.json", json.dumps({"schema": "motionlang.report/1", "moves": [move]}))
     cell.write("wrong.machine.toml", "axes = 3\n")
     for words, status, told in (
         (("pick.mnt",), 1, "no pick.golden.json beside it"),
         (("pick.mnt", "none.mnt"), 1, "none.mnt cannot be read"),
         (("pick.mnt", "cut.json"), 1, "cut.json is not JSON"),
-        (("pick.mnt", "other.json"), 1, "other.json is no report"),
+        (("pick.mnt", "other.json"), 1, "other.json cannot be compared with: it is no report of a run"),
+        (
+            ("lost.json", "lost.json"),
+            1,
+            "lost.json cannot be compared with: its move 0 lacks start_time, phases",
+        ),
         (("cut.json",), 2, "give B"),
         (("pick.mnt", "odd.txt"), 1, "the language of odd.txt is unknown"),
         (("pick.mnt", "--machine-b", "wrong.machine.toml"), 1, "there is no key axes"),

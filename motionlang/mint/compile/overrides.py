@@ -36,6 +36,12 @@ def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]
 
 
 def _unknown(name: str, names: list[str]) -> Diagnostic:
+    from motionlang.mint.keywords import table
+
+    row = table().get(name)
+    if row is not None:
+        hint = f"{row.name} is a word of Mint: let a name of the program's own give it its value"
+        return Diagnostic("unknown-word", f"the program has no constant or variable {name}", hint=hint)
     near = nearest(name, names)
     has = (
         f"the program's own names are {', '.join(names)}" if names else "the program has no names of its own"
