@@ -1,0 +1,58 @@
+"""What can be read off an axis, at the edges: jogs, slaves at rest, motion that is the last of several."""
+
+from __future__ import annotations
+
+from math import inf
+
+import pytest
+
+from motionlang.controller.controller import Controller
+from motionlang.controller.move import Action
+from motionlang.lang.machine.machine import Machine
+
+
+def controller() -> Controller:
+    c = Machine({}).controller
+    for axis in (0, 1):
+        for name, value in (("speed", 50.0), ("accel", 100.0), ("decel", 100.0)):
+            c.configure(axis, name, value)
+    return c
+
+
+def test_a_jog_has_nothing_remaining_and_a_move_has() -> None:
+    c = controller()
+    c.jog(0, 20.0)
+    c.move_to(1, 30.0)
+    c.clock.advance(0.2)
+    assert c.target(0) == inf
+    assert c.remaining(0) == 0.0
+    assert c.remaining(1) == pytest.approx(30.0 - 0.5 * 100.0 * 0.2**2)
+    c.clock.advance(10.0)
+    assert c.remaining(1) == 0.0
+
+
+def test_a_slave_whose_master_rests_passes_nothing_not_even_where_it_is() -> None:
+    c = controller()
+    c.gear(0, 1, 1.0)
+    assert c.demand_crossing_time(0, 0.0) == inf
+    c.jog(1, 20.0)
+    c.clock.advance(1.0)
+    here = c.position(0)
+    assert c.demand_crossing_time(0, here + 20.0) == pytest.approx(2.0)
+    assert c.demand_crossing_time(0, here - 1.0) == inf
+
+
+def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
+    """The plan that an entry of the buffer has where it says nothing of its own."""
+    c = controller()
+    c.move_to(0, 10.0)
+    c.clock.advance(5.0)
+    c.move_to(0, -40.0)
+    c.clock.advance(5.5)
+    a = c.axes[0]
+    left = Action().plan(c, a)
+    assert len(a.profiles) > 2
+    assert left.start == pytest.approx(c.position(0))
+    assert left.end == pytest.approx(-40.0)
+    assert left.velocity(0.0) == pytest.approx(a.velocity(5.5)) != 0.0
+    assert left.duration == pytest.approx(a.end_of_motion() - 5.5)
