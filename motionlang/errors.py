@@ -103,10 +103,13 @@ class Diagnostic:
     """One mistake: `line` and `column` count from 1, `length` is the width of the caret line.
 
     `column` 0 means that only the line is known, `line` 0 that the whole file is meant. `count` is how often a run
-    has met it, from the machine time `first` to `last`.
+    has met it, from the machine time `first` to `last`. `fix` is what can stand in the place of the marked text, where
+    nothing else can have been meant; "" where that is not certain.
     """
 
-    __slots__ = ("code", "column", "count", "first", "hint", "last", "length", "line", "message", "severity")
+    __slots__ = (
+        "code", "column", "count", "first", "fix", "hint", "last", "length", "line", "message", "severity",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -118,10 +121,11 @@ class Diagnostic:
         length: int = 1,
         hint: str = "",
         severity: str = "error",
+        fix: str = "",
     ) -> None:
         assert code in CODES, code
         self.code, self.message, self.line, self.column = code, message, line, column
-        self.length, self.hint, self.severity = length, hint, severity
+        self.length, self.hint, self.severity, self.fix = length, hint, severity, fix
         self.count, self.first, self.last = 1, 0.0, 0.0
 
     def __repr__(self) -> str:

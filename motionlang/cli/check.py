@@ -7,7 +7,8 @@ import sys
 from functools import partial
 from typing import TYPE_CHECKING
 
-from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.fix import fix
 from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
 from motionlang.cli.parallel import in_parallel
@@ -33,10 +34,11 @@ SCHEMA = "motionlang.check/1"
 class CheckOptions:
     """What the command line asks of a check: `strict` counts warnings as mistakes, `evidence` lists open readings.
 
-    `form` is one of `views.findings.FORMATS`, `jobs` how many processes there are, 0 for as many as there are cores.
+    `fix` writes what can only have been meant one way. `form` is one of `views.findings.FORMATS`, `jobs` how many
+    processes there are, 0 for as many as there are cores.
     """
 
-    __slots__ = ("dialect", "evidence", "form", "jobs", "machine", "model", "strict")
+    __slots__ = ("dialect", "evidence", "fix", "form", "jobs", "machine", "model", "strict")
 
     def __init__(
         self,
@@ -48,9 +50,10 @@ class CheckOptions:
         model: str | None = None,
         strict: bool = False,
         evidence: bool = False,
+        fix: bool = False,
     ) -> None:
         self.dialect, self.form, self.jobs, self.machine = dialect, form, jobs, machine
-        self.model, self.strict, self.evidence = model, strict, evidence
+        self.model, self.strict, self.evidence, self.fix = model, strict, evidence, fix
 
 
 def check_command(files: Sequence[str], options: CheckOptions) -> int:
@@ -66,7 +69,7 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         return 1
     document: list[Found] = []
     jobs = 1 if STDIN in found_files else options.jobs
-    work = partial(_check, options=options)
+    work = partial(_fixed if options.fix else _check, options=options)
     for file, (language, source, settings, diagnostics) in zip(
         found_files, in_parallel(work, found_files, jobs), strict=True
     ):
@@ -104,6 +107,20 @@ def _tell_evidence(
         row["readings"] = [as_dict(each) for each in found]
     else:
         sys.stdout.write(listing(found, width=width_of(sys.stdout), colour=wants_colour(sys.stdout)))
+
+
+def _fixed(
+    file: str, options: CheckOptions
+) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic]]:
+    """The same as `_check`, of a file in which what is certain has been mended."""
+    found = _check(file, options)
+    if file == STDIN or found[2] is None:
+        return found
+    try:
+        count = fix(file, found[3])
+    except OSError as error:
+        return (*found[:3], [*found[3], unwritten(file, error)])
+    return _check(file, options) if count else found
 
 
 def _check(

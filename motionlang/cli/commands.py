@@ -147,6 +147,11 @@ def _add_check(commands: Commands) -> None:
         action="store_true",
         help="list the open readings that each program depends on, and how strong each is",
     )
+    parser.add_argument(
+        "--fix",
+        action="store_true",
+        help="write what can only have been meant one way into the files, then tell what is left",
+    )
     _add_form(parser)
     add_jobs(parser)
 
@@ -192,6 +197,7 @@ def _check(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> in
         model=arguments.model,
         strict=arguments.strict,
         evidence=arguments.evidence,
+        fix=arguments.fix,
     )
     return check_command(arguments.files, options)
 

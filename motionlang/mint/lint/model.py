@@ -29,6 +29,7 @@ _V4_TOKENS = {
     "ENDL": ("ENDL", "write End Loop"),
     "PERCENT": ("%", "write Mod"),
 }
+_ONE_WORD = frozenset(("ENDIF", "ENDW", "ENDL", "%"))
 _MT_TOKENS = {
     "ELSEIF": ("ElseIf", "write ELSE and a further IF"),
     "SELECT": ("Select Case", "write IF … DO"),
@@ -52,9 +53,13 @@ def check_model(module: Module, source: Source, model: str, table: Table, add: C
     if wanted is None:
         return
     find = _not_v4 if wanted == V4 else _not_mintmt
+    other = MINTMT if wanted == V4 else V4
     for at, what, hint in find(module, source, table):
-        other = MINTMT if wanted == V4 else V4
-        add("model", f"{what} is {other}: it does not compile on {wanted}", at, hint)
+        words = hint.removeprefix("write ")
+        # What is one token and has one spelling on the other side.
+        certain = what in _ONE_WORD or (" " not in what and "." in what and hint.startswith("write "))
+        told = f"{what} is {other}: it does not compile on {wanted}"
+        add("model", told, at, hint, fix=words if certain and wanted == MINTMT else "")
     product = named(model)
     if product is not None:
         for at, what, hint in _lacking(module, product, table):

@@ -25,14 +25,16 @@ class Problems:
         self.ends: set[tuple[str, int]] = set()
         self._wrong = False  # is there an error? Warnings, however many, never hide the first one
 
-    def add(self, code: str, message: str, at: int, hint: str = "", severity: str = "error") -> None:
-        """Note a mistake; the same kind at the same place is told once."""
+    def add(
+        self, code: str, message: str, at: int, hint: str = "", severity: str = "error", fix: str = ""
+    ) -> None:
+        """Note a mistake; the same kind at the same place is told once. `fix` takes the place of the token."""
         if len(self.found) < MOST or (severity == "error" and not self._wrong):
             self._wrong = self._wrong or severity == "error"
             line, column, length = self._place(at)
             self.found.setdefault(
                 (code, at),
-                Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity),
+                Diagnostic(code, message, line, column, length=length, hint=hint, severity=severity, fix=fix),
             )
 
     def unknown(
@@ -47,8 +49,9 @@ class Problems:
         """Note an unknown word, with the nearest known one; with `table`, a keyword of it that lacks brackets, too."""
         if (len(self.found) >= MOST and self._wrong) or ("unknown-word", at) in self.found:
             return
-        near = (bracketed(word, table) if table is not None else None) or nearest(word, words)
-        self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise)
+        meant = bracketed(word, table) if table is not None else None
+        near = meant or nearest(word, words)
+        self.add("unknown-word", message, at, f"did you mean {near}?" if near else otherwise, fix=meant or "")
 
     def of_the_run(self) -> list[Diagnostic]:
         """The warnings that a run tells, too: where it may end before the program does."""

@@ -1,0 +1,40 @@
+"""`motionlang check --fix`: what can only have been meant one way is written so, and nothing else of a file changes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.files import replacing
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from motionlang.errors import Diagnostic
+
+_MARK = "\ufeff"
+
+
+def fix(path: str, found: Sequence[Diagnostic]) -> int:
+    """Write the fixes of some diagnostics into their file; how many. OSError where it cannot be read or written.
+
+    Line ends stay as they are. A file that is not UTF-8 is left alone.
+    """
+    wanted = [each for each in found if each.fix and each.line and each.column]
+    if not wanted:
+        return 0
+    with open(path, "rb") as file:
+        data = file.read()
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError:
+        return 0
+    mark = _MARK if text.startswith(_MARK) else ""
+    lines = text.removeprefix(mark).split("\n")
+    if any("\r" in line[:-1] for line in lines):
+        return 0  # lines that end with a lone carriage return are counted otherwise
+    for each in sorted(wanted, key=lambda one: (one.line, one.column), reverse=True):
+        line, begin = lines[each.line - 1], each.column - 1
+        lines[each.line - 1] = line[:begin] + each.fix + line[begin + each.length :]
+    with replacing(path, only_copy=True) as out:
+        out.write((mark + "\n".join(lines)).encode())
+    return len(wanted)
