@@ -200,7 +200,10 @@ class Readings:
         return INFINITY if found is None else start + found
 
     def demand_velocity_crossing_time(self, axis: int, velocity: float) -> float:
-        """When the demanded velocity will next be `velocity`, or the profile at a knot; now where it is no cubic."""
+        """When the demanded velocity will next be `velocity`, or stop to rise or fall as it does; at knots the latest.
+
+        Now where the profile is no cubic.
+        """
         a, now = self.axes[axis], self.clock.now
         start, profile = a.starts[-1], a.profiles[-1]
         elapsed = now - start
@@ -209,11 +212,20 @@ class Readings:
         piece = profile.cubic(elapsed)
         if piece is None:
             return now
-        _, until, (_, _, c2, c3) = piece
+        since, until, (_, _, c2, c3) = piece
         if not c2 and not c3:
-            return start + until
+            return now if velocity == INFINITY else start + until
+        if c3 and elapsed < since - c2 / (3.0 * c3) < until:
+            until = since - c2 / (3.0 * c3)
         found = profile.velocity_crossing(velocity, elapsed)
         return start + (until if found is None else min(found, until))
+
+    def turning_time(self, axis: int) -> float:
+        """When the demand of an axis will next stand for a moment."""
+        a = self.axes[axis]
+        start, profile = a.starts[-1], a.profiles[-1]
+        found = profile.velocity_crossing(0.0, self.clock.now - start)
+        return INFINITY if found is None else start + found
 
     def turns(self, channel: int) -> bool:
         """Whether an encoder channel is being turned."""

@@ -99,6 +99,7 @@ VERBS: dict[str, str] = {
     "close_loop": "Let an axis hold its position again.",
     "encoder_crossing_time": "The time at which an encoder channel will pass a position.",
     "demand_velocity_crossing_time": "The time at which the demanded velocity of an axis will next be a velocity.",
+    "turning_time": "The time at which the demand of an axis will next stand for a moment.",
     "turns": "Whether an encoder channel is being turned.",
     "demand_crossing_time": "The time at which the demand of an axis will pass a position.",
     "target": "The end point of the last move.",

@@ -7,6 +7,7 @@ again and again until something happens: an event, a level that is passed, the e
 
 from __future__ import annotations
 
+from motionlang.lang.statement_time import UNITS, units
 from motionlang.lang.task import CLOSE, INFINITY, WATCH, Delay
 
 TYPE_CHECKING = False
@@ -26,7 +27,7 @@ LONGER = 4.0
 # So many states are remembered; where none has come back by then, none is looked for until something happens.
 MOST = 20_000
 # Times are compared in nanoseconds.
-_UNITS = 1e9
+_NANOSECONDS = 1e9
 
 
 class Recurrence:
@@ -71,7 +72,7 @@ class Recurrence:
         now = clock.now
         for task in tasks:
             left = 0.0 if task.wait is None else task.wait.due() - now
-            signature += (task.look[1], round(task.into * _UNITS), round(left * _UNITS))  # type: ignore[index]
+            signature += (task.look[1], round(task.into * _NANOSECONDS), round(left * _NANOSECONDS))  # type: ignore[index]
         dues = [wait.due() for wait in others]
         level = min([task.level for task in tasks], default=INFINITY)
         here = (now, statements.base, statements.count, level) if statements else (now, 0.0, 0.0, level)
@@ -95,8 +96,9 @@ class Recurrence:
         if pace is not None:
             pace(time)
         for task in tasks:
-            if task.wait is not None:
-                task.wait.shift(time - now)  # type: ignore[attr-defined]
+            if isinstance(task.wait, Delay):
+                end = task.wait.due() + (time - now)
+                task.wait.move(units(end) / UNITS if statements is not None else end)
         clock.leaps += 1
         clock.now = time
         return True

@@ -64,13 +64,13 @@ class Delay(Wait):
 
     @property
     def length(self) -> float:
-        """How long all of it takes, s."""
-        return self._time - self.since
+        """How long all of it takes, s, to a nanosecond."""
+        return round(self._time - self.since, 9)
 
-    def shift(self, seconds: float) -> None:
-        """All of it happens so much later."""
-        self.since += seconds
-        self._time += seconds
+    def move(self, time: float) -> None:
+        """It ends at another moment, and began as much earlier or later."""
+        self.since += time - self._time
+        self._time = time
 
     def ready(self) -> bool:
         return self._clock.now >= self._time - ROUNDING

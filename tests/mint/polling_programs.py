@@ -36,6 +36,7 @@ _CONDITIONS = (
     "INX(0)", "INX(1) = 0", "INX(2) And g", "TIME > 40", "TIME > 700", "IDLE(0)", "Not IDLE(0)", "POS(0) > 12",
     "clock > 300", "h > 0", "POS(0) > TIME / 100", "Ready()",
     "POS(0) > Counted(4)", "TIME > Counted(500)", "POS(0) < Late(11)", "COMMS(1) > 0", "POS(0) + 1 < q", "OUTX(3)",
+    "VEL(0) > 30", "VEL(0) = 0", "VELDEMAND(0) < 49.5", "ABS(FOLERROR(0)) > 5", "AUXENCODER(0) > 20",
 )  # fmt: skip
 _ACTS = (
     'PRINT "acted ", TIME', "OUTX(3) = 1", "OUTX(3) = 0", "g = 1 - g", "h = h + 1", "TIME = 0",
@@ -66,13 +67,19 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
         lines += [f"TIMEREVENT = {random.choice((70, 333, 500))}"]
         lines += ["Event TIMER", "  h = h + 1", "End Event"]
     lines += [f"Run T{k}" for k in range(1, tasks)]
-    lines += [f"Dim s{k} As Integer, x{k} As Integer, i{k} As Integer" for k in range(tasks)]
+    lines += [
+        f"Dim s{k} As Integer, x{k} As Integer, i{k} As Integer, n{k} As Integer, p{k} As Float, v{k} As Float"
+        for k in range(tasks)
+    ]
     acts = _ACTS if tasks == 1 else _ACTS + _TASK_ACTS
     lines += _loop(random, 0, acts)
-    lines += ['PRINT "end ", TIME, g, h, a(1), a(2), a(3)']
+    lines += ['PRINT "end ", TIME, g, h, a(1), a(2), a(3), " ", n0, " ", p0, " ", v0']
     for k in range(1, tasks):
         lines += [f"Task T{k}", *_loop(random, k, acts), "End Task"]
-    machine: dict[str, object] = {"controller.instruction_time": COST}
+    machine: dict[str, object] = {
+        "controller.instruction_time": COST,
+        "encoder": [{"aux": 0, "velocity": 45.0}],
+    }
     entries = [_input(random) for _ in range(random.randint(0, 6))]
     return "\n".join([*lines, _SUBS]), machine | ({"input": entries} if entries else {})
 
@@ -94,7 +101,7 @@ def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
     """Most of them look or repeat themselves; what acts does so a few times and never again."""
     out: list[str] = []
     for _ in range(random.randint(1, 4)):
-        kind, condition = random.randrange(13), random.choice(_CONDITIONS)
+        kind, condition = random.randrange(17), random.choice(_CONDITIONS)
         if kind < 5:
             act = random.choice(acts)
             out += [
@@ -109,6 +116,8 @@ def _statements(random: Random, k: int, acts: tuple[str, ...]) -> list[str]:
             channel = random.randint(0, 3)
             out += [
                 (f"x{k} = INX({channel})", "Look()", f"OUTX(4) = INX({channel})", "q = POS(0)",
-                 f"WAIT = {random.randint(1, 30)}", f"If {condition} Then x{k} = 3", f"x{k} = {channel}")[kind - 6]
+                 f"WAIT = {random.randint(1, 30)}", f"If {condition} Then x{k} = 3", f"x{k} = {channel}",
+                 f"If {condition} Then n{k} = n{k} + 2", f"If POS(0) > p{k} Then p{k} = POS(0)",
+                 f"If v{k} <= VEL(0) Then v{k} = VEL(0)", "STOP(0)")[kind - 6]
             ]  # fmt: skip
     return out

@@ -163,6 +163,18 @@ NAMES: dict[str, int] = {name: FIRST + STEP * k for k, name in enumerate(_READIN
 _BY_ADDRESS = {NAMES[name]: reading for name, reading in _READINGS.items()}
 
 
+def crossing_time(board: Board, axis: AxisState, address: int, level: float) -> float:
+    """When the variable at an address will next be `level`, counts; now where it cannot be told."""
+    controller, number = board.controller, axis.number
+    if address == NAMES["AUXPOSITION"]:
+        return controller.encoder_crossing_time(AUXILIARY + number, level + axis.aux_zero)
+    if address == NAMES["POSITION"]:
+        return controller.crossing_time(number, level)
+    if address == NAMES["OPTIMAL"]:
+        return controller.demand_crossing_time(number, level)
+    return controller.clock.now
+
+
 # What may be written, and how; the rest is told only.
 _WRITINGS: dict[str, Writing] = {
     "POSITION": _write_position,

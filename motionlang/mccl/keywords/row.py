@@ -36,6 +36,7 @@ class Group:
         high: float | None = None,
         source: str = "",
         trust: str = "",
+        solved: bool = False,
     ) -> Keyword:
         """One simulated command."""
         return Keyword(
@@ -54,6 +55,7 @@ class Group:
             source=source or self.source,
             trust=trust or self.trust,
             group=self.title,
+            solved=solved,
         )
 
     def known(

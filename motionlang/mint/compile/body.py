@@ -172,6 +172,7 @@ class Body:
         "facts",
         "function",
         "indent",
+        "levels",
         "lines",
         "loops",
         "noted",
@@ -187,6 +188,7 @@ class Body:
         "turns",
         "values",
         "waits",
+        "watching",
         "whole",
     )
 
@@ -205,6 +207,9 @@ class Body:
         # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
         self.stretch = 0
         self.polls: list[Poll] = []
+        # In how many loops that are watched it stands; what readings are compared with that loops only keep, by node.
+        self.watching = 0
+        self.levels: dict[int, str] = {}
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
         # How many loops stand within one another at most in what was written last.

@@ -67,6 +67,8 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         arguments = indices(b, node, row, single=True)
     arguments += unsimulated_use.place(b, node, row)
     operation, arguments = b.whole.called("read", row, arguments)
+    if id(node) in b.levels:
+        arguments = [*arguments, b.levels[id(node)]]
     text = f"{operation}({', '.join(arguments)})"
     if row.unit == "text":
         return Value(text, STRING, intervals.ANY)
@@ -75,7 +77,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
         intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
     )
     found = Value(text, kind, range_)
-    if row.solved:
+    if row.solved and id(node) not in b.levels:
         found.solved = operation, arguments
     return found
 

@@ -35,6 +35,7 @@ def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
         b.horizon()
     else:
         polling.turn(b, poll)
+        b.watching -= 1
 
 
 def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:

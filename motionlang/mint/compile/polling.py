@@ -8,16 +8,18 @@ exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does
     else: t, H, w1, w2 = k1.turn(t, H, w1, (E.acts, v_state))
     if t >= H: t, H = yield t; w2 or (w1 := k1.begin(t, w1, (E.acts, v_state)))
 
-`w1` is what the turn began with, `w2` for how many turns nobody looks.
+`w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`poll_variables`) is no
+part of that state; counters are given beside it, and are found in `w1` as they are when turns have been skipped.
 """
 
 from __future__ import annotations
 
+from motionlang.mint.compile.poll_variables import carried
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
@@ -30,13 +32,16 @@ MOST_VARIABLES = 40
 class Poll:
     """One loop that is watched, and the names of what its turn began with and for how many turns nobody looks."""
 
-    __slots__ = ("left", "look", "site", "state")
+    __slots__ = ("counters", "left", "look", "site", "state")
 
-    def __init__(self, b: Body, look: Look) -> None:
-        self.site = b.whole.use("loop", look.reads, b.whole.polls)
+    def __init__(self, b: Body, look: Look, counters: Sequence[str] = (), mere: Collection[str] = ()) -> None:
+        self.site = b.whole.use("loop", look.reads, b.whole.polls, bool(mere))
         b.whole.polls += 1
         self.look, self.left = b.temp(), b.temp()
-        self.state = f"({', '.join(['E.acts', *sorted(look.assigned)])},)"
+        self.state = f"({', '.join(['E.acts', *sorted(look.assigned.difference(mere))])},)"
+        self.counters = "".join(f"{each}, " for each in counters)
+        if counters:
+            self.state += f", ({self.counters})"
 
     @property
     def first(self) -> str:
@@ -48,9 +53,13 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     """The watch on a loop, None where it would never find anything to skip."""
     if any(_plainly_acts(b, node) for node in body):
         return None
-    poll = watched_jump(b, look_at(b, [*body, *conditions]))
+    look = look_at(b, [*body, *conditions])
+    counters, mere, levels = carried(b, [*body, *conditions])
+    poll = watched_jump(b, look, counters, mere)
     if poll is not None:
         b.emit(poll.first)
+        b.levels.update(levels)
+        b.watching += 1
     return poll
 
 
@@ -61,19 +70,22 @@ def look_at(b: Body, turn: Sequence[nodes.Node]) -> Look:
     return Look(b, turn)
 
 
-def watched_jump(b: Body, look: Look) -> Poll | None:
-    """The watch on a Goto that ends a turn which has been looked at."""
+def watched_jump(
+    b: Body, look: Look, counters: Sequence[str] = (), mere: Collection[str] = ()
+) -> Poll | None:
+    """The watch on a Goto that ends a turn which has been looked at; with what decides nothing in it, if known."""
     if look.acts or len(look.assigned) > MOST_VARIABLES or (look.computes and not look.reads):
         return None  # with nothing but its own variables it computes
     b.whole.rewritten |= look.rewritten
-    return Poll(b, look)
+    return Poll(b, look, counters, mere)
 
 
 def turn(b: Body, poll: Poll) -> None:
     """The end of a turn, `t` being up to date."""
     look, left, site = poll.look, poll.left, poll.site
+    counted = f"; {poll.counters}= {look}.counters" if poll.counters else ""
     b.emit(f"if {left}: {left} -= 1")
-    b.emit(f"else: t, H, {look}, {left} = {site}.turn(t, H, {look}, {poll.state})")
+    b.emit(f"else: t, H, {look}, {left} = {site}.turn(t, H, {look}, {poll.state}){counted}")
     b.horizon(then=f"; {left} or ({look} := {site}.begin(t, {look}, {poll.state}))")
 
 
@@ -82,10 +94,8 @@ def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
     if not isinstance(node, (nodes.Assign, nodes.Call)):
         return node.__class__ in _ACTS
     target = node.target
-    if not isinstance(target, nodes.Name):
+    if not isinstance(target, nodes.Name) or b.scope.find(target.name) is not None:
         return False
-    if b.scope.find(target.name) is not None:
-        return isinstance(node, nodes.Assign) and _counts(target, node)
     row = b.whole.table.get(target.name)
     return row is not None and row.verb != "wait" and not is_repeated(row)
 
@@ -93,19 +103,6 @@ def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
 def is_repeated(row: Keyword) -> bool:
     """Whether a word may be written with what it has already, or stops what stands; the operation itself tells."""
     return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
-
-
-def _counts(target: nodes.Name, node: nodes.Assign) -> bool:
-    """`n = n + 1`."""
-    value = node.values[0] if node.values else None
-    return (
-        isinstance(value, nodes.Binary)
-        and value.op in ("+", "-")
-        and isinstance(value.left, nodes.Name)
-        and isinstance(value.right, nodes.Number)
-        and target.args is None
-        and value.left.name.lower() == target.name.lower()
-    )
 
 
 _ACTS = frozenset((nodes.Print, nodes.Input, nodes.End))

@@ -6,6 +6,7 @@ from math import floor
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves import buffer
+from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.mint.runtime.changes import Changes, always, moving, passing_within, repeatable
@@ -231,7 +232,7 @@ class Encoders:
     def until(self, channel: int, level: float | None) -> float:
         """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
         track = self.track(channel)
-        if level is None or track not in self._controller.encoders:
+        if level is None or level == INFINITY or track not in self._controller.encoders:
             return self.changes.moving()
         zero, per_unit = self.setting("zero", channel), self.per_unit(channel)
         crossing_time = self._controller.encoder_crossing_time

@@ -60,7 +60,8 @@ def repeatable(make: Maker) -> Maker:
 class Changes:
     """The moments, from the clock's on, at which readings change; levels are in user units, or ms of a time.
 
-    A reading that is compared with nothing, level None, changes for as long as something moves.
+    A reading that is compared with nothing, level None, changes for as long as something moves; one that is compared
+    with what it was before, INFINITY, until it turns round. -INFINITY: whatever it is, nobody asks.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -74,7 +75,12 @@ class Changes:
         attention = self._environment.attention
         if until is None:
             return Hearing(attention, lambda level: attention.note(self.moving), wraps)
-        return Hearing(attention, lambda level: attention.note(until, axis, level), wraps)
+
+        def note(level: float | None) -> None:
+            if level != -INFINITY:
+                attention.note(until, axis, level)
+
+        return Hearing(attention, note, wraps)
 
     def comparable(self, read: Callable[[int], float], until: Callable[..., float]) -> Callable[..., float]:
         """A reading of an axis or a channel that may be told what it is compared with."""
@@ -82,7 +88,7 @@ class Changes:
 
         def compared(number: int, level: float | None = None) -> float:
             found = read(number)
-            if attention.notes is not None:
+            if attention.notes is not None and level != -INFINITY:
                 attention.note(until, number, level)
             return found
 
@@ -121,7 +127,7 @@ class Changes:
     def remaining(self, axis: int, level: float | None) -> float:
         """When so much is still to go."""
         controller = self._controller
-        if level is None or controller.is_still(axis):
+        if level is None or level == INFINITY or controller.is_still(axis):
             return self._standing(axis)
         left = controller.axes[axis].scale.to_counts(level, "uu")
         return controller.demand_crossing_time(axis, controller.target(axis) - left)
@@ -129,7 +135,12 @@ class Changes:
     def offset(self, axis: int, level: float | None) -> float:
         """When so much is still to go of the offset of a slave, or of the move of another axis."""
         controller = self._controller
-        if level is None or controller.is_still(axis) or controller.master_of(axis) is None:
+        if (
+            level is None
+            or level == INFINITY
+            or controller.is_still(axis)
+            or controller.master_of(axis) is None
+        ):
             return self.remaining(axis, level)
         from motionlang.controller.motion.offset import crossing_time
 
@@ -149,9 +160,12 @@ class Changes:
         """When a position passes a level."""
         if level is None or self._controller.is_still(axis):
             return self._standing(axis)
-        scale = self._controller.axes[axis].scale
+        scale, wrap = self._controller.axes[axis].scale, self._environment.wraps.get(axis, 0.0)
+        if level == INFINITY:
+            turns = not wrap and not self._controller.has_motor(axis)
+            return self._controller.turning_time(axis) if turns else self._clock.now
         return passing_within(
-            self._environment.wraps.get(axis, 0.0),
+            wrap,
             scale.position_to_user(place(axis)),
             level,
             lambda place: passing(axis, scale.position_to_counts(place)),

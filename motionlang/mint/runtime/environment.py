@@ -150,7 +150,7 @@ class Environment:
         if how == "loop":
             from motionlang.mint.runtime.loop_skipping import Site
 
-            return Site(self, bool(details[0]))
+            return Site(self, bool(details[0]), bool(details[2]))
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "fn":

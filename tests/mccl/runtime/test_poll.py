@@ -26,7 +26,11 @@ PROGRAMS = {
     "the direction while it turns": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
     "an input that another task sets": "MD1,WA0.1,CN33,WA0.1,CF33\nGT1\nIF33,JR-1,NO,IN33,JR-1,NO,TC33",
     "a register that another task sets": "MD1,WA0.1,AL7,AR20\nGT1\nRA20,IU7,JR-2,NO,TR20",
-    "a position, which is not skipped": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP',
+    "a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1RV@20,IB400.5,JR-2,NO,1TP',
+    "a position on its way back": 'LU"POSITION",AR20\n1MN,1MR500,1WS,1MR-900\n1RL@20,IG-250,JR-2,NO,1TP\n'
+    "1RL@20,IE-399,JP4,NO,1TP,1WS",
+    "an auxiliary encoder": 'LU"AUXPOSITION",AR20\n1RL@20,IB300,JR-2,NO,AS40,1WL@20,1RD@20,IG200,JP10,NO,1TP,JR-4\n'
+    "1RV@20,IB400,JR-2,NO,1TA",
     "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
     "a breakpoint": f"1MN,1MR5000,1IP2000\n{POLL.replace('IC3', 'IC10')},1TP,1WS",
     "the segments of a contour": "1MN,2MN,1CM1,2CM1,1CP1,1MR500,2MR0,1CP1,1MR0,2MR500\n"
@@ -35,7 +39,8 @@ PROGRAMS = {
 
 
 def outcome(runner: Runner, text: str) -> dict[str, Any]:
-    report: Any = runner(text, until=2.0).report
+    machine: dict[str, object] = {"encoder": [{"aux": 1, "velocity": 700.0, "accel": 900.0, "at": 0.01}]}
+    report: Any = runner(text, until=2.0, machine=machine).report
     return {key: report[key] for key in ("status", "time", "output", "moves", "axes")}
 
 

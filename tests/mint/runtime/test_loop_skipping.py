@@ -71,6 +71,13 @@ PROGRAMS |= {
     "  If POS(0) > 60 Then Exit Loop\nEnd Loop\nPRINT TIME : STOP",
     "a stop of what is loaded": "MOVER = 5 : MOVER = 7 : GO\nLoop\n  If POS > 2 Then STOP\n  If IDLE Then Exit Loop\n"
     "End Loop\nPRINT TIME, POS, MOVEBUFFERFREE",
+    "extremes, counters and a copy": "SPEED = 50 : JERK = 9000 : MOVER = 5 : MOVER = -8 : GO\n"
+    "high = 1 : low = 1 : fast = 0 : slow = 0\nDim n As Integer, k As Integer, x As Float\nRepeat\n"
+    "  If POS > high Then high = POS\n  If low >= POS Then low = POS\n  If VEL > fast Then fast = VEL\n"
+    "  If VEL <= slow Then slow = VEL\n  n = n + 3\n  If POS > 2 Then k = k - 1 Else x = POS\nUntil IDLE\n"
+    'PRINT high, " ", low, " ", fast, " ", slow, " ", n, " ", k, " ", x, " ", TIME',
+    "a counter that is looked at": "Dim n As Integer, k As Integer\nMOVER = 30 : GO\nRepeat\n  n = n + 1\n"
+    "  k = k + 2\nUntil n > 30000 Or IDLE\nPRINT n, k, TIME",
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
     "  If s = 1 And AUXENCODER(1) <= -1000 Then s = 2 : PRINT TIME : AUXENCODERWRAP(0) = 40\n"
     "  If s = 2 And AUXENCODER(0) < 10 Then Exit Loop\nEnd Loop\nPRINT TIME, AUXENCODER(0)",

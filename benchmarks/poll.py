@@ -1,0 +1,102 @@
+"""Loops that poll, over hours of machine time; loops that are never skipped against the same without a watch.
+
+Prints `name value unit`. Speeds are those of the best of some runs from text to result, in processor time; the others
+are ratios of two programs that run one after the other, the smallest of each side. Source text is compiled every time.
+"""
+
+from __future__ import annotations
+
+from timing import seconds
+
+from motionlang.execution import run
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.scheduler import Scheduler
+from motionlang.mint import DIALECT
+from motionlang.mint.compile import polling
+from motionlang.source import Source
+
+ROUNDS = 3
+SHIFT = 8 * 3600.0
+_AXIS = "SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500\n"
+_THERE = "Loop\n  MOVER(0) = 500 : GO(0)\n  {}\n  MOVER(0) = -500 : GO(0)\n  {}\nEnd Loop\n"
+_UNTIL_IDLE = _AXIS + _THERE.format("Repeat\n    {0}\n  Until IDLE(0)", "PAUSE IDLE(0)")
+# Moves of 5.2 s; an input that is on for 4 s of every 10; a web that a wheel measures.
+SKIPPED = {
+    "stands": _AXIS + _THERE.format("Repeat : Until VEL(0) = 0", "Repeat : Until VEL(0) = 0"),
+    "error": f"{_AXIS}Loop\n  If ABS(FOLERROR(0)) > 5 Then STOP(0)\n"
+    "  If IDLE(0) Then\n    MOVER(0) = 500 - 2 * POS(0) : GO(0)\n  End If\nEnd Loop\n",
+    "jog_panel": f"{_AXIS}Loop\n  If INX(0) Then JOG(0) = 100 Else STOP(0)\nEnd Loop\n",
+    "maximum": "Dim m As Float\n" + _UNTIL_IDLE.format("If POS(0) > m Then m = POS(0)"),
+    "top_speed": "Dim m As Float\n" + _UNTIL_IDLE.format("If VEL(0) > m Then m = VEL(0)"),
+    "counter": "Dim n As Integer\n" + _UNTIL_IDLE.format("n = n + 1"),
+    "copy": "Dim x As Float\n" + _UNTIL_IDLE.format("x = POS(0)"),
+}
+CUT_TO_LENGTH = """\
+MD1,LU"AUXPOSITION",AR20,1RL@20,IB3000,JR-2,NO,MC2,RP
+MD2,AS3000,1WL@20,CN33,WA0.05,CF33
+1AH0,MC1
+"""
+# What reads on and on what moves, and so is never skipped.
+_MOVING = "SPEED(0) = 10 : MOVER(0) = 30 : GO(0)\nWhile Not IDLE(0)\n  {}\nEnd While\n"
+LEFT_ALONE = {
+    "display": "Dim x As Float\n" + _MOVING.format("x = POS(0)\n  COMMS(1) = x"),
+    "mean": "Dim x As Float\n" + _MOVING.format("x = x * 0.9 + POS(0) * 0.1"),
+    "cam_switch": "Dim x As Float\n"
+    + _MOVING.format("x = POS(0)\n  If x > 5 And x < 10 Then OUTX(1) = 1 Else OUTX(1) = 0"),
+    "clock": "Dim r As Integer, k As Integer\n"
+    + _MOVING.format("r = TIME Mod 100\n  If r > 50 Then k = 1 Else k = 0"),
+    "sum": "Dim x As Float\n" + _MOVING.format("x = x + POS(0)"),
+}
+
+
+def tasks(count: int, body: str) -> str:
+    """A move of an hour and so many tasks that poll while it lasts; `#` is the number of the task."""
+    loops = [f"Dim x{k} As Float\nLoop\n  {body.replace('#', str(k))}\nEnd Loop\n" for k in range(count)]
+    starts = "".join(f"Run T{k}\n" for k in range(1, count))
+    others = "".join(f"Task T{k}\n{loops[k]}End Task\n" for k in range(1, count))
+    return f"SPEED(0) = 1 : MOVER(0) = 3600 : GO(0)\n{starts}{loops[0]}End\n{others}"
+
+
+def speed(source: Source, machine: dict[str, object]) -> float:
+    """Machine time over processor time, from the text to the result."""
+    return SHIFT / min(
+        seconds(lambda: run(source, machine=machine, cache=False, until=SHIFT)) for _ in range(ROUNDS)
+    )
+
+
+def cost(text: str, until: float) -> float:
+    """The processor time, s, of a run that has been compiled."""
+    machine = Machine()
+    task = DIALECT.compile(Source("poll.mnt", text)).start(machine)
+    scheduler = machine.scheduler = Scheduler(machine, task)
+    return seconds(lambda: scheduler.run(until))
+
+
+def main() -> None:
+    """Print `name value unit` lines."""
+    inputs = [{"channel": 0, "at": 10.0 * k, "for": 4.0} for k in range(int(SHIFT / 10))]
+    for name, text in SKIPPED.items():
+        machine: dict[str, object] = {"input": inputs} if name == "jog_panel" else {}
+        print(f"poll_{name} {speed(Source('poll.mnt', text), machine):.0f} x_real_time")
+    web: dict[str, object] = {"encoder": [{"aux": 1, "velocity": 250.0}]}
+    print(f"poll_cut_to_length {speed(Source('poll.mcl', CUT_TO_LENGTH), web):.0f} x_real_time")
+    watched = polling.watched
+    for name, text in LEFT_ALONE.items():
+        watching, plain = [], []
+        for _ in range(2 * ROUNDS):
+            watching.append(cost(text, 3.2))
+            polling.watched = lambda *_: None
+            plain.append(cost(text, 3.2))
+            polling.watched = watched
+        print(f"poll_left_alone_{name} {min(plain) / min(watching):.3f} of_plain_simulation")
+    for name, body, until in (
+        ("reading", "x# = POS(0) : If x# > 3000 Then OUTX(#) = 1", 2.0),
+        ("writing", "COMMS(# + 1) = POS(0)", 1.0),
+        ("input", "If INX(#) Then OUTX(#) = 1", 3500.0),
+    ):
+        one, many = (min(cost(tasks(count, body), until) for _ in range(ROUNDS)) for count in (1, 32))
+        print(f"poll_32_tasks_{name} {many / one:.2f} x one_task")
+
+
+if __name__ == "__main__":
+    main()
