@@ -57,6 +57,16 @@ def tasks(count: int, body: str) -> str:
     return f"SPEED(0) = 1 : MOVER(0) = 3600 : GO(0)\n{starts}{loops[0]}End\n{others}"
 
 
+def panel(count: int) -> str:
+    """Moves that one task polls for, and others that poll an input each, all of which are skipped."""
+    starts = "".join(f"Run T{k}\n" for k in range(1, count))
+    until_idle = "Repeat : Until IDLE(0)"
+    others = (
+        f"Task T{k}\nLoop\n  If INX({k}) Then OUTX({k}) = 1\nEnd Loop\nEnd Task\n" for k in range(1, count)
+    )
+    return f"{_AXIS}{starts}{_THERE.format(until_idle, until_idle)}End\n{''.join(others)}"
+
+
 def speed(source: Source, machine: dict[str, object]) -> float:
     """Machine time over processor time, from the text to the result."""
     return SHIFT / min(
@@ -92,10 +102,11 @@ def main() -> None:
     for name, body, until in (
         ("reading", "x# = POS(0) : If x# > 3000 Then OUTX(#) = 1", 2.0),
         ("writing", "COMMS(# + 1) = POS(0)", 1.0),
-        ("input", "If INX(#) Then OUTX(#) = 1", 3500.0),
     ):
         one, many = (min(cost(tasks(count, body), until) for _ in range(ROUNDS)) for count in (1, 32))
         print(f"poll_32_tasks_{name} {many / one:.2f} x one_task")
+    one, many = (min(cost(panel(count), 300.0) for _ in range(ROUNDS)) for count in (1, 32))
+    print(f"poll_32_tasks_beside_moves {many / one:.2f} x one_task")
 
 
 if __name__ == "__main__":

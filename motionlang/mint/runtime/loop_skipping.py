@@ -27,15 +27,16 @@ if TYPE_CHECKING:
 
 # The largest Integer.
 LARGEST = 2147483647
-# So many turns at most pass unlooked at.
-MOST_ALONE = 4096
+# So many turns pass unlooked at, one call being made for so many: small numbers are counted down without new objects.
+MOST_ALONE, AT_ONCE = 4096, 256
 
 
 class Look:
     """What a turn began with: how the turn before it left things, when, and which notes there were; its counters."""
 
-    __slots__ = ("base", "before", "began", "counters", "first", "notes", "others", "since")
+    __slots__ = ("alone", "base", "before", "began", "counters", "first", "notes", "others", "since")
 
+    alone: int
     before: State | None
     counters: tuple[float, ...]
     began: float
@@ -67,6 +68,9 @@ class Site:
         Both ends and the horizon are numbers of statements; `state` is what every turn leaves behind, after the count
         of what the program did. What `counters` count decides nothing; `Look.counters` is where they have come to.
         """
+        if look is not None and look.alone:
+            look.alone, look.counters = look.alone - AT_ONCE, counters
+            return t, horizon, look, AT_ONCE
         if look is None or look.before is None:
             return t, horizon, self.begin(t, look, state, counters), 0
         if look.before == state:
@@ -83,13 +87,14 @@ class Site:
             return t, horizon, self.begin(t, look, state, counters), 0
         look.before, look.counters = None, counters
         self._environment.attention.notes = None
-        return t, horizon, look, left
+        look.alone = max(left - AT_ONCE, 0)
+        return t, horizon, look, left - look.alone
 
     def begin(self, t: float, look: Look | None, state: State, counters: tuple[float, ...] = ()) -> Look:
         """A turn begins that will be looked at."""
         environment = self._environment
         look = look or Look()
-        look.before, look.since, look.counters = state, t, counters
+        look.alone, look.before, look.since, look.counters = 0, state, t, counters
         look.began = environment.statements.at(t)
         look.base = environment.statements.base
         look.others = environment.resumed
