@@ -15,6 +15,7 @@ CODES: dict[str, str] = {
     "syntax": "The text does not follow the grammar of the language.",
     "language": "The file is written in the other language.",
     "missing-end": "A block was opened and never closed.",
+    "answers": "The answers of a controller to a probe do not say what they should.",
     "stray-end": "A block is closed that was never opened.",
     "unknown-word": "The word is neither a keyword nor a name that the program declares.",
     "not-simulated": "The word belongs to the language; this program recognises it but does not simulate it.",

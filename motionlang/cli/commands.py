@@ -33,6 +33,7 @@ FAMILIES = {
         "motionlang.cli.compare",
         "hold what a real controller recorded against the run: residuals, lag and overshoot, line by line",
     ),
+    "probe": ("motionlang.cli.probe", "ask a real controller which of the open readings hold"),
     "serve": ("motionlang.cli.serve", "let hosts talk to a virtual board, or to a Mint program over Modbus"),
 }
 

@@ -7,11 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from motionlang.lang.dialect import dialect
 from motionlang.lang.keyword import STRENGTHS
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
-from motionlang.mint.keywords.switchable import has_default, name_of
+from motionlang.mint.keywords.switchable import name_of, with_default
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -67,7 +66,7 @@ class Probe:
         scale: float = 1.0,
         motion: bool = False,
     ) -> None:
-        assert bool(answers) or bool(form), ask
+        assert answers, ask
         self.language, self.ask, self.before, self.after = language, ask, tuple(before), tuple(after)
         self.answers, self.form, self.scale, self.motion = tuple(answers), form, scale, motion
 
@@ -171,7 +170,7 @@ def _reading(entry: dict[str, Any]) -> Reading:
 
 def _defaults() -> Chapter:
     """What Mint's settings are at power-up: as many readings, whose values stand in the rows of the words."""
-    found = [_default(row) for row in dialect("mint").table() if has_default(row)]
+    found = [_default(row) for row in with_default()]
     return Chapter("Mint: settings at power-up", DEFAULTS, [Section("", "", found)])
 
 
@@ -184,6 +183,6 @@ def _default(row: Keyword) -> Reading:
         why=row.source,
         strength="memory low" if row.trust == "memory" else row.trust,
         words=row.name,
-        probe=Probe("mint", f"{row.name}({{a}})", form="{}"),
+        probe=Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}"),
         key=READINGS + name_of(row),
     )

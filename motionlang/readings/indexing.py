@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.files import replacing
 from motionlang.lang.dialect import dialect, dialects
-from motionlang.mint.keywords.switchable import has_default, name_of
+from motionlang.mint.keywords.switchable import name_of, with_default
 from motionlang.readings.entries import readings
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def written() -> str:
     """The text of `tables.py`."""
     tables = {name: dialect(name).table() for name in dialects()}
     mint = tables["mint"]
-    settings = {name_of(row): row for row in mint if has_default(row)}
+    settings = {name_of(row): row for row in with_default()}
     lines = [
         HEAD,
         "# Reading: the words of a language whose use makes a program depend on it.\n",

@@ -391,7 +391,6 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
 # Setting at power-up: its word, and what is written instead of it where it shapes a move.
 DEFAULTS = {
     "mint": {
-        "mint.timescale-default": ("timescale", ""),
         "mint.presetindexmode-default": ("presetindexmode", ""),
         "mint.presetindexsource-default": ("presetindexsource", ""),
         "mint.presetdwelltime-default": ("presetdwelltime", ""),
@@ -421,7 +420,6 @@ DEFAULTS = {
         "mint.maxspeed-default": ("maxspeed", ""),
         "mint.maxaccel-default": ("maxaccel", ""),
         "mint.maxdecel-default": ("maxdecel", ""),
-        "mint.sramp-default": ("sramp", ""),
         "mint.triggerinput-default": ("triggerinput", ""),
         "mint.triggersource-default": ("triggersource", ""),
         "mint.triggerchannel-default": ("triggerchannel", ""),
@@ -478,12 +476,9 @@ DEFAULTS = {
         "mint.idlevel-default": ("idlevel", ""),
         "mint.idletime-default": ("idletime", ""),
         "mint.poswrap-default": ("poswrap", ""),
-        "mint.posrollover-default": ("posrollover", ""),
         "mint.kint-default": ("kint", ""),
         "mint.kaccel-default": ("kaccel", ""),
         "mint.folerrorfatal-default": ("folerrorfatal", ""),
-        "mint.velscalefactor-default": ("velscalefactor", ""),
-        "mint.accelscalefactor-default": ("accelscalefactor", ""),
     },
 }
 MOTIONS = """

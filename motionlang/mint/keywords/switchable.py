@@ -18,22 +18,32 @@ OTHERS = {
     "mint.float-zeros": Switch("kept", "dropped"),
     "mint.float-exponent": Switch("e+12", "e+012", "E+12", "E+012"),
 }
-WHOLE = ("integer", "bool", "bits")
+WHOLE = ("integer", "bool", "bits", "ms")
+# Settings whose value decides what others read: these are found by the others.
+DECISIVE = frozenset({"TIMESCALE", "VELSCALEFACTOR", "ACCELSCALEFACTOR", "SRAMP", "POSROLLOVER"})
 _found: dict[str, Switch] = {}
 
 
 def switches() -> Mapping[str, Switch]:
     """Every reading that can be set, by its name."""
     if not _found:
-        from motionlang.mint.keywords import table
-
         _found.update(OTHERS)
         _found.update(
             (name_of(row), Switch(low=row.low, high=row.high, whole=row.unit in WHOLE))
-            for row in table()
-            if has_default(row)
+            for row in with_default()
         )
     return _found
+
+
+def with_default() -> list[Keyword]:
+    """The words whose defaults are readings; of two names of one setting of the controller the first."""
+    from motionlang.mint.keywords import table
+
+    found: dict[str, Keyword] = {}
+    for row in table():
+        if has_default(row):
+            found.setdefault(row.name if "." in row.verb else row.verb, row)
+    return list(found.values())
 
 
 def has_default(row: Keyword) -> bool:
@@ -45,6 +55,7 @@ def has_default(row: Keyword) -> bool:
         row.simulated
         and row.kind == "setting"
         and row.access == "RW"
+        and row.name not in DECISIVE
         and row.index == "axis"
         and isinstance(row.default, (int, float))
         and not row.effect

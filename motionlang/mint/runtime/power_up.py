@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic, ProgramError
 from motionlang.mint.keywords import table
 from motionlang.mint.keywords.switchable import word_of
 from motionlang.mint.runtime.binding import Row, bind
@@ -17,14 +19,20 @@ class PowerUp:
     """The settings whose default is another one here; `set` gives them to an axis, at the start and after DEFAULT."""
 
     def __init__(self, environment: Environment, readings: Mapping[str, object]) -> None:
-        self._writers: list[tuple[Callable[..., object], object]] = []
+        self._writers: list[tuple[str, Callable[..., object], tuple[object, ...]]] = []
         for name, value in readings.items():
             row = table().get(word_of(name))
             if row is not None:
                 wanted = Row(row.verb, row.name, row.unit, row.index, row.low, row.high)
-                self._writers.append((bind(environment, "write", wanted), value))
+                # A word of the group "motion" is given the number of its line, too.
+                given = (value, 0) if row.group == "motion" else (value,)
+                self._writers.append((name, bind(environment, "write", wanted), given))
 
     def set(self, axis: int) -> None:
-        """Write them all."""
-        for write, value in self._writers:
-            write(axis, value)
+        """Write them all; ProgramError where one cannot be, as when another one forbids it."""
+        for name, write, given in self._writers:
+            try:
+                write(axis, *given)
+            except Refusal as refusal:
+                message = f"the reading {name} cannot be {given[0]:g}: {refusal.message}"
+                raise ProgramError([Diagnostic("machine-file", message, hint=refusal.hint)]) from None

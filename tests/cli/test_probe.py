@@ -1,0 +1,74 @@
+"""`motionlang probe`: what it writes, what it says of answers, and what is wrong with a command line."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.cli import main
+
+
+def probe(tmp_path: Path, capsys: pytest.CaptureFixture[str], *options: str) -> tuple[int, str, str]:
+    status = main(["probe", *options])
+    said = capsys.readouterr()
+    return status, said.out, said.err
+
+
+def test_the_whole_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The probe is run by a controller that has something otherwise, and its answers make another one like it."""
+    status, text, _ = probe(tmp_path, capsys, "mint", "--axis", "2")
+    assert status == 0
+    assert "HOMESPEED(2)" in text
+    program = tmp_path / "probe.mnt"
+    program.write_text(text, encoding="utf-8")
+    machine = {"readings.mint.homespeed-default": 12.5, "readings.mint.float-zeros": "dropped"}
+    log = tmp_path / "log.txt"
+    log.write_text("\r\n".join(run(str(program), machine=machine, cache=False).output), encoding="utf-8")
+    status, found, said = probe(tmp_path, capsys, "--answers", str(log))
+    assert status == 0
+    assert tomllib.loads(found) == {
+        "readings": {"mint.homespeed-default": 12.5, "mint.float-zeros": "dropped"},
+    }
+    assert "mint.homespeed-default: What HOMESPEED is until a program writes it: 12.5, not 4000" in said
+    assert "readings hold:\n  mint.float-precision, mint.float-to-integer" in said
+
+
+def test_answers_of_which_some_are_missing_are_read_and_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = tmp_path / "log.txt"
+    log.write_text("<probe|mint 9>\n<mint.homespeed-default|5>\n<mint.truth|1 ", encoding="utf-8")
+    status, found, said = probe(tmp_path, capsys, "mint", "--answers", str(log))
+    assert status == 1
+    assert '"mint.homespeed-default" = 5' in found
+    assert "the answer to mint.truth is cut off" in said
+    assert "log.txt:3" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ((), "say which language the controller speaks"),
+        (("basic",), "'basic' is not one of mint, mccl"),
+        (("mint", "--motion", "none"), "'none' is no distance above 0"),
+        (("mint", "--axis", "-1"), "there is no such axis"),
+        (("mint", "--without", "mint.trut"), "did you mean mint.truth?"),
+        (("--answers", "log.txt", "--axis", "1"), "--answers reads what a probe was answered"),
+    ],
+)
+def test_what_is_wrong_with_a_command_line(
+    options: tuple[str, ...], message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["probe", *options])
+    assert ended.value.code == 2
+    assert message in capsys.readouterr().err
+
+
+def test_answers_that_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, found, said = probe(tmp_path, capsys, "--answers", str(tmp_path / "none.txt"))
+    assert (status, found) == (1, "")
+    assert "cannot be read" in said
