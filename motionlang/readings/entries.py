@@ -11,6 +11,7 @@ from motionlang.lang.keyword import STRENGTHS
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, with_default
+from motionlang.readings.facts import of_word
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -176,12 +177,13 @@ def _defaults() -> Chapter:
 
 def _default(row: Keyword) -> Reading:
     assert isinstance(row.default, (int, float))
+    evidence = of_word("mint", row)["default"]
     return Reading(
         name_of(row),
         f"What {row.name} is until a program writes it",
         f"{row.default:.10g}",
-        why=row.source,
-        strength="memory low" if row.trust == "memory" else row.trust,
+        why=evidence.source,
+        strength=evidence.strength,
         words=row.name,
         probe=Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}"),
         key=READINGS + name_of(row),

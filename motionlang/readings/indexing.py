@@ -27,6 +27,8 @@ from __future__ import annotations
 ROLES = ("move", "path", "act")
 # So many letters of words stand on the line of their reading.
 SHORT = 70
+# The longest line, its end included.
+WIDTH = 111
 
 
 def written() -> str:
@@ -85,7 +87,9 @@ def _defaults(table: Table, settings: dict[str, Keyword]) -> Iterator[str]:
             given = set(row.gives.split())
             same = [each for each in table if given & set(each.gives.split())] if given else []
             instead = " ".join(word for each in same for word in _spellings(each))
-            yield f'        "{name}": ("{row.name.lower()}", "{instead}"),\n'
+            line = f'        "{name}": ("{row.name.lower()}", "{instead}"),\n'
+            apart = f'        "{name}": (\n            "{row.name.lower()}",\n            "{instead}",\n        ),\n'
+            yield line if len(line) <= WIDTH else apart
 
 
 def _spellings(row: Keyword) -> list[str]:

@@ -71,7 +71,7 @@ def _title(group: str) -> str:
 
 
 def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]) -> list[str]:
-    known = [f"{name}: {text}" for name, text in facts(row) if text and name != "group"]
+    known = [f"{name}: {text}" for name, text in facts(row, dialect) if text and name != "group"]
     lines = [f"### {row.name}", "", row.help, "", " · ".join(known)]
     if row.example:
         lines += ["", f"```{dialect}", *row.example.splitlines(), "```"]

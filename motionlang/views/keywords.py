@@ -6,13 +6,15 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
+from motionlang.readings.facts import of_word
 from motionlang.views.terminal import cells, styled
 from motionlang.views.words import dialect_name
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from motionlang.lang.keyword import Keyword
+    from motionlang.readings.facts import Evidence
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
 TRUST = {
@@ -78,7 +80,16 @@ def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: boo
 def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
     """A row as JSON shows it."""
     names = (name for name in type(row).__slots__ if name not in ("simulated", "verb"))
-    return {"dialect": dialect, **{name: getattr(row, name) for name in names}, "simulated": row.simulated}
+    evidence = {
+        fact: {"strength": each.strength, "source": each.source}
+        for fact, each in of_word(dialect, row).items()
+    }
+    return {
+        "dialect": dialect,
+        **{name: getattr(row, name) for name in names},
+        "simulated": row.simulated,
+        "evidence": evidence,
+    }
 
 
 def _entry(row: Keyword, name_width: int, short_width: int, width: int, colour: bool) -> str:
@@ -96,7 +107,7 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     if not row.simulated:
         lines += ["", f"  {styled('not simulated', 'warning', colour)}: the word is recognised, and a program that "
                   "uses it is told so."]  # fmt: skip
-    known = [(name, text) for name, text in facts(row) if text]
+    known = [(name, text) for name, text in facts(row, dialect) if text]
     label = max(len(name) for name, _ in known)
     lines.append("")
     lines += [f"  {styled(name, 'dim', colour)}{' ' * (label - len(name))}  {text}" for name, text in known]
@@ -105,20 +116,34 @@ def _page(row: Keyword, dialect: str, width: int, colour: bool) -> str:
     return "\n".join(lines) + "\n"
 
 
-def facts(row: Keyword) -> list[tuple[str, str]]:
-    """What the row says, as pairs of label and text; empty where it says nothing."""
+def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
+    """What the row says, as pairs of label and text; empty where it says nothing.
+
+    Behind a fact stands what it rests on, where that is another thing than what the word is known from.
+    """
     default = "" if row.default is None else _figure(row.default)
+    evidence = of_word(dialect, row)
     source = f"{row.source} ({TRUST[row.trust]})" if row.source else TRUST[row.trust]
     return [
-        ("short form", row.short),
+        ("short form", _with(row.short, "short", evidence)),
         ("use", ACCESS.get(row.access, row.access)),
-        ("for", INDEX.get(row.index, row.index)),
-        ("unit", UNITS.get(row.unit, row.unit)),
-        ("default", default),
-        ("range", _range(row)),
+        ("for", _with(INDEX.get(row.index, row.index), "index", evidence)),
+        ("unit", _with(UNITS.get(row.unit, row.unit), "unit", evidence)),
+        ("default", _with(default, "default", evidence)),
+        ("range", _with(_range(row), "range", evidence)),
         ("group", row.group),
         ("known from", source),
     ]
+
+
+def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:
+    """A fact with what it rests on."""
+    own, meaning = evidence.get(fact), evidence["meaning"]
+    if not text or own is None or (own.strength, own.source) == (meaning.strength, meaning.source):
+        return text
+    if own.strength == meaning.strength and not own.source:
+        return text
+    return f"{text} ({own})"
 
 
 def _range(row: Keyword) -> str:

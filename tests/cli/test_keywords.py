@@ -24,12 +24,12 @@ SPEED · Mint setting
 
   Slew speed of moves; a change acts at once on the move in progress.
 
-  short form  SP
+  short form  SP (memory low)
   use         read and write
-  for         an axis
+  for         an axis (code, Mint type library)
   unit        user units a second
-  default     40000
-  range       0 or more
+  default     40000 (manual, Baldor MN1270 p. 79)
+  range       0 or more (manual, Baldor MN1270 p. 79)
   group       axis
   known from  Baldor MN1270 (printed in a manual)
 
