@@ -1,7 +1,7 @@
 """What each fact of a word rests on: its meaning, short form, brackets, unit, default and range.
 
-The facts stand in the word's row, once. What the word itself is known from is the row's `source` and `trust`; what its
-other facts rest on is said in the `facts.txt` of the dialect, as far as a source has them.
+The facts stand in the word's row, once. What the word itself is known from is the row's `source` and `trust`, or, with
+its page, in the `facts.txt` of the dialect, which says what its other facts rest on, as far as a source has them.
 """
 
 from __future__ import annotations
@@ -41,7 +41,8 @@ class Evidence:
 def of_word(language: str, row: Keyword) -> dict[str, Evidence]:
     """The evidence of each fact that the row of a word has, by its name."""
     known = listed(language)
-    meaning = Evidence("memory low" if row.trust == "memory" else row.trust, row.source)
+    own = Evidence("memory low" if row.trust == "memory" else row.trust, row.source)
+    meaning = known.get((row.name, "meaning"), own)
     others = meaning if row.trust == "manual" or not row.simulated else Evidence("memory low")
     found = {"meaning": meaning}
     for fact in facts_of(row)[1:]:

@@ -123,7 +123,8 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
     """
     default = "" if row.default is None else _figure(row.default)
     evidence = of_word(dialect, row)
-    source = f"{row.source} ({TRUST[row.trust]})" if row.source else TRUST[row.trust]
+    known = evidence["meaning"]
+    source = f"{known.source} ({TRUST[row.trust]})" if known.source else TRUST[row.trust]
     return [
         ("short form", _with(row.short, "short", evidence)),
         ("use", ACCESS.get(row.access, row.access)),

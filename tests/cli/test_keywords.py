@@ -28,10 +28,10 @@ SPEED · Mint setting
   use         read and write
   for         an axis (code, Mint type library)
   unit        user units a second
-  default     40000 (manual, Baldor MN1270 p. 79)
-  range       0 or more (manual, Baldor MN1270 p. 79)
+  default     40000
+  range       0 or more
   group       axis
-  known from  Baldor MN1270 (printed in a manual)
+  known from  Baldor MN1270 p. 79 (printed in a manual)
 
     SPEED(0) = 250
     PRINT SPEED(0)
