@@ -21,6 +21,8 @@ _MINT = re.compile(r"(?<!\")<([a-z]+(?:\.[a-z0-9-]+)?)\|([^<>\n]*)(>?)")
 _MARK = re.compile(rf"{str(FIRST_MARK)[:3]}\d{{6}}")
 # How far a value may be from the one chosen and still be the same.
 ROUNDING = 1e-9
+# The place of an axis or of a distance in a question, its brackets escaped.
+_FILLED = re.compile(r"\\\{\w+\\\}")
 HOLDS, OTHER, UNKNOWN = "holds", "other", "unknown"
 
 
@@ -136,7 +138,7 @@ def _is_echo(said: str, name: str) -> bool:
         reading is not None
         and reading.probe is not None
         and any(letter.isalpha() for letter in said)
-        and said == reading.probe.ask
+        and re.fullmatch(_FILLED.sub(r"[-+.\\de]+", re.escape(reading.probe.ask)), said) is not None
     )
 
 

@@ -83,7 +83,8 @@ def _promise(language: str, motion: Motion | None) -> str:
     within = f"It moves axis {motion.axis} within {motion.distance:g} user units of where it stands"
     if language == "mint":
         return f"{within}, and puts back what it writes. The axis must be enabled. Stop it as any motion."
-    return f"{within}, which is 0 afterwards, and switches it on. Stop it as any motion."
+    speed = f"leaves its velocity at {motion.distance / 2:g}"
+    return f"{within}, which is 0 afterwards, switches it on and {speed}. Stop it as any motion."
 
 
 def _mint(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterator[str]:

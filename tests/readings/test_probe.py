@@ -28,8 +28,11 @@ DECIMALS = range(3, 10)
 IMPOSSIBLE = ("readings.mint.precisionmode-default", "readings.mint.blendmode-default")
 
 
-def answers(language: str, settings: dict[str, object], motion: Motion | None = None) -> list[str]:
+def answers(
+    language: str, settings: dict[str, object], motion: Motion | None = None, further: int = 0
+) -> list[str]:
     name, axis = LANGUAGES[language]
+    axis += further
     result = run(Source(name, written(language, axis, motion)), machine=settings, cache=False)
     assert result.status == "ended"
     return result.output
@@ -83,10 +86,13 @@ def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> N
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("moves", [False, True], ids=["at rest", "with motion"])
-def test_every_reading_chosen_holds_on_the_virtual_controller(language: str, moves: bool) -> None:
-    motion = Motion(LANGUAGES[language][1], 100.0) if moves else None
-    found = read("\n".join(answers(language, {}, motion)))
+@cases(("moves", "further"), [(False, 0), (True, 0), (False, 2), (True, 2)])
+def test_every_reading_chosen_holds_on_the_virtual_controller(
+    language: str, moves: bool, further: int
+) -> None:
+    """Of whichever axis."""
+    motion = Motion(LANGUAGES[language][1] + further, 100.0) if moves else None
+    found = read("\n".join(answers(language, {}, motion, further)))
     assert [each.message for each in found.problems] == []
     wrong = {each.reading.name: each.answer for each in found.verdicts if each.status != HOLDS}
     assert wrong == {}
@@ -172,9 +178,15 @@ def test_the_echo_of_the_probe_is_no_answer() -> None:
     assert found.problems == []
     echoed = written("mccl", 1).splitlines()
     result = answers("mccl", {})
-    found = read("\n".join([*(f">{line}" for line in echoed), *result]))
-    assert found.problems == []
-    assert all(each.status == HOLDS for each in found.verdicts)
+    bare = [
+        each
+        for line in result
+        for each in ((line, "1TG") if line == str(mark("mccl.gain-default")) else (line,))
+    ]
+    for shown in ([*(f">{line}" for line in echoed), *result], bare):
+        found = read("\n".join(shown))
+        assert found.problems == []
+        assert all(each.status == HOLDS for each in found.verdicts)
 
 
 @pytest.mark.parametrize(
