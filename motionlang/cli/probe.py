@@ -44,10 +44,10 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     add = parser.add_argument
     add(
         "language",
-        metavar="LANGUAGE",
+        metavar="mint|mccl",
         nargs="?",
         choices=dialects(),
-        help="mint or mccl: what the controller speaks",
+        help="the language that the controller speaks",
     )
     add("--answers", metavar="LOG", help="what the controller's terminal showed; - reads standard input")
     add(

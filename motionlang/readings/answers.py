@@ -84,7 +84,7 @@ def read(text: str, wanted: str = "") -> Answers:
 
 
 def _is_a_probe(text: str) -> bool:
-    return f"<{BEGIN}|" in text or f"AL{mark(BEGIN)}" in text
+    return f"<{BEGIN}|" in text or str(mark(BEGIN)) in text
 
 
 # --------------------------------------------------------------------------------------------- where they stand
@@ -131,7 +131,7 @@ def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str,
 
 def _is_echo(said: str, name: str) -> bool:
     """Whether a line without a prompt is what was sent, shown once more."""
-    if f"AL{str(FIRST_MARK)[:3]}" in said or said.startswith(";"):
+    if _MARK.search(said) or said.startswith(";"):
         return True
     reading = readings().get(name)
     return (

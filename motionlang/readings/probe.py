@@ -6,10 +6,11 @@ name of its reading, so that the answers can be told from whatever else a termin
 
 from __future__ import annotations
 
+import tomllib
 from typing import TYPE_CHECKING
 from zlib import crc32
 
-from motionlang.readings.entries import readings
+from motionlang.readings.entries import ROOT, readings
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Sequence
@@ -117,18 +118,24 @@ def _mccl(found: Sequence[Reading], axis: int, motion: Motion | None) -> Iterato
     yield f"; {_promise('mccl', motion)}"
     yield "; Send it line by line after power-up, and keep what the terminal shows."
     yield "; Then: motionlang probe --answers LOG"
-    yield f"DM,AL{mark(BEGIN)},TR0,AL{len(found)},TR0"
+    frame = tomllib.loads((ROOT / "mccl" / "evidence" / "probe.toml").read_text(encoding="utf-8"))
+
+    def marked(name: str) -> str:
+        said: str = frame["mark"].format(mark=mark(name))
+        return said
+
+    yield frame["begin"].format(mark=mark(BEGIN), count=len(found))
     if motion is not None:
-        yield f"{axis}SV{motion.distance / 2:g}"
+        yield frame["slow"].format(a=axis, speed=f"{motion.distance / 2:g}")
     for each in found:
         assert each.probe is not None
         before, ask, after = lines_of(each.probe, axis, motion.step if motion is not None else 0.0)
         if before:
-            yield f"AL{mark(NEXT)},TR0"
+            yield marked(NEXT)
             yield from before
-        yield f"AL{mark(each.name)},TR0"
+        yield marked(each.name)
         yield ask
         if after:
-            yield f"AL{mark(NEXT)},TR0"
+            yield marked(NEXT)
             yield from after
-    yield f"AL{mark(END)},TR0"
+    yield marked(END)
