@@ -95,6 +95,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "prompt_toolkit": ("repl",),
     "matplotlib": ("views",),
     "pyarrow": ("views",),
+    "mcap": ("views",),
     "can": ("copley",),
     "pymodbus": ("serve",),
     "canopen": ("copley",),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 REPORTS = ("table", "json", "none")
-TRACES = (".csv", ".npz", ".parquet", ".vcd")
+TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
 PLOTS = (".png", ".svg", ".html")
 PROFILES = (".json", ".trace.json", ".speedscope.json")
 RATE = 1000.0

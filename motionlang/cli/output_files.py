@@ -28,6 +28,7 @@ NEEDED = {
     ".png": ("matplotlib", "plot"),
     ".svg": ("matplotlib", "plot"),
     ".parquet": ("pyarrow", "parquet"),
+    ".mcap": ("mcap", "mcap"),
 }
 
 

@@ -92,4 +92,16 @@ def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report)
             progress(done / total)
 
 
-_WRITERS = {".csv": _write_csv, ".npz": _write_npz, ".parquet": _write_parquet, ".vcd": write_vcd}
+def _write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
+    from motionlang.views.mcap import write_mcap
+
+    write_mcap(trace, file, rate, progress)
+
+
+_WRITERS = {
+    ".csv": _write_csv,
+    ".mcap": _write_mcap,
+    ".npz": _write_npz,
+    ".parquet": _write_parquet,
+    ".vcd": write_vcd,
+}

@@ -237,7 +237,7 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
             ("--plot", "x.svg", "--path", "0"),
             "argument --path: '0' is not a path: two or three axes make one, such as 0,1",
         ),
-        (("--trace", "x.txt"), "--trace writes .csv, .npz, .parquet and .vcd, not .txt files"),
+        (("--trace", "x.txt"), "--trace writes .csv, .npz, .parquet, .vcd and .mcap, not .txt files"),
         (("--plot", "x"), "--plot writes .png, .svg and .html, so the file needs one of these suffixes"),
         (
             ("--rate", "0"),

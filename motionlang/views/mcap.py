@@ -1,0 +1,111 @@
+"""A trace as an MCAP file, which PlotJuggler and Foxglove open: motion, channels, and what the program was doing.
+
+Messages are JSON with a JSON schema each: a topic an axis at the trace's rate, a topic a channel at each change, and
+`/program`, which says at each move and phase which line of the program it comes from. Times are those of the machine.
+"""
+
+from __future__ import annotations
+
+import json
+from heapq import merge
+from operator import itemgetter
+from typing import IO, TYPE_CHECKING, Any
+
+from motionlang import __version__
+from motionlang.views.lanes import lanes
+from motionlang.views.terminal import printable
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping
+
+    from motionlang.controller.record.trace import Column, Trace
+
+    Report = Callable[[float], object]
+    # Nanoseconds, the number of the topic, and the message.
+    Message = tuple[int, int, bytes]
+
+PER_SECOND = 10**9
+_TEXTS = {"line": "integer", "command": "string", "state": "string", "axis": "integer"}
+
+
+def write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
+    """Every message in the order of time. Needs the package mcap."""
+    from mcap.writer import CompressionType, Writer
+
+    writer = Writer(file, compression=CompressionType.ZSTD)
+    writer.start(profile="", library=f"motionlang {__version__}")
+    topics = _Topics(writer)
+    streams = [_motion(trace, rate, topics, progress), _channels(trace, topics), _program(trace, topics)]
+    for sequence, (time, topic, message) in enumerate(merge(*streams, key=itemgetter(0))):
+        writer.add_message(
+            channel_id=topic, log_time=time, publish_time=time, data=message, sequence=sequence & 0xFFFFFFFF
+        )
+    writer.finish()  # type: ignore[no-untyped-call]
+
+
+class _Topics:
+    """Topics as they are first asked for, each with a schema of its own."""
+
+    def __init__(self, writer: Any) -> None:
+        self._writer = writer
+
+    def add(self, name: str, fields: Mapping[str, str]) -> int:
+        """The number of a topic whose messages have `fields`: names, and JSON types."""
+        schema = {"type": "object", "properties": {field: {"type": kind} for field, kind in fields.items()}}
+        number = self._writer.register_schema(
+            name=name.strip("/"), encoding="jsonschema", data=json.dumps(schema).encode()
+        )
+        topic: int = self._writer.register_channel(topic=name, message_encoding="json", schema_id=number)
+        return topic
+
+
+def _motion(trace: Trace, rate: float, topics: _Topics, progress: Report) -> Iterator[Message]:
+    """A message an axis and row; names have their units, as the columns of a CSV file have."""
+    columns = trace.columns()[1:]
+    groups: dict[str, list[tuple[int, str]]] = {}
+    for place, column in enumerate(columns):
+        axis, field = _named(column)
+        groups.setdefault(axis, []).append((place, field))
+    numbers = [topics.add(f"/{axis}", {field: "number" for _, field in of}) for axis, of in groups.items()]
+    total, done = trace.rows(rate), 0
+    for chunk in trace.chunks(rate):
+        rows = zip(*(values.tolist() for values in chunk.data), strict=True)
+        for time, *values in rows:
+            at = round(time * PER_SECOND)
+            for number, fields in zip(numbers, groups.values(), strict=True):
+                text = ",".join(f'"{field}":{values[place] + 0.0!r}' for place, field in fields)
+                yield at, number, f"{{{text}}}".encode()
+        done += len(chunk)
+        progress(done / total)
+
+
+def _named(column: Column) -> tuple[str, str]:
+    axis, _, field = column.name.partition("_")
+    return axis, field
+
+
+def _channels(trace: Trace, topics: _Topics) -> Iterator[Message]:
+    found: list[Message] = []
+    for lane in lanes(trace.controller):
+        number = topics.add(f"/{lane.group.replace(' ', '_')}/{lane.name}", {"value": "number"})
+        for time, value in zip(lane.times, lane.values, strict=True):
+            found.append((round(time * PER_SECOND), number, json.dumps({"value": value}).encode()))
+    return iter(sorted(found))
+
+
+def _program(trace: Trace, topics: _Topics) -> Iterator[Message]:
+    """What each axis does from when on: the move and its phase, or that it has ended."""
+    number = topics.add("/program", _TEXTS)
+    found: list[tuple[float, int, int, str, str]] = []
+    for move in trace.controller.log.moves:
+        profile, time = move.profile, move.start_time
+        about = move.axis, move.line, printable(move.command or "move")
+        for phase in profile.phases if profile is not None else ():
+            if time <= trace.end:
+                found.append((time, *about, phase.name))
+            time += phase.duration
+        if time <= trace.end:
+            found.append((time, *about, "end"))
+    for time, axis, line, command, state in sorted(found):
+        message = {"axis": axis, "line": line, "command": command, "state": state}
+        yield round(time * PER_SECOND), number, json.dumps(message).encode()
