@@ -30,6 +30,7 @@ class Options:
         "machine",
         "nv",
         "overrides",
+        "paths",
         "plot",
         "points",
         "profile",
@@ -71,6 +72,7 @@ class Options:
         self.prove = False
         # The time profile: as a table, and as a file.
         self.profile = False
+        self.paths = False
         self.profile_to: str | None = None
         self.certify = False
 

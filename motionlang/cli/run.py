@@ -223,6 +223,13 @@ def _report(result: Run, options: Options) -> None:
         charts=seen and drawn,
         everything=options.everything,
     )
+    if options.paths:
+        from motionlang.controller.record.paths import paths
+        from motionlang.views.paths import render_paths
+
+        rows = paths(result.trace)
+        colour = wants_colour(sys.stdout)
+        table += "\n" + render_paths(rows, width=width, colour=colour, everything=options.everything)
     if options.profile:
         from motionlang.cycle.profile import TimeProfile
         from motionlang.views.cycle import render_profile

@@ -115,6 +115,11 @@ def add_run(commands: Commands) -> None:
         help="hold the motion against what the program ordered, and say what was proved; status 1 where it is not so",
     )
     parser.add_argument(
+        "--paths",
+        action="store_true",
+        help="list the paths of several axes: length, speed along the path, corner, and why it stops there",
+    )
+    parser.add_argument(
         "--profile",
         action="store_true",
         help="tell where the time goes: by cause, line and sub, along the chain of what the end waited for",
@@ -146,6 +151,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
         "plot",
         "nv",
         "prove",
+        "paths",
         "profile",
         "profile_to",
         "certify",
