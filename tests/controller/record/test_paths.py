@@ -65,7 +65,7 @@ def test_moves_of_single_axes_are_no_paths() -> None:
 
 
 def test_the_table() -> None:
-    text = render_paths(rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"))
+    text = render_paths(rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nPAUSE IDLE(0)\n"), width=160)
     cells = [
         "2",
         "VECTORR",
