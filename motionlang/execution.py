@@ -64,6 +64,7 @@ def run(
     cache: bool = True,
     keep_crash: bool = False,
     prove: bool = False,
+    log_size: float | None = None,
     compiled: Program | None = None,
 ) -> Run:
     """Run a program: a path, or a `Source` with its text.
@@ -74,9 +75,10 @@ def run(
     names; `show` is called with everything the program prints, `pace` with the machine time about to be reached.
     `outside` is a world that acts by itself, such as a host: it then says how machine time passes. `begun` is called
     with the machine when the program begins, for whoever wants to look on. `nv` is the file in which the program's nv
-    data outlives the run. With `prove` what `Run.proof` needs is kept. An error of motionlang's own is raised, or with
-    `keep_crash` left in `Run.crash`, beside all that was computed before it. `compiled` is what the dialect has made of
-    the source before, for a machine that is as this one wherever `Dialect.compiled_in` says that it matters.
+    data outlives the run. With `prove` what `Run.proof` needs is kept. `log_size` is how many gigabytes the log may
+    take on the disk. An error of motionlang's own is raised, or with `keep_crash` left in `Run.crash`, beside all that
+    was computed before it. `compiled` is what the dialect has made of the source before, for a machine that is as this
+    one wherever `Dialect.compiled_in` says that it matters.
     Mistakes in the program are `Run.diagnostics`, never exceptions; OSError where the file cannot be read, ValueError
     where no dialect can be told from its name or `machine` has a key or a value that no machine file may have.
     """
@@ -91,6 +93,8 @@ def run(
     name = _cache_name(source, language, settings) if cache and compiled is None else ""
     if compiled is None:
         compiled = _compile(source, language, settings, result, name)
+    if log_size is not None:
+        result.machine.log.store.disk = int(log_size * 1e9)
     if nv is not None and compiled is not None:
         from motionlang.remarks import open_kept
 

@@ -91,11 +91,17 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
         if task.wait is not None and task.wait.due() == float("inf"):
             line, _, _ = result.dialect.locate(result.source, task.at)
             since = f"since {task.wait.since:.3f} s"
+            _note_wait(result, task.at, task.wait.why)
             result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
             what = "still polled, and nothing could change what it looks at any more"
             result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
+
+
+def _note_wait(result: Run, at: int, why: str) -> None:
+    """A wait that has run out is an event, at the place of its task."""
+    result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
 
 
 def _tell_lost(result: Run, scheduler: Scheduler) -> None:
@@ -158,6 +164,7 @@ def tell_stuck(result: Run, stuck: Stuck, until: float) -> None:
         result.diagnostics += lost
         return
     message = f"the program waits {stuck.wait.why}, and nothing can end the wait"
+    _note_wait(result, stuck.task.at, stuck.wait.why)
     result.not_counted.append(f"line {line}: {message}")
     others = _others(result, stuck.task)
     for each in others:

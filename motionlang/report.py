@@ -33,6 +33,7 @@ def build(run: Run) -> Row:
     """The whole report as plain dicts, lists, texts and numbers."""
     report = _head(run)
     report["moves"] = list(moves(run))
+    report["events"] = list(events(run))
     report |= _tail(run)
     report["readings"] = readings(run)
     return report
@@ -51,7 +52,7 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     tail = _tail(run)
     if whole:
         tail["readings"] = readings(run)
-    return _document(_head(run), moves(run), tail)
+    return _document(_head(run), {"moves": moves(run), "events": events(run)}, tail)
 
 
 def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:
@@ -60,7 +61,7 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "not_counted": []}
     tail["readings"] = []
-    return "".join(_document(head, iter(()), tail))
+    return "".join(_document(head, {"moves": iter(()), "events": iter(())}, tail))
 
 
 def moves(run: Run) -> Iterator[Row]:
@@ -85,6 +86,7 @@ def moves(run: Run) -> Iterator[Row]:
             "end": (profile.end - zero) / scale,
             "distance": (profile.end - profile.start) / scale,
             "peak_speed": profile.peak_speed / size,
+            **({} if move.asked is None else {"asked_speed": move.asked / size}),
             "phases": [
                 {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
                 for phase in profile.phases
@@ -110,6 +112,24 @@ def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:
     from motionlang.controller.record.history import figures
 
     return figures(controller)
+
+
+def events(run: Run) -> Iterator[Row]:
+    """What happened, in the order of time: limits, faults, clamps, stops; `docs/events.md` has the kinds."""
+    lines: dict[int, int] = {}
+    for event in run.machine.log.events:
+        if event.at not in lines:
+            lines[event.at] = run.dialect.locate(run.source, event.at)[0] if event.at >= 0 else 0
+        row: Row = {"time": event.time, "kind": event.kind}
+        for name, value in (("axis", event.axis), ("value", event.value), ("limit", event.limit)):
+            if value is not None:
+                row[name] = value
+        row["line"] = lines[event.at]
+        if event.ordered:
+            row["ordered_by"] = event.ordered
+        if event.text:
+            row["text"] = event.text
+        yield row
 
 
 def axes(run: Run) -> list[Row]:
@@ -190,8 +210,11 @@ def _tail(run: Run) -> Row:
     return tail
 
 
-def _document(head: Row, rows: Iterator[Row], tail: Row) -> Iterator[str]:
-    """A field a line and a move a line: json's own indenting is written in Python and takes three times as long."""
+def _document(head: Row, lists: dict[str, Iterator[Row]], tail: Row) -> Iterator[str]:
+    """A field a line, and a move or an event a line.
+
+    json's own indenting is written in Python and takes three times as long.
+    """
     from json import JSONEncoder
 
     encode = JSONEncoder(allow_nan=False).encode
@@ -203,12 +226,14 @@ def _document(head: Row, rows: Iterator[Row], tail: Row) -> Iterator[str]:
             return encode(finite(value))
 
     fields = [f'"{name}": {line(value)}' for name, value in head.items()]
-    yield "{" + ",\n ".join(fields) + ',\n "moves": ['
-    between = "\n  "
-    while some := [line(row) for row in islice(rows, AT_ONCE)]:
-        yield between + ",\n  ".join(some)
-        between = ",\n  "
-    yield "],\n " if between == "\n  " else "\n],\n "
+    yield "{" + ",\n ".join(fields) + ",\n "
+    for name, rows in lists.items():
+        between = "\n  "
+        yield f'"{name}": ['
+        while some := [line(row) for row in islice(rows, AT_ONCE)]:
+            yield between + ",\n  ".join(some)
+            between = ",\n  "
+        yield "],\n " if between == "\n  " else "\n],\n "
     yield ",\n ".join(f'"{name}": {line(value)}' for name, value in tail.items()) + "}\n"
 
 

@@ -20,6 +20,7 @@ class Options:
     """What the command line asks of a run."""
 
     __slots__ = (
+        "allow",
         "cache",
         "certify",
         "columns",
@@ -27,6 +28,7 @@ class Options:
         "everything",
         "file",
         "given",
+        "log_size",
         "machine",
         "nv",
         "overrides",
@@ -75,6 +77,10 @@ class Options:
         self.paths = False
         self.profile_to: str | None = None
         self.certify = False
+        # Gigabytes that the log may take on the disk; None for the usual ones.
+        self.log_size: float | None = None
+        # What of the run's events does not make the exit status 1: names of cli.event_status.ALLOWED.
+        self.allow: frozenset[str] = frozenset()
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Options) and all(

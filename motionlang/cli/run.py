@@ -121,8 +121,20 @@ def _tell(result: Run, options: Options) -> int:
         return CRASHED
     if result.status == "interrupted":
         return SIGNALS.status
+    met = _complain_of_events(result, options) if result.machine.log.events else False
     wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
-    return 1 if wrong else 0
+    return 1 if wrong or met else 0
+
+
+def _complain_of_events(result: Run, options: Options) -> bool:
+    """Tell of limits, following errors and faults that make the exit status 1; whether there are any."""
+    from motionlang.cli.event_status import complaints
+    from motionlang.views.terminal import printable
+
+    found = complaints(result, options.allow)
+    for each in found:
+        sys.stderr.write(f"{printable(each)}\n")
+    return bool(found)
 
 
 def _refuse(
@@ -184,6 +196,7 @@ def _run_unwatched(
         keep_crash=True,
         cache=options.cache,
         prove=options.prove,
+        log_size=options.log_size,
     )
 
 

@@ -21,7 +21,8 @@ RUN_EPILOG = """\
 The language is told by the suffix: .mnt .mntx .prg are Mint, .mcl .mccl are MCCL.
 Time is the machine's own: an hour of it takes a moment, unless --realtime is given.
 
-exit status: 0 the program ran; 1 it is wrong or faulted (standard error says where); 2 the command line is wrong
+exit status: 0 the program ran; 1 it is wrong or faulted, or an axis met a limit, a following error or a fault that
+nobody handled (standard error says where, --allow accepts it); 2 the command line is wrong
 
 examples:
   motionlang run pick.mnt --until 60 --trace pick.csv --rate 500
@@ -110,6 +111,19 @@ def add_run(commands: Commands) -> None:
         help="keep what the program declares nv, and NVLONG and NVFLOAT, in FILE from one run to the next",
     )
     parser.add_argument(
+        "--log-size",
+        metavar="GB",
+        type=lambda text: _number(text, 0.0, 1e6, "a number of gigabytes, 0 or more"),
+        help="how much the log of the run may take on the disk before it ends (8)",
+    )
+    parser.add_argument(
+        "--allow",
+        metavar="KIND,…",
+        type=_allowed,
+        default=frozenset(),
+        help="events that do not make the exit status 1: limit, soft-limit, following-error, fault, or all",
+    )
+    parser.add_argument(
         "--prove",
         action="store_true",
         help="hold the motion against what the program ordered, and say what was proved; status 1 where it is not so",
@@ -155,6 +169,8 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
         "profile",
         "profile_to",
         "certify",
+        "allow",
+        "log_size",
     ):
         setattr(options, name, getattr(arguments, name))
     options.prove = options.prove or options.certify
@@ -219,6 +235,18 @@ def _number(text: str, low: float, high: float, what: str, *, open_low: bool = F
 
 def _time(text: str) -> float:
     return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
+
+
+def _allowed(text: str) -> frozenset[str]:
+    from motionlang.cli.event_status import ALLOWED
+
+    names = frozenset(each.strip() for each in text.split(","))
+    if names == {"all"}:
+        return frozenset(ALLOWED)
+    unknown = sorted(names - ALLOWED.keys())
+    if unknown:
+        raise argparse.ArgumentTypeError(f"{unknown[0]!r} is no event to allow: {', '.join(ALLOWED)} or all")
+    return names
 
 
 def _axes(text: str) -> tuple[int, ...]:

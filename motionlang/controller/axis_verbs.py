@@ -12,6 +12,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import feedrate, halt
 from motionlang.controller.move import Move
 from motionlang.controller.moves import buffer
+from motionlang.controller.triggers import events
 from motionlang.controller.triggers.conditions import BY_WORD, release
 from motionlang.profile import hold
 
@@ -67,6 +68,10 @@ class AxisVerbs(Core):
         a = self.axes[axis]
         if a.move is not None and name in feedrate.LIVE and feedrate.unchanged(a, name, value):
             return
+        if name == "override" and a.move is not None:
+            events.note(self, "override", a, float(value))  # type: ignore[arg-type]
+        if getattr(a, name) != value:
+            self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
         if name == "accel":
             a.accel_time = None
@@ -145,6 +150,7 @@ class AxisVerbs(Core):
             words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
             raise Refusal("enable-input", words, "the drive can be enabled while it is on")
         a.enabled = True
+        events.cleared(self, a)
         a.faults = 0
         if a.feedback is not None:
             a.feedback.take_over(self)
@@ -164,6 +170,7 @@ class AxisVerbs(Core):
     def clear_faults(self, axis: int) -> None:
         """Forget an axis's faults."""
         a = self.axes[axis]
+        events.cleared(self, a)
         a.faults = 0
         if a.feedback is not None:
             a.feedback.look_again()
@@ -288,6 +295,8 @@ class AxisVerbs(Core):
     def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
         """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the buffer."""
         a = self.axes[axis]
+        if ended == "stop":
+            events.stopped(self, a, ended)
         self._hold(a)
         freed = release(a)
         if a.sequence is not None:
@@ -321,11 +330,15 @@ class AxisVerbs(Core):
     def abort(self, axis: int, ended: str = "cancel") -> None:
         """Come to rest at once and empty the buffer."""
         a = self.axes[axis]
+        if ended == "cancel":
+            events.stopped(self, a, ended)
         self.freeze(a, ended)
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
         """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it."""
+        if action != "ignore":
+            events.raised(self, self.axes[axis], bit, action)
         self.axes[axis].faults |= bit
         if action in ("stop", "error-stop"):
             self.stop(axis, "fault", hard=action == "error-stop")

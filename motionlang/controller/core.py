@@ -12,6 +12,7 @@ from motionlang.controller.motion import halt
 from motionlang.controller.move import MOST_PIECES, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
+from motionlang.controller.triggers import events
 from motionlang.controller.triggers.conditions import Together, refuse_motion, release
 from motionlang.controller.triggers.watch import arm
 from motionlang.profile import hold
@@ -89,7 +90,10 @@ class Core(Readings):
             accel, decel = move.rates[0] or accel, move.rates[1] or decel
         if move.overridden:
             speed *= a.override
+        move.asked = speed
         if a.limited:
+            if speed > a.max_speed:
+                events.clamped(self, a, move.line, speed)
             speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         if a.suspended or not speed:
             return halt.standing(self, a)
@@ -271,6 +275,7 @@ class Core(Readings):
             a.arrival = None
         if a.move is None:
             return
+        events.jumped(self, a, ended)
         self.end_move(a, ended)
         a.target = a.position(self.clock.now)
         self.extend_track(a, hold(a.target))

@@ -30,6 +30,7 @@ class Move:
 
     __slots__ = (
         "action",
+        "asked",
         "axis",
         "base",
         "command",
@@ -54,6 +55,7 @@ class Move:
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
         self.axis, self.command, self.line, self.target = axis, command, line, target
         self.action: Action | None = None
+        self.asked: float | None = None  # the speed asked for, before its axis's limit, counts/s
         self.base: float | None = None
         self.id = 0
         self.speed: float | None = None

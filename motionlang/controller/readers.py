@@ -108,6 +108,7 @@ def converted(read: Callable[[], Any], scale: Scale, unit: str, hearing: Hearing
 def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Writer:
     """What `configure` does to one of `SETTINGS`, bound to an axis, of a value in `unit`."""
     a, configure = controller.axes[axis], controller.configure
+    clock, add = controller.clock, controller.log.settings.add
     live, time = name in feedrate.LIVE, f"{name}_time" if name in ("accel", "decel") else ""
     power, factors = POWERS.get(unit), a.scale.factors
 
@@ -118,6 +119,8 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
         if live and a.move is not None:
             configure(axis, name, value)
             return
+        if getattr(a, name) != value:
+            add((clock.now, axis, name, value))
         setattr(a, name, value)
         if time:
             setattr(a, time, None)

@@ -88,11 +88,16 @@ class Scheduler:
         self._turn = 0
         self._stalls = 0
         self._log = machine.log
+        self._log.where = self._where
         # How long each task has had the machine since the last of them began or ended a wait, and when that was.
         self._took: dict[str, float] = {}
         self._turns_began = 0.0
         # The length of the turns of a round, and how many of them are still to come.
         self._length, self._left = QUANTUM, 0
+
+    def _where(self) -> int:
+        """Where the program stands, for the log."""
+        return self.current.at
 
     def start(self, task: Task) -> None:
         """Let a further task run from now on."""
@@ -100,6 +105,7 @@ class Scheduler:
 
     def interrupt(self, task: Task) -> None:
         """Let a task run to its end before any other goes on."""
+        self._log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:

@@ -9,6 +9,7 @@ from array import array
 from math import fsum
 
 from motionlang.report import axes as axes_of
+from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
 from motionlang.report import written as written_of
 from motionlang.views.chart import velocity_chart
@@ -43,7 +44,22 @@ _MOVES = (
     Column("to", "uu", drop=3),
     Column("distance", "uu"),
     Column("peak", "uu/s"),
+    Column("asked for", "uu/s", drop=7),
     Column("ended by", align="<", drop=2, style="warning"),
+)
+# Where the column of the speed asked for stands: shown where a move did not reach it.
+_ASKED = 10
+# Of very many events those of these kinds are left out first.
+_USUAL = frozenset({"handler", "buffer full", "stop", "override"})
+_EVENTS = (
+    Column("time", "s"),
+    Column("event", align="<", style="warning"),
+    Column("axis"),
+    Column("value", drop=3),
+    Column("limit", drop=4),
+    Column("line", drop=5),
+    Column("motion of line", drop=2),
+    Column("", align="<", drop=1),
 )
 _AXES = (
     Column("axis"),
@@ -87,6 +103,9 @@ def render(
         parts.append(_moves(moves, width, colour, everything))
     if moves.count > MOST_ROWS:
         parts.append(_totals(moves, run.time, width, colour, everything))
+    events = _Events(events_of(run), everything)
+    if events.count:
+        parts.append(_happened(events, width, colour))
     if charts and moves.count:
         parts += _charts(run, moves, width, colour)
     if moves.motors:
@@ -154,10 +173,60 @@ def _moves(moves: _Gathered, width: int, colour: bool, everything: bool) -> list
         for k, phase in enumerate(phases):
             texts.append(form.phase(phase, k == len(phases) - 1))
             styles.append(phase["name"])
-    lines = grid(_MOVES, texts, width=width, colour=colour, styles=styles)
+    columns: tuple[Column, ...] = _MOVES
+    if not any(_is_short(row) for row in shown):
+        columns = columns[:_ASKED] + columns[_ASKED + 1 :]
+        texts = [[*cells[:_ASKED], *cells[_ASKED + 1 :]] for cells in texts]
+    lines = grid(columns, texts, width=width, colour=colour, styles=styles)
     if len(shown) < moves.count:
         more = f"… and {_grouped(moves.count - len(shown))} more moves: --all shows them"
         lines.append(styled(more, "dim", colour))
+    return lines
+
+
+def _is_short(row: Row) -> bool:
+    """Whether a move did not reach the speed that was asked for."""
+    return bool(row.get("asked_speed", 0.0) > row["peak_speed"] * (1.0 + 1e-9))
+
+
+class _Events:
+    """What the table needs of the events: the first of them, the first of those that matter, how many of each kind."""
+
+    def __init__(self, rows: Iterator[Row], everything: bool) -> None:
+        self.counts: dict[str, int] = {}
+        self.count = 0
+        first: list[Row] = []
+        serious: list[Row] = []
+        for row in rows:
+            self.count += 1
+            self.counts[row["kind"]] = self.counts.get(row["kind"], 0) + 1
+            if everything or len(first) < MOST_ROWS:
+                first.append(row)
+            if row["kind"] not in _USUAL and len(serious) < SHOWN:
+                serious.append(row)
+        whole = everything or self.count <= MOST_ROWS
+        self.shown = first if whole else serious or first[:SHOWN]
+
+
+def _happened(events: _Events, width: int, colour: bool) -> list[str]:
+    """A line an event; of many the first ones that matter, and how many there were of each kind."""
+    texts = [
+        [
+            figure(event["time"], 6),
+            event["kind"],
+            str(event.get("axis", "")),
+            figure(event["value"]) if "value" in event else "",
+            figure(event["limit"]) if "limit" in event else "",
+            str(event["line"] or ""),
+            str(event.get("ordered_by", "")),
+            printable(event.get("text", "")),
+        ]
+        for event in events.shown
+    ]
+    lines = [styled("events", "bold", colour), *grid(_EVENTS, texts, width=width, colour=colour)]
+    if len(events.shown) < events.count:
+        named = ", ".join(f"{kind} {_grouped(count)}" for kind, count in sorted(events.counts.items()))
+        lines.append(styled(f"in all: {named}; --all shows them", "dim", colour))
     return lines
 
 
@@ -171,6 +240,7 @@ class _Form:
         self.place = decimals_of([row[end] for row in rows for end in ("start", "end")])
         self.distance = decimals_of([each["distance"] for each in (*rows, *phases)])
         self.speed = decimals_of([row["peak_speed"] for row in rows])
+        self.asked = decimals_of([row["asked_speed"] for row in rows if "asked_speed" in row])
 
     def move(self, row: Row) -> list[str]:
         return [
@@ -184,13 +254,14 @@ class _Form:
             figure(row["end"], self.place),
             figure(row["distance"], self.distance),
             figure(row["peak_speed"], self.speed),
+            figure(row["asked_speed"], self.asked) if "asked_speed" in row else "",
             row.get("ended", "").replace("-", " "),
         ]
 
     def phase(self, phase: Row, last: bool) -> list[str]:
         name = f"{'└' if last else '├'} {phase['name']}"
         time, distance = figure(phase["duration"], self.time), figure(phase["distance"], self.distance)
-        return ["", name, "", "", "", time, "", "", distance, "", ""]
+        return ["", name, "", "", "", time, "", "", distance, "", "", ""]
 
 
 def _totals(moves: _Gathered, time: float, width: int, colour: bool, everything: bool) -> list[str]:

@@ -1,12 +1,14 @@
 """A trace as a value change dump (IEEE 1364, section 18), which GTKWave and other wave viewers read.
 
 Digital channels are wires that change at the exact times, axes are reals at the trace's rate; what does not change
-is not written. The timescale is a nanosecond.
+is not written. What happened (the run's events) is a string, which GTKWave and Surfer show as text. The timescale is a
+nanosecond.
 """
 
 from __future__ import annotations
 
 from heapq import merge
+from itertools import groupby
 from operator import itemgetter
 from typing import IO, TYPE_CHECKING
 
@@ -17,10 +19,11 @@ from motionlang.views.csv import decimals_for
 from motionlang.views.lanes import lanes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
+    from motionlang.controller.record.records import Event
     from motionlang.controller.record.trace import Column, Trace
     from motionlang.views.lanes import Lane
 
@@ -37,12 +40,14 @@ def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> N
     """The header, the values at 0, then every change in the order of time."""
     columns, channels = trace.columns()[1:], lanes(trace.controller)
     names = [_identifier(i) for i in range(len(columns) + len(channels))]
-    file.write(_header(columns, channels, names).encode("ascii"))
+    events = trace.controller.log.events
+    happened = _identifier(len(names)) if events else ""
+    file.write(_header(columns, channels, names, happened).encode("ascii"))
     moved = _movements(trace, columns, names[: len(columns)], rate, progress)
     switched = _switchings(channels, names[len(columns) :])
     file.write(b"#0\n$dumpvars\n")
     last = 0
-    for time, line in merge(moved, switched, key=itemgetter(0)):
+    for time, line in merge(moved, switched, _happened(events, happened), key=itemgetter(0)):
         if time != last:
             line = f"#{time}\n{line}" if last else f"$end\n#{time}\n{line}"
             last = time
@@ -52,8 +57,8 @@ def write_vcd(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> N
     file.write(b"" if end == last else b"#%d\n" % end)
 
 
-def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence[str]) -> str:
-    """A scope for each axis and each kind of channels."""
+def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence[str], happened: str) -> str:
+    """A scope for each axis, each kind of channels, and the events where there are any."""
     lines = [f"$version motionlang {__version__} $end", "$timescale 1 ns $end"]
     scopes: dict[str, list[str]] = {}
     for column, name in zip(columns, names, strict=False):
@@ -62,9 +67,25 @@ def _header(columns: Sequence[Column], channels: Sequence[Lane], names: Sequence
     for lane, name in zip(channels, names[len(columns) :], strict=True):
         kind = "wire 1" if lane.is_digital else "real 64"
         scopes.setdefault(lane.group.replace(" ", "_"), []).append(f"$var {kind} {name} {lane.name} $end")
+    if happened:
+        scopes["events"] = [f"$var string 1 {happened} event $end"]
     for scope, variables in scopes.items():
         lines += [f"$scope module {scope} $end", *variables, "$upscope $end"]
     return "\n".join([*lines, "$enddefinitions $end"]) + "\n"
+
+
+def _happened(events: Iterable[Event], name: str) -> Iterator[Change]:
+    """What happened, as a string that stands until something else does; what happens at one time is one string."""
+    for time, some in groupby(events, lambda event: round(event.time * PER_SECOND)):
+        told = ",".join(dict.fromkeys(_told(event) for event in some))
+        yield time, f"s{told} {name}\n"
+
+
+def _told(event: Event) -> str:
+    """An event in one word: a string of this format has no blanks."""
+    axis = "" if event.axis is None else f"_axis{event.axis}"
+    value = "" if event.value is None else f"_{event.value:.6g}"
+    return event.kind.replace(" ", "_") + axis + value
 
 
 def _switchings(channels: Sequence[Lane], names: Sequence[str]) -> Iterator[Change]:

@@ -84,7 +84,18 @@ def tables() -> Iterator[tuple[str, list[str]]]:
 def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
     explained = [names for head, names in tables() if head == "field"]
     definitions = SCHEMA["$defs"]
-    names = ("move", "dropped", "phase", "move_motor", "axis", "motor", "diagnostic", "terminal", "written")
+    names = (
+        "move",
+        "dropped",
+        "phase",
+        "move_motor",
+        "event",
+        "axis",
+        "motor",
+        "diagnostic",
+        "terminal",
+        "written",
+    )
     objects = [SCHEMA, *(definitions[name] for name in names)]
     assert explained == [list(each["properties"]) for each in objects]
 

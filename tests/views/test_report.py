@@ -33,6 +33,7 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
                 "end": 200.0,
                 "distance": 200.0,
                 "peak_speed": 250.0,
+                "asked_speed": 250.0,
                 "phases": [
                     {"name": "accel", "duration": 0.2, "distance": 25.0},
                     {"name": "slew", "duration": pytest.approx(0.6, rel=1e-15), "distance": 150.0},
@@ -40,6 +41,7 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
                 ],
             }
         ],
+        "events": [],
         "axes": [
             {
                 "axis": 0,

@@ -53,6 +53,12 @@ axis  command  line  profile     start      time      from         to   distance
       ├ accel                           0.052360                         -1.0908
       └ slew                            1.347640                        -56.1517
 
+events
+    time  event  axis     value  motion of line
+       s
+───────────────────────────────────────────────
+1.200000  stop      2  -250.000               8
+
 axis   position      counts      scale  feedback  state
              uu              counts/uu
 ───────────────────────────────────────────────────────
@@ -81,19 +87,19 @@ axis  position      scale  state
 MANY = """\
 shift.mnt · Mint · ended after 9 min 36 s · 400 moves
 
-axis  command  line  profile    start      time      from        to  distance     peak
-                                    s         s        uu        uu        uu     uu/s
-──────────────────────────────────────────────────────────────────────────────────────
-   0  MOVER       5  trapezoid   0.00  1.600000    0.0000  -40.0000  -40.0000  33.3333
-   1  MOVER       6  trapezoid   1.44  0.666663    0.0000   -9.2592   -9.2592  27.7776
-   2  MOVER       5  trapezoid   2.88  1.044450    0.0000   21.4817   21.4817  33.3333
-   3  MOVER       6  trapezoid   4.32  1.350750    0.0000  -31.6917  -31.6917  33.3333
-   0  MOVER       5  trapezoid   5.76  0.213635  -40.0000  -40.9508   -0.9508   8.9015
-   1  MOVER       6  trapezoid   7.20  1.293700   -9.2592   20.5308   29.7900  33.3333
-   2  MOVER       5  trapezoid   8.64  1.101500   21.4817   -1.9017  -23.3833  33.3333
-   3  MOVER       6  trapezoid  10.08  0.594273  -31.6917  -24.3342    7.3575  24.7614
-   0  MOVER       5  trapezoid  11.52  1.542950  -40.9508   -2.8525   38.0983  33.3333
-   1  MOVER       6  trapezoid  12.96  0.852250   20.5308    5.4558  -15.0750  33.3333
+axis  command  line  profile    start      time      from        to  distance     peak  asked for
+                                    s         s        uu        uu        uu     uu/s       uu/s
+─────────────────────────────────────────────────────────────────────────────────────────────────
+   0  MOVER       5  trapezoid   0.00  1.600000    0.0000  -40.0000  -40.0000  33.3333    33.3333
+   1  MOVER       6  trapezoid   1.44  0.666663    0.0000   -9.2592   -9.2592  27.7776    33.3333
+   2  MOVER       5  trapezoid   2.88  1.044450    0.0000   21.4817   21.4817  33.3333    33.3333
+   3  MOVER       6  trapezoid   4.32  1.350750    0.0000  -31.6917  -31.6917  33.3333    33.3333
+   0  MOVER       5  trapezoid   5.76  0.213635  -40.0000  -40.9508   -0.9508   8.9015    33.3333
+   1  MOVER       6  trapezoid   7.20  1.293700   -9.2592   20.5308   29.7900  33.3333    33.3333
+   2  MOVER       5  trapezoid   8.64  1.101500   21.4817   -1.9017  -23.3833  33.3333    33.3333
+   3  MOVER       6  trapezoid  10.08  0.594273  -31.6917  -24.3342    7.3575  24.7614    33.3333
+   0  MOVER       5  trapezoid  11.52  1.542950  -40.9508   -2.8525   38.0983  33.3333    33.3333
+   1  MOVER       6  trapezoid  12.96  0.852250   20.5308    5.4558  -15.0750  33.3333    33.3333
 … and 390 more moves: --all shows them
 
 line  command  axis  moves       in motion  of the run   each  distance    peak

@@ -9,6 +9,7 @@ from __future__ import annotations
 from motionlang.controller.faults import DRIVE, ERROR_INPUT, FOLLOWING_ERROR, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.io.sensor import Sensor
+from motionlang.controller.triggers.events import note
 from motionlang.controller.triggers.limit import Limit
 from motionlang.controller.triggers.region import Region
 
@@ -100,6 +101,7 @@ class World:
 
         def changed(number: int, _: float) -> None:
             if number == channel and not controller.may_enable(axis) and controller.is_enabled(axis):
+                note(controller, "e-stop", controller.axes[axis], text=f"input {channel} is off")
                 controller.disable(axis)
 
         controller.inputs.listeners.append(changed)

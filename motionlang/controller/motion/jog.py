@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
+from motionlang.controller.triggers.events import clamped
 from motionlang.profile import plan_velocity
 from motionlang.profile.curve import relabelled
 from motionlang.profile.relief import onset
@@ -97,6 +98,9 @@ def jog(
     move = Move(a.index, command, line, INFINITY)
     move.rates = own
     action = move.action = Jog(velocity, ends)
+    move.asked = abs(velocity)
+    if move.asked > a.max_speed:
+        clamped(controller, a, line, move.asked)
     profile = action.planned(controller, a, own)
     controller.end_move(a, "retarget")
     controller.run_profile(a, move, profile)

@@ -16,13 +16,18 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
     from motionlang.controller.record.moves import Moves
-    from motionlang.controller.record.records import Changed, Printed, Setting, Turns, Waited
+    from motionlang.controller.record.records import Changed, Event, Printed, Setting, Turns, Waited
 
 # Profiles of all axes together that are not packed, and those of each axis that never are.
 MOST_PROFILES, LEFT_PROFILES = 40_960, 512
 # After so many profiles it is looked whether a loop starts motion after motion: more than one in half a millisecond,
 # from no more than a few lines.
 FIRST_LOOK, HURRY, FEW_LINES = 1024, 5e-4, 4
+
+
+def nowhere() -> int:
+    """The place of what happens without a program."""
+    return -1
 
 
 class Log:
@@ -35,6 +40,7 @@ class Log:
     waits      `Waited`, each when it is over
     turns      `Turns`, where there is more than one task
     prints     `Printed`, those of the console
+    events     `Event`: limits, faults, clamps, stops and the like
 
     The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`: `WholeTrack` of
     `track.py` reads them as one.
@@ -44,7 +50,9 @@ class Log:
         "_looked",
         "analogue_inputs",
         "analogue_outputs",
+        "clamped",
         "dropped",
+        "events",
         "hurried",
         "inputs",
         "moves",
@@ -56,6 +64,7 @@ class Log:
         "store",
         "turns",
         "waits",
+        "where",
     )
 
     moves: Moves
@@ -71,12 +80,29 @@ class Log:
         self.waits: Stream[Waited] = Stream(store, "Waited")
         self.turns: Stream[Turns] = Stream(store, "Turns")
         self.prints: Stream[Printed] = Stream(store, "Printed")
+        self.events: Stream[Event] = Stream(store, "Event")
+        # The last clamp of each axis, which is told once, and where the program stands.
+        self.clamped: dict[int, tuple[int, float, float]] = {}
+        self.where: Callable[[], int] = nowhere
         self.others: list[Stream[Any]] = []
         # How many profiles may be made until some are packed.
         self.room = FIRST_LOOK
         self._looked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
+
+    def note(
+        self,
+        time: float,
+        kind: str,
+        axis: int | None = None,
+        value: float | None = None,
+        limit: float | None = None,
+        ordered: int = 0,
+        text: str = "",
+    ) -> None:
+        """Write an event, at the place where the program stands."""
+        self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
 
     def new(self, kind: str) -> Stream[Any]:
         """A further stream, such as that of another terminal, of records of a kind."""
@@ -126,7 +152,7 @@ class Log:
         """Forget all but about so many records of each kind, and ten times as many profiles of each axis."""
         streams: tuple[Stream[Any], ...]
         streams = (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
-                   self.analogue_outputs, self.settings, self.waits, self.turns, self.prints,
+                   self.analogue_outputs, self.settings, self.waits, self.turns, self.prints, self.events,
                    *self.others)  # fmt: skip
         for stream in streams:
             stream.forget(kept)

@@ -94,15 +94,25 @@ class Moves(Stream[Move]):
         return {id(move) for move in (*moves, *on_top)}
 
     def _move(self, row: tuple[Any, ...]) -> Move:
-        axis, command, line, target, start_time, scale, zero, ended, offset, other, overlaid, profile = row
-        move = (_Overlaid if overlaid else Move)(axis, command, line, target)
-        move.start_time, move.scale, move.zero, move.ended, move.offset = (
+        (
+            axis,
+            command,
+            line,
+            target,
+            asked,
             start_time,
             scale,
             zero,
             ended,
             offset,
-        )
+            other,
+            overlaid,
+            profile,
+        ) = row
+        move = (_Overlaid if overlaid else Move)(axis, command, line, target)
+        move.start_time, move.scale, move.zero = start_time, scale, zero or 0.0
+        move.ended, move.offset = ended, offset or 0.0
+        move.asked = asked
         if other:
             move.action = _OTHER
         if profile is not None:
@@ -115,7 +125,7 @@ def _sealed(move: Move, done: Profile) -> Move:
     """What a move was until now, when it goes on as another entry."""
     made = (_Overlaid if move.overlaid else Move)(move.axis, move.command, move.line, move.target)
     made.start_time, made.scale, made.zero, made.offset = move.start_time, move.scale, move.zero, move.offset
-    made.profile, made.ended = done, CONTINUED
+    made.profile, made.ended, made.asked = done, CONTINUED, move.asked
     made.action = None if move.action is None else _OTHER
     return made
 
@@ -134,11 +144,12 @@ def _row(move: Move, place: int | None) -> tuple[object, ...]:
         move.command,
         move.line,
         move.target,
+        move.asked,
         move.start_time,
         move.scale,
-        move.zero,
+        move.zero or None,
         move.ended,
-        move.offset,
+        move.offset or None,
         move.action is not None,
         move.overlaid,
         profile,

@@ -59,6 +59,43 @@ class Turns(NamedTuple):
     seconds: tuple[float, ...]
 
 
+# What an event may be: what `value` and `limit` are is in docs/events.md.
+EVENTS = (
+    "limit",
+    "soft limit",
+    "following error",
+    "fault",
+    "e-stop",
+    "abort",
+    "cleared",
+    "clamp",
+    "velocity jump",
+    "stop",
+    "cancel",
+    "override",
+    "handler",
+    "buffer full",
+    "wait",
+)
+
+
+class Event(NamedTuple):
+    """Something happened that a person wants to be told of: `kind` is one of `EVENTS`, `axis` None where it has none.
+
+    `value` and `limit` are in user units of that moment, None where there is none; the program stood `at` that place
+    (-1: it stood nowhere), and `ordered` is the line that ordered the motion, 0 where the axis stood.
+    """
+
+    time: float
+    kind: str
+    axis: int | None
+    value: float | None
+    limit: float | None
+    at: int
+    ordered: int
+    text: str
+
+
 class Setting(NamedTuple):
     """A setting of an axis has another value, in counts and seconds, by the controller's name for it."""
 

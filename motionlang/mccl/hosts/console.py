@@ -150,7 +150,7 @@ class _Gate(Task):
     def open_at(self, ready: Callable[[], bool]) -> None:
         """End the next run when `ready` says so."""
         self.done = False
-        self.wait = Wait(self._console.now, ready, lambda: INFINITY, "for the hosts")
+        self.wait = Wait(self._console.now, ready, lambda: INFINITY, "for the hosts", "host")
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         self.done = True

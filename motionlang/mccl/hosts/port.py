@@ -289,7 +289,7 @@ class PortTask(CommandTask):
             self._port.go_on()
         if self.occupied:
             return Wait(now, lambda: True, lambda: now, "")
-        return Wait(now, lambda: self.occupied, lambda: INFINITY, "for the host to send a line")
+        return Wait(now, lambda: self.occupied, lambda: INFINITY, "for the host to send a line", "host")
 
     gated = True
 
@@ -299,7 +299,9 @@ class PortTask(CommandTask):
             if self.stepping:
                 command = line.commands[self.pc]
                 self._send(f"{{ C{self.pc},{command.text} }} <")
-            return Wait(self.board.controller.clock.now, self._may_go_on, lambda: INFINITY, "for a key")
+            return Wait(
+                self.board.controller.clock.now, self._may_go_on, lambda: INFINITY, "for a key", "operator"
+            )
         self._granted = self._holds = False
         return None
 

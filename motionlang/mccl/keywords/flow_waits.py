@@ -74,6 +74,8 @@ def passing(board: Board, axis: AxisState, position: float) -> Wait | None:
         ready,
         lambda: controller.crossing_time(number, position),
         f"for axis {number} to pass {shown}",
+        "axis",
+        (number,),
     )
 
 
@@ -99,12 +101,15 @@ def _until_target(task: CommandTask, command: Command, axes: list[AxisState], no
     task.then = lambda time: _next_target(task, command, axes, time)
     has_motor = board.controller.axes[axis.number].feedback is not None
     if due < INFINITY and not has_motor:
-        return Wait(now, lambda: clock.now >= due, lambda: due, f"for axis {axis.number} to be at target")
+        why = f"for axis {axis.number} to be at target"
+        return Wait(now, lambda: clock.now >= due, lambda: due, why, "axis", (axis.number,))
     return Wait(
         now,
         lambda: at_target_time(board.controller, axis) <= (clock.now if has_motor else BEFORE_NEVER),
         lambda: at_target_time(board.controller, axis),
         f"for axis {axis.number} to be at target",
+        "axis",
+        (axis.number,),
     )
 
 

@@ -125,6 +125,8 @@ def _wait(task: CommandTask, command: Command, on: bool) -> Wait | None:
         lambda: is_on(board, channel) is on,
         lambda: INFINITY,
         f"for channel {channel} to be {state}",
+        "input",
+        (channel,),
     )
 
 

@@ -90,7 +90,7 @@ class FileTask(CommandTask):
             return None
         names = ", ".join(str(number) for number in left)
         return Wait(
-            now, lambda: not board.background, lambda: INFINITY, f"for background task {names} to end"
+            now, lambda: not board.background, lambda: INFINITY, f"for background task {names} to end", "task"
         )
 
 

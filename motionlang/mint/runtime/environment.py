@@ -341,11 +341,14 @@ class Environment:
         room = self.controller.room
         names = ", ".join(map(str, axes))
         buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
+        self.controller.log.note(self.clock.now, "buffer full", axes[0], text=f"room in the {buffers}")
         return Wait(
             self.statements.leave(t),
             lambda: all(room(axis) > 0 for axis in axes),
             lambda: INFINITY,
             f"for room in the {buffers}",
+            "axis",
+            axes,
         )
 
     def pause(self, t: float, ready: Callable[[], object], why: str) -> Wait:
@@ -395,6 +398,7 @@ class Environment:
             lambda: (holder := semaphore[0]) is None or holder.done,
             lambda: INFINITY,
             "for a semaphore",
+            "task",
         )
 
     # ---------------------------------------------------------------------------------------------- axes

@@ -20,7 +20,9 @@ def wait_for_answer(environment: Environment, t: float, terminal: int = CONSOLE)
         line = machine.ask()
         operator.lines += [] if line is None else [line]
     operator.asking = not operator.lines
-    return Wait(t, lambda: _answered(operator), lambda: INFINITY, "for the operator to answer INPUT")
+    return Wait(
+        t, lambda: _answered(operator), lambda: INFINITY, "for the operator to answer INPUT", "operator"
+    )
 
 
 def _answered(operator: Operator) -> bool:

@@ -91,4 +91,4 @@ class MintTask(GeneratorTask):
     def never(self) -> Wait:
         """The wait of a suspended task."""
         now = self.environment.clock.now
-        return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})")
+        return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})", "task")

@@ -180,3 +180,25 @@ STOP(0)
         assert after["start_time"] == pytest.approx(before["start_time"] + before["duration"])
     assert last["end"] == pytest.approx(result.controller.axes[0].position(result.time))
     assert result.proof().holds
+
+
+def test_a_setting_is_in_the_log_where_it_changes() -> None:
+    program = "SPEED(0) = 50\nSPEED(0) = 50\nJOG(0) = 20\nWAIT(100)\nACCEL(0) = 900\nSPEED(1) = 60\n"
+    log = run(Source("set.mnt", program), cache=False, until=1.0).controller.log
+    found = [(each.axis, each.name, each.value) for each in log.settings if each.time > 0.0]
+    assert found == [(0, "accel", 900.0), (1, "speed", 60.0)]
+    assert [each.value for each in log.settings if each.name == "speed" and not each.axis] == [50.0]
+
+
+def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
+    mccl = "1MN,1MR1000,1WS0.1,WN3,WA0.5,1MA0,1WP500,1WT\n"
+    world = {"input": [{"channel": 3, "at": 2.0}]}
+    log = run(Source("waits.mcl", mccl), cache=False, machine=world).controller.log
+    assert [(each.cause, each.what) for each in log.waits] == [
+        ("axis", (1,)),
+        ("time", ()),
+        ("input", (3,)),
+        ("time", ()),
+        ("axis", (1,)),
+        ("axis", (1,)),
+    ]

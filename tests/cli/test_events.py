@@ -1,0 +1,168 @@
+"""What happened in a run: its events, and the exit status that they make."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from motionlang.controller.record import stream
+from motionlang.controller.record.records import EVENTS
+from motionlang.execution import run
+from motionlang.report import build
+from motionlang.source import Source
+from tests.cli.programs import Cell
+from tests.test_docs import ROOT
+
+TRAVEL: dict[str, object] = {"axis.0.travel": [-100.0, 100.0]}
+SETTINGS = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : ERRORDECEL(0) = 500\n"
+
+
+def events(
+    program: str, machine: dict[str, object] | None = None, name: str = "a.mnt"
+) -> list[dict[str, Any]]:
+    result = run(Source(name, program), machine=machine or {}, until=20.0, cache=False)
+    found: list[dict[str, Any]] = build(result)["events"]  # type: ignore[assignment]
+    return found
+
+
+# A program, what its machine has, and the kinds of its events with value, limit, line, and line of the motion.
+CASES: dict[str, tuple[str, dict[str, object], list[tuple[object, ...]]]] = {
+    "a limit switch": (
+        SETTINGS + "MOVER(0) = 200 : GO(0)\nPAUSE IDLE(0)\n",
+        TRAVEL,
+        [("limit", 100.0, 100.0, 3, 2), ("velocity jump", 50.0, 0.0, 3, 2)],
+    ),
+    "a soft limit": (
+        SETTINGS + "SOFTLIMITFORWARD(0) = 20\nMOVER(0) = 200 : GO(0)\nPAUSE IDLE(0)\nRESET(0)\n",
+        {},
+        [
+            ("soft limit", 20.0, 20.0, 4, 3),
+            ("velocity jump", 50.0, 0.0, 4, 3),
+            ("cleared", None, None, 5, None),
+        ],
+    ),
+    "a clamp, once": (
+        "MAXSPEED(0) = 30\n" + SETTINGS + "JOG(0) = 80\nJOG(0) = 80\nWAIT 100\nSTOP(0)\n",
+        {},
+        [("clamp", 80.0, 30.0, 3, 3), ("stop", 30.0, None, 6, 3)],
+    ),
+    "a stop in no time": (
+        SETTINGS + "JOG(0) = 50\nWAIT 500\nCANCEL(0)\n",
+        {},
+        [("cancel", 50.0, None, 4, 2), ("velocity jump", 50.0, 0.0, 4, 2)],
+    ),
+    "another override": (
+        SETTINGS
+        + "FEEDRATEMODE(0) = 2\nMOVER(0) = 50 : GO(0)\nWAIT 300\nFEEDRATEOVERRIDE(0) = 50\nPAUSE IDLE(0)\n",
+        {},
+        [("override", 0.5, None, 5, 3)],
+    ),
+    "a full buffer": (
+        SETTINGS + "MOVER(0) = 5 : GO(0)\n" * 4 + "PAUSE IDLE(0)\n",
+        {},
+        [("buffer full", None, None, 5, None)],
+    ),
+    "a fault and its handler": (
+        SETTINGS + "MOVER(0) = 50 : GO(0)\nPAUSE IDLE(0)\nEnd\nEvent ONERROR\nRESET(0)\nEnd Event\n",
+        {"fault": [{"axis": 0, "kind": "drive", "at": 0.5}]},
+        [
+            ("fault", None, None, 3, 2),
+            ("velocity jump", 50.0, 0.0, 3, 2),
+            ("handler", None, None, 3, None),
+            ("cleared", None, None, 6, None),
+        ],
+    ),
+    "a wait that runs out": ("PAUSE IN(3)\n", {"run.until": 5.0}, [("wait", None, None, 1, None)]),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_what_happened(case: str) -> None:
+    program, machine, expected = CASES[case]
+    found = events(program, machine)
+    told = [
+        (
+            each["kind"],
+            None if "value" not in each else pytest.approx(each["value"], abs=1e-3),
+            each.get("limit"),
+            each["line"],
+            each.get("ordered_by"),
+        )
+        for each in found
+    ]
+    assert expected == told
+
+
+def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
+    cell.write("home.mnt", SETTINGS + "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_LIMIT\nPAUSE IDLE(0)\n")
+    cell.write("home.machine.toml", "[axis.0]\ntravel = [-10.0, 100.0]\n")
+    ran = cell("run", "home.mnt", "--report", "json", "--no-cache")
+    report = json.loads(ran.out)
+    limits = [each for each in report["events"] if each["kind"] == "limit"]
+    assert all(each["text"] == "homing" for each in limits)
+    assert ran.status == 0 or not limits
+
+
+def test_the_exit_status_is_that_of_the_events_and_allow_takes_them_off(cell: Cell) -> None:
+    cell.write("a.mnt", CASES["a limit switch"][0])
+    cell.write("a.machine.toml", "[axis.0]\ntravel = [-100.0, 100.0]\n")
+    ran = cell("run", "a.mnt", "--report", "none", "--no-cache")
+    assert (ran.status, ran.out) == (1, "")
+    assert "a.mnt:2: limit on axis 0 at 2.05005 s (forward limit, abort); --allow limit accepts it" in ran.err
+    for allowed, status in (("limit", 0), ("all", 0), ("soft-limit,fault", 1), ("fault, limit", 0)):
+        assert cell("run", "a.mnt", "--report", "none", "--allow", allowed).status == status, allowed
+    wrong = cell("run", "a.mnt", "--allow", "limits")
+    assert (wrong.status, "'limits' is no event to allow: limit, soft-limit" in wrong.err) == (2, True)
+
+
+def test_a_fault_that_is_handled_is_no_matter(cell: Cell) -> None:
+    cell.write("a.machine.toml", '[[fault]]\naxis = 0\nkind = "drive"\nat = 0.5\n')
+    program = CASES["a fault and its handler"][0]
+    for text, status in ((program, 0), (program.partition("Event")[0], 1)):
+        cell.write("a.mnt", text)
+        assert cell("run", "a.mnt", "--report", "none", "--no-cache").status == status, text
+
+
+def test_the_table_has_them_and_the_speed_asked_for(cell: Cell) -> None:
+    cell.write("a.mnt", CASES["a clamp, once"][0])
+    ran = cell("run", "a.mnt", "--no-cache")
+    assert re.search(r"peak +asked for", ran.out)
+    assert re.search(r"clamp +0 +80\S* +30", ran.out)
+    many = (
+        "JOG(0) = 10\nDim n As Integer\nFor n = 1 To 60\nJOG(0) = 10 + n\nWAIT 1\nSTOP(0)\nNext\nCANCEL(0)\n"
+    )
+    cell.write("many.mnt", many)
+    ran = cell("run", "many.mnt", "--no-cache")
+    assert "stop 60" in ran.out
+    assert "--all shows them" in ran.out
+
+
+def test_every_kind_has_its_row_on_the_page() -> None:
+    page = (ROOT / "docs" / "events.md").read_text(encoding="utf-8")
+    schema = json.loads((ROOT / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+    assert schema["$defs"]["event"]["properties"]["kind"]["enum"] == list(EVENTS)
+    for kind in EVENTS:
+        assert f"`{kind}`" in page, kind
+
+
+def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
+    cell.write("a.mnt", CASES["a stop in no time"][0])
+    assert cell("run", "a.mnt", "--report", "none", "--trace", "a.vcd", "--rate", "10").status == 0
+    written = Path("a.vcd").read_text(encoding="ascii")
+    (name,) = re.findall(r"\$var string 1 (\S+) event \$end", written)
+    assert f"\nscancel_axis0_50,velocity_jump_axis0_50 {name}\n" in written
+
+
+def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in (("MOST", 60), ("LEFT", 30), ("PART", 20)):
+        monkeypatch.setattr(stream, name, value)
+    monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
+    cell.write("a.mnt", "Loop\nOUT(0) = 1 - OUT(0)\nEnd Loop\n")
+    ran = cell("run", "a.mnt", "--report", "json", "--log-size", "1e-5", "--no-cache")
+    report = json.loads(ran.out)
+    assert (ran.status, report["status"], report["diagnostics"][0]["code"]) == (1, "fault", "limit")
+    assert "the log of the run has come to 1e-05 GB" in ran.err
