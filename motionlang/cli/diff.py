@@ -7,7 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
-from motionlang.cli.complaints import complain, no_dialect, unreadable
+from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.diff.motion import parting
@@ -67,6 +67,7 @@ def add_parser(commands: Commands) -> None:
     add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
         help="time=1ms, position=0.01uu, speed=2%%: what differs by less is the same; may be repeated")  # fmt: skip
     add("--until", type=float, metavar="S", help="end the runs after S seconds of machine time")
+    add("--plot", metavar="PAGE", help="draw both runs into an .html page to look around in")
     add("--all", action="store_true", help="tell everything, not the first of each kind")
     add("--json", action="store_true", help="print one JSON document and nothing else")
 
@@ -78,6 +79,8 @@ def diff_command(arguments: argparse.Namespace) -> int:
         tolerance = Tolerance(*arguments.tolerance)
     except ValueError as error:
         parser.error(str(error))
+    if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
+        parser.error("--plot draws .html pages here")
     other = arguments.b
     if other is None and (arguments.set_b or arguments.machine_b):
         other = arguments.a
@@ -101,7 +104,24 @@ def diff_command(arguments: argparse.Namespace) -> int:
         sys.stdout.write(json.dumps(_data(found, parted), default=vars) + "\n")
     else:
         _print(found, parted, arguments.all)
-    return 0 if found.same else 1
+    status = 0 if found.same else 1
+    if arguments.plot is not None:
+        status = max(status, _plot(old_run, new_run, arguments.plot, parser))
+    return status
+
+
+def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:
+    """The page of the new run with the old one behind it; 1 where it could not be written."""
+    if old is None or new is None:
+        parser.error("--plot draws two runs, and one of these is a report")
+    from motionlang.views.scope import write_scope
+
+    try:
+        write_scope(new, path, against=old)
+    except OSError as error:
+        complain([unwritten(path, error)], None, path)
+        return 1
+    return 0
 
 
 def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str, Any], Run | None] | None:

@@ -29,6 +29,16 @@ def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) ->
     assert cell("diff", "pick.mnt", "--tolerance", "time=1s", "--tolerance", "speed=50%").status == 1
 
 
+def test_both_runs_lie_over_one_another_in_a_page(cell: Cell) -> None:
+    cell.write("pick.mnt", PICK)
+    ran = cell("diff", "pick.mnt", "--set-b", "rate=2000", "--plot", "both.html")
+    assert (ran.status, ran.err) == (1, "")
+    assert '"against":{"program":"pick.mnt"' in (cell.folder / "both.html").read_text(encoding="utf-8")
+    assert "--plot draws .html pages" in cell("diff", "pick.mnt", "--plot", "both.png").err
+    cell("verify", "pick.mnt", "--update")
+    assert "one of these is a report" in cell("diff", "pick.mnt", "--plot", "both.html").err
+
+
 def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
     cell.write("pick.mnt", PICK)
     cell.write("cut.json", '{"schema": "motionlang.report/1", "moves": [')

@@ -48,10 +48,14 @@ LONGEST_LINE = 120
 
 
 def write_scope(
-    run: Run, path: str, servos: Mapping[int, ServoTrace] = MappingProxyType({}), window: Window = WHOLE
+    run: Run,
+    path: str,
+    servos: Mapping[int, ServoTrace] = MappingProxyType({}),
+    window: Window = WHOLE,
+    against: Run | None = None,
 ) -> None:
     """Write the page, see `page`. Raises OSError, and ValueError where the window shows nothing."""
-    text = page(run, servos, window)
+    text = page(run, servos, window, against)
     with replacing(path) as file:
         file.write(text.encode("utf-8"))
 
