@@ -55,6 +55,7 @@ class Keyword:
     `effect`   what writing the word, or carrying it out, does to its axes: words of `ROLES` and `TRAITS`
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the word written last counts
     `changes`  "motion": what is read changes only while the axis moves
+    `tunes`    "loop": a gain of the simulated servo loop; "stage": one that it has without its loop, too
     `driven`   the section of the machine file that says what is read, such as "input"
     """
 
@@ -78,6 +79,7 @@ class Keyword:
         "solved",
         "source",
         "trust",
+        "tunes",
         "unit",
         "verb",
     )
@@ -105,6 +107,7 @@ class Keyword:
         effect: str = "",
         gives: str = "",
         changes: str = "",
+        tunes: str = "",
         driven: str = "",
     ) -> None:
         assert trust in TRUST, trust
@@ -114,6 +117,7 @@ class Keyword:
         self.source, self.trust, self.group, self.simulated = source, trust, group, simulated
         self.solved = solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
+        self.tunes = tunes
 
     def does(self, what: str) -> bool:
         """Whether its effect has a word of `ROLES` or `TRAITS`."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mccl.axis.axis import GAIN, TORQUE
+from motionlang.mccl.keywords import TABLE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -10,23 +11,9 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.board import Board
 
 INFINITY = float("inf")
-# The settings of the servo loop by the verbs of their rows, and the words of `controller.servo.gains`.
-WORDS: dict[str, str] = {
-    "kept_gain": "SG",
-    "kept_integral": "SI",
-    "kept_integral_limit": "IL",
-    "kept_derivative": "SD",
-    "kept_derivative_period": "FR",
-    "kept_velocity_gain": "VG",
-    "kept_accel_gain": "AG",
-    "kept_decel_gain": "DG",
-    "kept_output_deadband": "OB",
-    "kept_output_offset": "OO",
-    "kept_torque": "SQ",
-    "kept_rate": "RATE",
-}
-# What is left of them in gain mode.
-_GAIN_MODE = frozenset(("SG", "OB", "OO", "SQ", "PH", "RATE"))
+# The gains of the servo loop by the verbs of their rows; and that of its rate, which three commands set.
+_GAINS = {row.verb: row for row in TABLE if row.tunes}
+_RATE = "kept_rate"
 # Counts of following error beyond which an axis trips while the program says nothing else; SE.
 ERROR_LIMIT = 1024.0
 # A deadband below this, counts, is the one count that an encoder can tell.
@@ -50,12 +37,15 @@ def tune(board: Board, axis: AxisState) -> None:
     controller, number = board.controller, axis.number
     if controller.axes[number].feedback is None:
         return
-    words = {WORDS[verb]: value for verb, value in axis.kept.items() if verb in WORDS}
-    words["SQ"] = _largest_output(axis)
+    kept = {**axis.kept, "kept_torque": _largest_output(axis)}
     if axis.reversed_phase:
-        words["PH"] = 1.0
+        kept["output_phase"] = 1.0
+    gains = [row for row in _GAINS.values() if row.verb in kept]
     if axis.mode == GAIN:
-        words = {word: value for word, value in words.items() if word in _GAIN_MODE}
+        gains = [row for row in gains if row.tunes == "stage"]
+    words = {row.name: kept[row.verb] for row in gains}
+    if _RATE in kept:
+        words["RATE"] = kept[_RATE]
     controller.set_gains(number, words)
     if axis.mode == TORQUE:
         drive(board, axis)

@@ -37,6 +37,7 @@ class Group:
         source: str = "",
         trust: str = "",
         solved: bool = False,
+        tunes: str = "",
     ) -> Keyword:
         """One simulated command."""
         return Keyword(
@@ -56,6 +57,7 @@ class Group:
             trust=trust or self.trust,
             group=self.title,
             solved=solved,
+            tunes=tunes,
         )
 
     def known(
