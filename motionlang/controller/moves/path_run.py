@@ -134,6 +134,7 @@ class PathRun:
             self._change(self.profile.after(self._elapsed()), self.goal)
         else:
             self._change(profile, None)
+        self._aim()
 
     def suspend(self) -> None:
         """Come to rest on the path, and keep it."""
@@ -331,6 +332,20 @@ class PathRun:
                 controller.log_move(a, move, self._of(k, part))
                 controller.extend_track(a, self._total(k, part))
             self._await(part)
+        if self.ended:
+            self._aim()
+
+    def _aim(self) -> None:
+        """What stops on a guided path is on its way to where it will rest: what is described next counts from there."""
+        if self.here.guide is None or self._over:
+            return
+        place = self.profile.end
+        for segment in (self.segment, *(each for _, each in self.ahead)):
+            if place <= segment.length * (1.0 + _SLACK):
+                break
+            place -= segment.length
+        for a, curve in zip(self.axes, segment.curves, strict=True):
+            a.target = curve.position(min(place, segment.length))
 
     def _change(self, profile: Profile, goal: PathMove | None) -> None:
         """Follow another profile along the path from now on."""

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from motionlang.mccl.motion.contour import Contour
     from motionlang.mccl.runtime.task import CommandTask
 
+INFINITY = float("inf")
 USER, LINE, CLOCKWISE, ANTICLOCKWISE = range(4)
 # The verbs that describe a path rather than end its description.
 DESCRIBES = frozenset(
@@ -113,6 +114,10 @@ class Path:
                     "disabled-axis",
                 )
         start = [self._contour.end(axis) for axis in axes]
+        for axis, here in zip(axes, start, strict=True):
+            if abs(here) == INFINITY:
+                words = f"axis {axis.number} runs on without an end: no contour path can begin there"
+                raise Fault(codes.INVALID, words, f"{axis.number}ST stops it", "moving")
         ends = [self.targets.get(axis.number, here) for axis, here in zip(axes, start, strict=True)]
         try:
             geometry, length = self._laid(axes, start, ends)
@@ -150,6 +155,8 @@ class Path:
         if self._kind in (LINE, USER):
             length = hypot(*(b - a for a, b in zip(here, there, strict=True)))
             if self._kind == USER and self.distance is not None:
+                if length and not self.distance:
+                    raise ValueError("it goes somewhere, and its length is to be 0")
                 length = self.distance
             return Line(ends, length), length
         turn = -1 if self._kind == CLOCKWISE else 1

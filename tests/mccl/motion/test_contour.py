@@ -190,3 +190,23 @@ def test_a_stop_out_of_a_shaped_ramp_does_not_jump(shape: str, wait: float, path
     bends = [axis.at(result.time * k / 4000).acceleration for k in range(4000)]
     assert max(abs(b - a) for a, b in pairwise(bends)) <= 200_000.0 * (result.time / 4000) / 0.002
     assert axis.at(result.time).velocity == 0.0
+
+
+def test_a_path_that_goes_somewhere_has_a_length(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}1CP0,1CD0,1MR10\n1CP0,1CD0,1MR0\n1WS,1TP,1TX")
+    assert result.output == ["?-1", "01 0", "01 1"]
+
+
+def test_an_arc_described_while_a_path_stops_begins_where_it_rests(mccl: Runner) -> None:
+    """At 20000 counts/s the path stops within 1000 of where ST finds it; the arc ends a quarter round its own start."""
+    result = mccl(f"{HEAD}1CP1,1MA90000,2MA0\nWA1,1ST,1CP3,1CR0,2CR500,1ER90\n1WS,1TP,2TP", prove=True)
+    x, y = (int(line.split()[1]) for line in result.output)
+    assert x == pytest.approx(20500, abs=2)
+    assert y == 500
+    assert result.proof().violations == []
+
+
+def test_a_path_cannot_begin_where_an_axis_runs_on_for_ever(mccl: Runner) -> None:
+    result = mccl(f"{HEAD}3MN,2SM3,3VM,3DI0,3GO,1CP1,1MA500,2MA500", until=1.0)
+    assert result.output == ["?-2"]
+    assert "axis 2 runs on without an end" in result.diagnostics[0].message
