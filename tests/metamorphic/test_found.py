@@ -91,3 +91,11 @@ def test_a_slave_that_turns_round_to_its_ratio_slows_down_at_decel_and_speeds_up
     program = H + rates + "JOG(0) = 20\nWAIT 500\nJOG(1) = -20\nWAIT 500\nFOLLOWMODE(1) = 1 : FOLLOW(1) = 1\n"
     result = proved(program + "WAIT 499\nPRINT VEL(1) < 20\nWAIT 2\nPRINT VEL(1)\n")
     assert result.output == ["1", "20.0000"]
+
+
+@pytest.mark.parametrize("hold", ["SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
+def test_a_stop_ends_a_path_that_was_to_stand_at_its_end(hold: str) -> None:
+    """It brakes for its end already when it is held: what stands there until it is resumed is over with a STOP."""
+    for wait in (1376, 1410, 1516):
+        path = f"FEEDRATEMODE(0) = 2\nVECTORR(0, 1) = 59.7, 13.1\nGO(0)\nWAIT {wait}\n"
+        ends(proved(H + path + f"{hold}\nWAIT 30\nSTOP(0)\n" + END), 59.7, 13.1)

@@ -15,12 +15,15 @@ Stretches = list[tuple[float, float]]
 
 
 class Limit:
-    """An end of the travel: `sign` says which, `action` what the axis does there, `place` where it is, if anywhere."""
+    """An end of the travel: `sign` says which, `action` what the axis does there, `place` where it is, if anywhere.
 
-    def __init__(self, sign: int, action: str) -> None:
-        self.sign, self.action = sign, action
+    `hit` says whether it ever was a fault; `number` is the axis that it belongs to, where several run along one path.
+    """
+
+    def __init__(self, sign: int, action: str, number: int = 0) -> None:
+        self.sign, self.action, self.number = sign, action, number
         self.place: float | None = None
-        self.raised = False
+        self.raised = self.hit = False
 
 
 class Axis:
@@ -37,6 +40,7 @@ class Axis:
         self.queue: list[tuple[str, float]] = []
         self.released = 0
         self.limits = [Limit(+1, "abort"), Limit(-1, "abort")]
+        self.end: float | None = None  # where the path ends that this is the way along
 
     # ------------------------------------------------------------------------------------------------ commands
 
@@ -152,7 +156,10 @@ class Axis:
         self._look()
 
     def _brake(self, rate: float) -> None:
-        self.doing, self.way = "stop", self._to_rest(rate)
+        rest = self.position + self.velocity * abs(self.velocity) / (2.0 * rate)
+        self.doing = "stop"
+        if self.end is None or rest <= self.end:
+            self.way = self._to_rest(rate)  # else the path ends before, and is braked for already
         self._look()
 
     def _to_rest(self, rate: float) -> Stretches:
@@ -276,13 +283,14 @@ class Axis:
                 limit.raised = False
             elif not limit.raised:
                 self._act(limit)
-                return
+                if limit.action not in {"ignore", "event"}:
+                    return
 
     def _act(self, limit: Limit) -> None:
         limit.raised = True
         if limit.action == "ignore":
             return
-        self.fault = True
+        self.fault = limit.hit = True
         if limit.action == "abort":
             self.cancel()
         elif limit.action == "error-stop":

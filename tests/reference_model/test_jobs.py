@@ -6,13 +6,17 @@
 from __future__ import annotations
 
 import os
+from math import hypot
 from random import Random
+
+import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE
 from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.machine.machine import Machine
 from tests.reference_model.axis import Axis
+from tests.reference_model.axis import Limit as Reference
 
 COUNT = int(os.environ.get("MOTIONLANG_LONG", "400"))
 AXES = (0, 1)
@@ -158,9 +162,108 @@ class Job:
         axis.place_limit(which, place, action)
 
 
-def test_random_jobs_do_what_the_reference_axis_does() -> None:
+class PathJob:
+    """A straight path of two axes beside one reference axis along it, on which the limits of both lie."""
+
+    def __init__(self, seed: int) -> None:
+        self.choose = choose = Random(seed)
+        self.c: Controller = Machine({}).controller
+        figures = [choose.uniform(low, high) for low, high in ((5, 90), (20, 400), (20, 400), (50, 900))]
+        for number in AXES:
+            for name, value in zip(("speed", "accel", "decel", "error_decel"), figures, strict=True):
+                # The path goes by its first axis: the other one has figures of its own.
+                self.c.configure(number, name, value if number == 0 else choose.uniform(10, 900))
+            self.c.configure(number, "feedrate_mode", 2)
+        self.ends = [choose.uniform(-80, 80) for _ in AXES]
+        self.length = hypot(*self.ends)
+        self.along = Axis(*figures)
+        self.along.limits, self.along.end = [], self.length
+        self.told: list[str] = [f"to {self.ends}"]
+
+    def run(self) -> None:
+        c, choose, along = self.c, self.choose, self.along
+        c.load_line(AXES, self.ends)
+        along.load("to", self.length)
+        c.go([0])
+        along.go()
+        time = 0.0
+        for _ in range(choose.randrange(1, 12)):
+            time += choose.uniform(0.0, 0.6)
+            self.advance(time)
+            if along.doing == "idle":
+                return
+            self.command(choose.choice(AXES), time)
+        if along.suspended:
+            c.resume(0)
+            along.suspend(False)
+        self.told.append(f"{time!r} override 1")
+        c.configure(0, "override", 1.0)
+        along.set_override(1.0)
+        self.advance(time + 60.0)
+        assert c.is_idle(0), self.told
+        assert c.is_idle(1), self.told
+
+    def advance(self, time: float) -> None:
+        now = self.c.clock.now
+        for share in (0.41, 1.0):
+            then = now + share * (time - now)
+            self.c.clock.advance(then)
+            self.along.run(then)
+            for number in AXES:
+                place = self.ends[number] / self.length * self.along.position
+                done = self.c.axes[number].position(then)
+                assert abs(done - place) <= 1e-4, (
+                    f"axis {number} at {then!r}: {done} for {place}\n{self.told}"
+                )
+                fault = any(limit.hit for limit in self.along.limits if limit.number == number)
+                assert bool(self.c.faults(number)) is fault, f"axis {number} at {then!r}\n{self.told}"
+
+    def command(self, number: int, time: float) -> None:
+        choose, c, along = self.choose, self.c, self.along
+        kind = choose.randrange(7)
+        self.told.append(f"{time!r} axis {number}: {kind}")
+        if kind == 0:
+            c.stop(number)
+            along.stop()
+        elif kind == 1:
+            c.abort(number)
+            along.cancel()
+        elif kind == 2:
+            on = not along.suspended
+            (c.suspend if on else c.resume)(number)
+            along.suspend(on)
+        elif kind == 3:
+            factor = choose.choice((0.0, 0.4, 1.0, 1.6))
+            c.configure(0, "override", factor)
+            along.set_override(factor)
+        elif kind == 4:
+            speed = choose.uniform(5, 90)
+            c.configure(0, "speed", speed)
+            along.set_speed(speed)
+        else:
+            self.limit(number, time)
+
+    def limit(self, number: int, time: float) -> None:
+        """A limit of one axis, ahead of it or behind."""
+        slope = self.ends[number] / self.length
+        sign, action = self.choose.choice((-1, 1)), self.choose.choice(ACTIONS)
+        place = self.c.position(number) + sign * self.choose.uniform(-5, 30)
+        self.told.append(f"limit {sign} {action} {place}")
+        theirs = Limit(self.c, number, sign, SOFT_LIMIT_FORWARD if sign > 0 else SOFT_LIMIT_REVERSE, action)
+        self.c.axes[number].limits.append(theirs)
+        theirs.place(place)
+        if sign * slope <= 0.0:
+            return  # the axis never goes there
+        ours = Reference(+1, action, number)
+        # Of several that come to hold at one moment those of the first axis are looked at first.
+        self.along.limits = sorted([*self.along.limits, ours], key=lambda each: each.number)
+        self.along.place_limit(self.along.limits.index(ours), place / slope, action)
+
+
+@pytest.mark.parametrize("kind", [Job, PathJob])
+def test_random_jobs_do_what_the_reference_axis_does(kind: type[Job | PathJob]) -> None:
     for seed in range(COUNT):
-        job = Job(seed)
+        job = kind(seed)
         try:
             job.run()
         except AssertionError as error:

@@ -131,7 +131,9 @@ class PathRun:
         self._cancel_blend()
         profile = self._braking(self._elapsed(), decel)
         if profile is None:
-            self._change(self.profile.after(self._elapsed()), self.goal)
+            rest = self.profile.after(self._elapsed())
+            # What was to stand at the end until it is resumed ends there.
+            self._change(rest if rest.duration < INFINITY else rest.cut(rest.knots[-2]), self.goal)
         else:
             self._change(profile, None)
         self._aim()
