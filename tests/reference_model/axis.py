@@ -9,6 +9,8 @@ from __future__ import annotations
 from math import copysign, inf, sqrt
 
 NEAR = 1e-9
+# Counts that an axis may still go before it turns and count as having turned.
+TURNED = 1e-6
 
 # A stretch: how long it still lasts, and its acceleration.
 Stretches = list[tuple[float, float]]
@@ -279,6 +281,8 @@ class Axis:
                 continue
             beyond = (self.position - limit.place) * limit.sign >= -1e-6
             heading = self.velocity * limit.sign > 0.0 or (not self.velocity and rate * limit.sign > 0.0)
+            if heading and rate * limit.sign < 0.0 and self.velocity**2 < 2.0 * abs(rate) * TURNED:
+                heading = False
             if not (beyond and heading):
                 limit.raised = False
             elif not limit.raised:
