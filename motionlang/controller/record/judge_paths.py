@@ -168,12 +168,16 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
                 for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
             ]
             for (number, k), slope, most in zip(axes, way.slopes(first, last), slow, strict=True):
-                uses.look(f"speed of axis {number}", speed * slope * k, most)
+                uses.look(f"speed on paths of axis {number}", speed * slope * k, most)
             limits = path.most_decel if side else path.most_accel
             own, excused = way.rates(first, last, rate, speed), way.rates(first, last, eased, came)
             too_fast = eased > 0.0 or came > 0.0
             for (number, k), figure, came_with, most in zip(axes, own, excused, limits, strict=True):
-                uses.look(f"rate of axis {number}", figure * k, max(most, came_with * k if too_fast else 0.0))
+                uses.look(
+                    f"rate on paths of axis {number}",
+                    figure * k,
+                    max(most, came_with * k if too_fast else 0.0),
+                )
     uses.tell(order.line, where, "")
     names = ("speed", "acceleration")[: 2 if smooth else 1]
     for before, after in pairwise(along):
