@@ -198,6 +198,20 @@ def test_the_window_can_be_taken_away(browser: Browser, folder: Path, kind: str)
         assert len(content) > 20_000
 
 
+def test_events_are_a_lane_and_a_list(started: Browser, folder: Path) -> None:
+    text = "SPEED(0) = 50\nJOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n"
+    write_scope(run(Source("jump.mnt", text), dialect="mint", cache=False), str(folder / "jump.html"))
+    started.open(folder / "jump.html")
+    assert started.js("document.querySelectorAll('#scope .event').length") >= 1
+    rows = [
+        row.get_attribute("textContent") for row in started.driver.find_elements("css selector", "#events tr")
+    ]
+    assert any("velocity jump of axis 0 from 50" in row and "line 4CANCEL(0)" in row for row in rows)
+    started.js("document.querySelector('#events tr.grave').click()")
+    assert started.js("marks[0]") == pytest.approx(1.0, abs=1e-3)
+    assert started.complaints() == []
+
+
 def test_a_second_run_lies_behind_the_first(started: Browser, folder: Path) -> None:
     slower = run(Source("slow.mnt", TWO_AXES.replace("= 50;", "= 40;")), dialect="mint", cache=False)
     made = run(Source("two.mnt", TWO_AXES), dialect="mint", cache=False)

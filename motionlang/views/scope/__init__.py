@@ -21,13 +21,14 @@ from motionlang.cycle.profile import TimeProfile
 from motionlang.cycle.tasks import waits_of
 from motionlang.files import replacing
 from motionlang.report import finite
+from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import UNITS, panels
 from motionlang.views.plot_panel import PHASES
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE
-from motionlang.views.words import dialect_name, outcome
+from motionlang.views.words import dialect_name, figure, outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 PARTS = ("model", "panels", "draw", "path", "tools", "script")
+GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "velocity jump")
 LONGEST_LINE = 120
 """Characters of a program's line that are shown beside the cursor."""
 
@@ -109,8 +111,12 @@ def _data(
 ) -> Row:
     trace = run.trace
     rows: list[Row] = list(moves_of(run))
-    cycle = TimeProfile(run)
-    lines = sorted({row["line"] for row in rows} | {link.place.line for link in cycle.links} - {0})
+    cycle, happened = TimeProfile(run), [_event(row) for row in events_of(run)]
+    lines = sorted(
+        {row["line"] for row in rows}
+        | {link.place.line for link in cycle.links}
+        | {event["line"] for event in happened} - {0}
+    )
     return {
         "program": printable(run.source.name),
         "outcome": f"{dialect_name(run.dialect.name)} · {outcome(run)}",
@@ -120,7 +126,7 @@ def _data(
         "source": {line: printable(run.source.line(line).strip())[:LONGEST_LINE] for line in lines},
         "first": _first(window, trace),
         "against": None if against is None else _against(against),
-        "events": [],
+        "events": happened,
         "bands": _bands(run, cycle),
         "lines": _by_line(cycle),
         "axes": [_axis(trace, axis, rows, servos.get(axis)) for axis in trace.axes],
@@ -137,6 +143,27 @@ def _data(
             {"name": lane.name, "digital": lane.is_digital, "times": lane.times, "values": lane.values}
             for lane in lanes(run.controller)
         ],
+    }
+
+
+def _event(row: Row) -> Row:
+    """An event as the page has it: what it says, and whether it is one that a machine should not have."""
+    about = [row["kind"]]
+    if "axis" in row:
+        about.append(f"of axis {row['axis']}")
+    if row["kind"] == "velocity jump":
+        about.append(f"from {figure(row['value'])} to {figure(row['limit'])}")
+    elif "limit" in row:
+        about.append(f"at {figure(row['value'])}, limit {figure(row['limit'])}")
+    elif "value" in row:
+        about.append(f"at {figure(row['value'])}")
+    text = " ".join(about) + (f": {printable(row['text'])}" if "text" in row else "")
+    return {
+        "time": row["time"],
+        "kind": row["kind"],
+        "line": row["line"],
+        "text": text,
+        "grave": row["kind"] in GRAVE,
     }
 
 
