@@ -20,8 +20,8 @@ from motionlang.cycle.places import Places
 from motionlang.cycle.profile import TimeProfile
 from motionlang.cycle.tasks import waits_of
 from motionlang.files import replacing
-from motionlang.report import finite
 from motionlang.report import events as events_of
+from motionlang.report import finite
 from motionlang.report import moves as moves_of
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import UNITS, panels
