@@ -85,6 +85,8 @@ def _unmet(result: Run, entry: Entry) -> str:
         return _off(what, result.time, entry, "time", "s")
     if "position" in entry:
         return _unmet_position(result, entry)
+    if "event" in entry or "never_event" in entry:
+        return _unmet_event(result, entry)
     return _unmet_print(result, entry)
 
 
@@ -114,13 +116,28 @@ def _off(what: str, found: float, entry: Entry, name: str, unit: str) -> str:
 def _unmet_print(result: Run, entry: Entry) -> str:
     wanted = entry.get("prints", entry.get("never_prints"))
     assert isinstance(wanted, str)
+    times = [each.time for each in result.machine.log.prints if wanted in each.text]
+    last = f"the last line was {result.output[-1]!r}" if result.output else "nothing was"
+    return _untimely(repr(wanted), "was printed", times, entry, "never_prints" in entry, last)
+
+
+def _unmet_event(result: Run, entry: Entry) -> str:
+    wanted, axis = entry.get("event", entry.get("never_event")), entry.get("axis")
+    events = [each for each in result.machine.log.events if axis is None or each.axis == axis]
+    times = [each.time for each in events if each.kind == wanted]
+    had = ", ".join(dict.fromkeys(each.kind for each in events)) or "nothing did"
+    what = f"an event {wanted!r}" if axis is None else f"an event {wanted!r} of axis {axis}"
+    return _untimely(what, "happened", times, entry, "never_event" in entry, had)
+
+
+def _untimely(what: str, did: str, times: list[float], entry: Entry, never: bool, instead: str) -> str:
+    """What is not as expected of what is to happen, or never, between two times; `instead` is what there was."""
     low, high = entry.get("after", 0.0), entry.get("before", float("inf"))
     assert isinstance(low, (int, float))
     assert isinstance(high, (int, float))
-    times = [each.time for each in result.machine.log.prints if wanted in each.text]
     inside = [time for time in times if low <= time <= high]
-    if "never_prints" in entry:
-        return f"{wanted!r} was printed at {inside[0]:.6f} s" if inside else ""
+    if never:
+        return f"{what} {did} at {inside[0]:.6f} s" if inside else ""
     if inside:
         return ""
     when = f" from {low:g} to {high:g} s"
@@ -129,9 +146,9 @@ def _unmet_print(result: Run, entry: Entry) -> str:
     elif not low:
         when = f" before {high:g} s"
     if times:
-        return f"{wanted!r} was printed at {times[0]:.6f} s, not{when}"
-    last = f"the last line was {result.output[-1]!r}" if result.output else "nothing was"
-    return f"{wanted!r} was not printed{when}; {last}"
+        return f"{what} {did} at {times[0]:.6f} s, not{when}"
+    never_did = did.replace("was ", "was not ") if did.startswith("was ") else "did not happen"
+    return f"{what} {never_did}{when}; {instead}"
 
 
 def _ended(result: Run) -> str:

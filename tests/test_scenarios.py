@@ -60,6 +60,8 @@ def test_of_every_table_it_is_known_what_its_entries_are_about() -> None:
         ("never_prints = 'alarm'", ""),
         ("never_prints = 'there'", "'there' was printed at 1.100"),
         ("never_prints = 'there'\nbefore = 1.0", ""),
+        ("event = 'stop'", "an event 'stop' did not happen; nothing did"),
+        ("never_event = 'limit'\naxis = 0", ""),
         ("axis = 0\nposition = 100", ""),
         ("axis = 0\nposition = 90\nwithin = 5", "axis 0 stands at 100.000000 at 1.100"),
         ("axis = 0\nposition = 50\nat = 0.8\nwithin = 0.1", ""),
@@ -78,6 +80,20 @@ def test_what_is_expected_is_met_or_told(entry: str, told: str) -> None:
     assert [each[: len(told)] for each in found] == ([told] if told else [])
 
 
+def test_an_event_is_expected_of_an_axis_and_within_times() -> None:
+    """At 50 from rest with an instant ramp the switch at 20 is met after some 0.4 s."""
+    text = "LIMITMODE(0) = 4 : SPEED(0) = 50 : ACCEL(0) = 1e6 : DECEL(0) = 1e6\nMOVER(0) = 60 : GO(0) : PAUSE IDLE(0)\n"
+    made = run(Source("limit.mnt", text), machine={"axis.0.travel": [-100.0, 20.0]}, cache=False)
+
+    def told(**entry: object) -> list[str]:
+        return [each for each in unmet(made, [entry, {"status": made.status}]) if "event" in each]
+
+    assert told(event="limit") == told(event="limit", axis=0, after=0.3, before=0.5) == []
+    assert told(event="limit", before=0.3)[0].startswith("an event 'limit' happened at 0.4")
+    assert "did not happen; nothing did" in told(event="limit", axis=1)[0]
+    assert told(never_event="limit")[0].startswith("an event 'limit' happened at 0.4")
+
+
 def test_an_error_that_nobody_expected_is_told() -> None:
     result = run(Source("stroke.mnt", STROKE), machine={"controller.axes": 1}, cache=False)
     (found,) = unmet(result, [])
@@ -94,6 +110,7 @@ def test_an_error_that_nobody_expected_is_told() -> None:
         ("time = 1\nstatus = 'ended'", "expects one thing"),
         ("position = 3", "needs the axis"),
         ("status = 'done'", "must be one of ended, until, fault"),
+        ("event = 'limits'", "must be one of limit, soft limit"),
         ("prints = 'x'\nwithin = 1", "within of .* says nothing of prints"),
         ("pints = 'x'", "has no key pints"),
         ("time = 1\nwithin = 0", "must be a number above 0"),

@@ -61,6 +61,10 @@ def _extreme(which: str) -> Reader:
     return read
 
 
+def _events(run: Run, number: int) -> int:
+    return len(run.machine.log.events)
+
+
 def _margin(run: Run, number: int) -> float | None:
     from motionlang.controller.record.certificate import certificate, least_margin
 
@@ -81,6 +85,7 @@ ROWS = (
     Quantity("time", "s", "how long the run took, machine time", lambda run, n: run.time),
     Quantity("status", "", "how it ended: ended, until, fault", lambda run, n: run.status),
     Quantity("moves", "", "how many moves were started", lambda run, n: run.machine.moves_made),
+    Quantity("events", "", "how many events there were: limits, faults, clamps, stops", _events),
     Quantity("prints", "", "all that was printed, a text", lambda run, n: "\n".join(run.output)),
     Quantity("prints.K", "", "the printed line K, from 1", _printed),
     Quantity("number.K", "", "the first number in the printed line K", _number),

@@ -266,6 +266,10 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "motor": (value in MOTORS, f"must be {' or '.join(MOTORS)}"),
         "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }
+    if kind == "event":
+        from motionlang.controller.record.records import EVENTS
+
+        return None if value in EVENTS else f"must be one of {', '.join(EVENTS)}"
     fits, words = tests[kind]
     return None if fits else words
 

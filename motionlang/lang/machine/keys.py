@@ -201,9 +201,14 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "expect": {
         "prints": ("text", "A line that is printed has this in it."),
         "never_prints": ("text", "No line has."),
-        "after": ("time", "The line is printed at this time or later, in seconds."),
-        "before": ("time", "It is printed by this time."),
-        "axis": ("channel", "The axis that stands at the position."),
+        "event": (
+            "event",
+            "Something of this kind happens, such as limit or velocity jump: see [events.md](events.md).",
+        ),
+        "never_event": ("event", "Nothing of this kind does."),
+        "after": ("time", "The line is printed, or it happens, at this time or later, in seconds."),
+        "before": ("time", "It is printed, or happens, by this time."),
+        "axis": ("channel", "The axis that stands at the position, or that it happens to."),
         "position": ("number", "Where it stands at the end, in user units."),
         "at": ("time", "It stands there at this time instead."),
         "time": ("time", "When the run ends, in seconds."),
@@ -216,6 +221,8 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
 EXPECTED: dict[str, tuple[str, ...]] = {
     "prints": ("after", "before"),
     "never_prints": ("after", "before"),
+    "event": ("after", "before", "axis"),
+    "never_event": ("after", "before", "axis"),
     "position": ("axis", "at", "within"),
     "time": ("within",),
     "status": (),
