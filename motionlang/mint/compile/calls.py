@@ -69,7 +69,7 @@ def _array(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
 def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None:
     """The text, the type and the sizes of an array that is named as a whole, a member's too."""
     if type(node) is nodes.Name and node.args is None:
-        symbol = b.scope.find(node.name)
+        symbol = node.symbol
         if symbol is not None and symbol.is_array:
             return symbol.python, symbol.type, symbol.dimensions
     if type(node) is nodes.Member and node.args is None:
@@ -82,14 +82,14 @@ def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None
 def _reference(b: Body, node: nodes.Expr, parameter: Symbol) -> str:
     """A list and a place in it, which the sub reads and writes."""
     if type(node) is nodes.Name or type(node) is nodes.Member:
-        symbol = b.scope.find(node.name) if type(node) is nodes.Name else None
+        symbol = node.symbol if type(node) is nodes.Name else None
         if (symbol is not None and symbol.kind in ("variable", "parameter")) or type(node) is nodes.Member:
             text, kind, _ = place(b, node)
             if str(kind) != str(parameter.type):
                 b.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
                           f"not {kind}", node)  # fmt: skip
             return _pair(text)
-        if symbol is None and type(node) is nodes.Name and b.whole.table.get(node.name) is None:
+        if symbol is None and type(node) is nodes.Name and node.row is None:
             unknown(b, node)
             return "[0], 0"
     found = value(b, node)  # anything else is a value of its own, which the sub may change

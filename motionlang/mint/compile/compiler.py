@@ -95,7 +95,7 @@ def _function(whole: Whole, function: Function) -> Body:
     if not (whole.typed and function is whole.names.main):
         b.analysed = analysed(function)
         if b.analysed:
-            b.facts = Flow(function, b.analysed, whole.table).run()
+            b.facts = Flow(function, b.analysed).run()
     if function.jumps:
         b.indent += 1
         jumps.write(b, block)

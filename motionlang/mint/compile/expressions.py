@@ -103,7 +103,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
         found = b.values.get(node.name)
         if found is not None:
             return found
-    symbol = b.scope.find(node.name)
+    symbol, row = node.symbol, node.row
     result = b.function.result
     if result is not None and node.args is None and result.name.lower() == node.name.lower():
         return load(b, node, result)  # inside a function its bare name is the value it will have
@@ -112,7 +112,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
             assert symbol.const is not None
             return literal(symbol.const)
         if symbol.kind == "define" and node.args is None:
-            return value(b, symbol.node)  # type: ignore[arg-type]
+            return NOTHING if node.stands is None else value(b, node.stands)
         if symbol.kind == "sub":
             from motionlang.mint.compile.calls import call
 
@@ -121,7 +121,6 @@ def _name(b: Body, node: nodes.Name) -> Value:
             return _remembered(b, node, symbol)
         b.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
         return NOTHING
-    row = b.whole.table.get(node.name)
     if row is None:
         unknown(b, node)
         return NOTHING
@@ -158,7 +157,7 @@ def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol |
     if type(node) is nodes.Member:
         return _member_place(b, node)
     assert type(node) is nodes.Name
-    symbol = b.scope.find(node.name)
+    symbol = node.symbol
     assert symbol is not None
     if not symbol.is_array:
         if node.args is not None:
@@ -259,8 +258,8 @@ def _member_place(b: Body, node: nodes.Member) -> tuple[str, Type, Symbol | None
 
 def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | None:
     """The text, the type and the sizes of a member as a whole; a mistake is noted."""
-    if type(node.value) is nodes.Name and b.scope.find(node.value.name) is None:
-        if node.value.args is None and b.whole.table.get(node.value.name) is not None:
+    if type(node.value) is nodes.Name and node.value.symbol is None:
+        if node.value.args is None and node.value.row is not None:
             b.problem("syntax", f"behind the dot of {node.value.name} stands a number, not a name", node,
                       f"write {node.value.name}[{node.field}]")  # fmt: skip
         else:

@@ -54,10 +54,10 @@ class Counter:
 
 def count(b: Body, node: nodes.For) -> None:
     """`For variable = start To stop Step step … Next`."""
-    symbol = b.scope.find(node.variable.name)
+    symbol = node.variable.symbol
     if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
         name = node.variable.name
-        row = b.whole.table.get(name) if symbol is None else None
+        row = node.variable.row
         hint = f"it is a word of Mint, {row.name}; Dim {name} makes a variable of it" if row else ""
         b.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
         return
@@ -165,7 +165,7 @@ def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
             if isinstance(each, nodes.For)
             else None
         )
-        if type(target) is nodes.Name and target.args is None and b.scope.find(target.name) is symbol:
+        if type(target) is nodes.Name and target.args is None and target.symbol is symbol:
             return True
     return False
 

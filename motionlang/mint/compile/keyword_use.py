@@ -84,7 +84,9 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
 
 def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
     """`IDLE[0, 1]` as people write it after a move of several axes: `IDLE[0] And IDLE[1]`."""
-    parts: list[nodes.Expr] = [nodes.Name(node.at, node.name, [arg], node.axes) for arg in args]
+    parts: list[nodes.Expr] = [
+        nodes.Name(node.at, node.name, [arg], node.axes).resolve(None, node.row) for arg in args
+    ]
     whole = parts[0]
     for part in parts[1:]:
         whole = nodes.Binary(node.at, "And", whole, part)
@@ -210,7 +212,7 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
 
 def _task(b: Body, node: nodes.Expr) -> str:
     """The name of a task, which is not an expression."""
-    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
     if symbol is None and type(node) is nodes.Name and node.name.lower() == PARENT.lower():
         return repr(PARENT)
     if symbol is None or symbol.kind != "task":
@@ -240,7 +242,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
     if row.verb == "wait":
         if target.args or node.repeat:
             b.problem("values", "WAIT = ms names no axis and one time", target, "WAIT = 100 waits for 100 ms")
-        wait(b, node, node.values)
+        wait(b, node, node.values, row)
         return
     if row.kind == "move" and row.index == "axes":
         from motionlang.mint.compile.path_use import write_path
@@ -385,7 +387,7 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     """A keyword that stands alone: `GO(0, 1)`, `WAIT(100)`."""
     target = node.target
     if row.verb == "wait":
-        wait(b, target, target.args or [])
+        wait(b, target, target.args or [], row)
         return
     if row.verb == "line":
         from motionlang.mint.compile.terminal_use import line
@@ -427,10 +429,8 @@ def _not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
         )
 
 
-def wait(b: Body, node: nodes.Node, values: list[nodes.Expr]) -> None:
+def wait(b: Body, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> None:
     """`WAIT = ms` and `WAIT(ms)`."""
-    row = b.whole.table.get("WAIT")
-    assert row is not None
     if len(values) != 1:
         b.problem("values", f"WAIT needs 1 value, {len(values)} given", node, "WAIT = 100 waits for 100 ms")
         return

@@ -66,7 +66,7 @@ def _array(b: Body, node: nodes.Expr, row: Keyword) -> str:
     """An array as a whole, or None for NULL and 0."""
     if type(node) is nodes.Number and node.value == 0:
         return "None"
-    symbol = b.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+    symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
     if symbol is None and type(node) is nodes.Name and node.name.lower() == "null":
         return "None"
     if symbol is None or len(symbol.dimensions) != 1 or symbol.type.name not in NUMERIC:

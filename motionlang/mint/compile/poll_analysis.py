@@ -61,22 +61,21 @@ class Look:
         if isinstance(node, nodes.For):
             self._given(node.variable, scope)
         elif isinstance(node, nodes.Variable):
-            self._given(nodes.Name(node.at, node.name), scope)
+            self._given(nodes.Name(node.at, node.name).resolve(node.symbol), scope)
         elif isinstance(node, nodes.Jump) and node.kind == "gosub" and scope.function is self.b.function:
             self._gosub(node.name.lower())
 
     # ---------------------------------------------------------------------------------------- what is read
 
     def _name(self, node: nodes.Name, scope: Scope) -> None:
-        symbol = scope.find(node.name)
+        symbol, row = node.symbol, node.row
         if symbol is None:
-            row = self.b.whole.table.get(node.name)
             self.reads = self.reads or (row is not None and row.kind in ("reading", "setting"))
             return
         if symbol.kind == "sub":
             self._call(node, symbol, scope)
-        elif symbol.kind == "define":
-            self._at([symbol.node], scope)
+        elif node.stands is not None:
+            self._at([node.stands], scope)
         self.reads = self.reads or symbol.shared or symbol.by_ref or symbol.type.name == TIME
 
     # --------------------------------------------------------------------------------------- what is given
@@ -89,14 +88,13 @@ class Look:
             target = target.value
         if not isinstance(target, nodes.Name):
             return []
-        symbol = scope.find(target.name)
+        symbol = target.symbol
         more = [*(target.args or ()), *values]
         if symbol is None:
-            row = self.b.whole.table.get(target.name)
+            row = target.row
             return more if row is not None and self._is_set(row) else []
-        if symbol.kind == "define" and target.args is None:
-            assert isinstance(symbol.node, nodes.Node)
-            return [*self._given(symbol.node, scope), *more]
+        if target.stands is not None and target.args is None:
+            return [*self._given(target.stands, scope), *more]
         if symbol.kind == "sub":  # the result of the function
             result = scope.function.result
             symbol = symbol if result is None else result
@@ -118,8 +116,7 @@ class Look:
 
     def _command(self, target: nodes.Name, scope: Scope) -> list[nodes.Expr]:
         """A sub, or a keyword that stands alone, which is something done."""
-        symbol = scope.find(target.name)
-        row = self.b.whole.table.get(target.name) if symbol is None else None
+        row = target.row
         if row is not None and row.verb != "wait":
             return target.args or [] if self._is_set(row) else []
         self._name(target, scope)

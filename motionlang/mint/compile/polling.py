@@ -94,9 +94,9 @@ def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
     if not isinstance(node, (nodes.Assign, nodes.Call)):
         return node.__class__ in _ACTS
     target = node.target
-    if not isinstance(target, nodes.Name) or b.scope.find(target.name) is not None:
+    if not isinstance(target, nodes.Name) or target.symbol is not None:
         return False
-    row = b.whole.table.get(target.name)
+    row = target.row
     return row is not None and row.verb != "wait" and not is_repeated(row)
 
 

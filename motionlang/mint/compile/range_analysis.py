@@ -10,14 +10,13 @@ from __future__ import annotations
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.intervals import Range
 from motionlang.mint.resolve.folding import constant
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Function, Scope, Symbol
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Function, Symbol
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from motionlang.lang.keyword import Table
 
 State = dict[Symbol, Range]
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
@@ -47,12 +46,12 @@ def analysed(function: Function) -> set[Symbol]:
 class Flow:
     """One analysis; `facts` holds, by `id` of a Name (or of a For, for its variable at Next), what is known there."""
 
-    def __init__(self, function: Function, followed: set[Symbol], table: Table) -> None:
-        self.function, self.followed, self.table = function, followed, table
+    def __init__(self, function: Function, followed: set[Symbol]) -> None:
+        self.function, self.followed = function, followed
         self.facts: dict[int, Range] = {}
         self._exits: list[tuple[str, list[State | None]]] = []
         self._heads: dict[int, State] = {}
-        self._fine = sorted({*_COARSE, *_constants(function.body, function.scope)})
+        self._fine = sorted({*_COARSE, *_constants(function.body)})
 
     def run(self) -> dict[int, Range]:
         """All facts of the function."""
@@ -114,7 +113,7 @@ class Flow:
     def _dim(self, node: nodes.Dim, state: State) -> State:
         for variable in node.variables:
             found = [self._value(each, state)[1] for each in variable.values]
-            symbol = self.function.scope.find(variable.name)
+            symbol = variable.symbol
             if found and symbol in self.followed:
                 assert symbol is not None
                 state[symbol] = _held(symbol, found[0])
@@ -227,7 +226,7 @@ class Flow:
         """The followed variable that a name stands for."""
         if type(node) is not nodes.Name or node.args is not None:
             return None
-        symbol = self.function.scope.find(node.name)
+        symbol = node.symbol
         result = self.function.result
         if (
             (symbol is None or symbol.kind == "sub")
@@ -257,21 +256,19 @@ class Flow:
             return symbol.type.name, known
         for each in node.args or ():
             self._value(each, state)
-        found = self.function.scope.find(node.name)
+        found = node.symbol
         if found is None:
             return self._keyword(node)
         if found.kind == "const" and isinstance(found.const, (int, float)):
             return found.type.name, intervals.constant(found.const)
-        if found.kind == "define":
-            # The node is shared by all uses: what is known at one of them says nothing of another.
-            self._forget(found.node)
-            return FLOAT, intervals.ANY
+        if node.stands is not None:
+            return self._value(node.stands, state)
         if found.type.name == INTEGER:
             return INTEGER, intervals.INTEGER
         return FLOAT, intervals.ANY
 
     def _keyword(self, node: nodes.Name) -> tuple[str, Range]:
-        row = self.table.get(node.name)
+        row = node.row
         if row is None:
             return FLOAT, intervals.ANY
         if row.kind == "constant":
@@ -326,13 +323,6 @@ class Flow:
                     self._value(each, state)
                 elif isinstance(each, nodes.Node):
                     self._read_all(each, state)
-
-    def _forget(self, node: object) -> None:
-        from motionlang.mint.syntax.traversal import walk
-
-        for each in walk([node]):
-            if type(each) is nodes.Name and (symbol := self._followed(each)) is not None:
-                self.facts[id(each)] = _held(symbol, intervals.ANY)
 
     # ---------------------------------------------------------------------------------------- branching
 
@@ -428,7 +418,7 @@ def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
     }
 
 
-def _constants(body: Iterable[object], scope: Scope) -> set[int]:
+def _constants(body: Iterable[object]) -> set[int]:
     """The whole numbers that occur in a function, and their neighbours: where bounds settle."""
     from motionlang.mint.syntax.traversal import walk
 
@@ -437,7 +427,7 @@ def _constants(body: Iterable[object], scope: Scope) -> set[int]:
         known: object = None
         if type(node) is nodes.Number:
             known = node.value
-        elif type(node) is nodes.Name and node.args is None and (symbol := scope.find(node.name)) is not None:
+        elif type(node) is nodes.Name and node.args is None and (symbol := node.symbol) is not None:
             known = symbol.const
         if type(known) is int and known < intervals.EXACT:
             found.add(known)

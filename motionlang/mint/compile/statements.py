@@ -9,6 +9,7 @@ from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import condition, place, unknown, value
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import meant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,18 +82,12 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
 
 
 def _assign(b: Body, node: nodes.Assign) -> None:
-    target: nodes.Expr = node.target
+    target = meant(node.target)
     if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:
         _give(b, node, *b.targets[target.name])
         return
     if type(target) is nodes.Name:
-        symbol = b.scope.find(target.name)
-        while symbol is not None and symbol.kind == "define" and target.args is None:
-            target = symbol.node  # type: ignore[assignment]
-            if type(target) is not nodes.Name:
-                b.problem("type", f"{symbol.name} stands for an expression and cannot be assigned to", node)
-                return
-            symbol = b.scope.find(target.name)
+        symbol = target.symbol
         result = b.function.result
         if result is not None and target.args is None and target.name.lower() == result.name.lower():
             b.use_outside(result)
@@ -105,11 +100,15 @@ def _assign(b: Body, node: nodes.Assign) -> None:
             what = "a constant" if symbol.kind == "const" else f"a {symbol.kind}"
             b.problem("read-only", f"{symbol.name} is {what} and cannot be assigned to", target)
             return
-    _assign_variable(b, node, target)  # type: ignore[arg-type]
+    elif target is not node.target:
+        named = node.target.symbol.name  # type: ignore[union-attr]
+        b.problem("type", f"{named} stands for an expression and cannot be assigned to", node)
+        return
+    _assign_variable(b, node, target)
 
 
 def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
-    row = b.whole.table.get(target.name)
+    row = target.row
     if row is None:
         unknown(b, target)
         for each in node.values:
@@ -193,7 +192,7 @@ def _dim(b: Body, node: nodes.Dim) -> None:
     _initialise(b, node)
     if node.nv:
         for variable in node.variables:
-            symbol = b.scope.find(variable.name)
+            symbol = variable.symbol
             if symbol is not None and symbol.kind == "variable":
                 where = "" if b.function.kind == "main" else f"{b.function.name.lower()}."
                 b.emit(f"{b.whole.use('env', 'keep')}({where + symbol.name.lower()!r}, {symbol.python})")
@@ -203,7 +202,7 @@ def _initialise(b: Body, node: nodes.Dim) -> None:
     for variable in node.variables:
         if not variable.values:
             continue
-        symbol = b.scope.find(variable.name)
+        symbol = variable.symbol
         if symbol is None or symbol.kind != "variable":
             continue
         if symbol.is_array:
@@ -212,7 +211,7 @@ def _initialise(b: Body, node: nodes.Dim) -> None:
             b.problem("values", f"{variable.name} is one value, {len(variable.values)} given", variable)
         else:
             found = value(b, variable.values[0])
-            text, kind, _ = place(b, nodes.Name(variable.at, variable.name))
+            text, kind, _ = place(b, nodes.Name(variable.at, variable.name).resolve(symbol))
             source = converted(b, found, kind, variable.values[0], exact=symbol not in b.analysed)
             b.settle()
             if not symbol.boxed:
@@ -245,19 +244,17 @@ def _nothing(b: Body, node: nodes.Stmt) -> None:
 
 def _call(b: Body, node: nodes.Call) -> None:
     target = node.target
-    symbol = b.scope.find(target.name)
+    symbol, row = target.symbol, target.row
     if symbol is not None and symbol.kind == "sub":
         found = call(b, target, symbol, wanted=False)
         b.act(found.text)
     elif symbol is not None:
         b.problem("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target,
                   f"write {symbol.name} = value to give it one" if symbol.kind == "variable" else "")  # fmt: skip
+    elif row is None:
+        unknown_command(b, target)
     else:
-        row = b.whole.table.get(target.name)
-        if row is None:
-            unknown_command(b, target)
-        else:
-            keyword_use.command(b, node, row)
+        keyword_use.command(b, node, row)
 
 
 # Words of the grammar that begin a statement and are easily written wrong.

@@ -123,11 +123,11 @@ def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: li
 def input_(b: Body, node: nodes.Input) -> None:
     """`INPUT "prompt", variable`."""
     target: nodes.Expr = node.target
-    if type(target) is nodes.Name and (b.scope.find(target.name) is None):
+    if type(target) is nodes.Name and target.symbol is None:
         unknown(b, target)
         return
     text, kind, _ = place(b, node.target)
-    if type(target) is nodes.Name and (symbol := b.scope.find(target.name)) is not None:
+    if type(target) is nodes.Name and (symbol := target.symbol) is not None:
         if symbol.kind not in ("variable", "parameter"):
             b.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", target)
             return

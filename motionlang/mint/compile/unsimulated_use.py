@@ -77,7 +77,7 @@ def indices(b: Body, node: nodes.Name) -> list[str]:
 
 def _is_whole(b: Body, node: nodes.Name) -> bool:
     """Whether a name stands for an array, or for none."""
-    symbol = b.scope.find(node.name)
+    symbol = node.symbol
     return node.name.lower() == "null" if symbol is None else symbol.is_array
 
 

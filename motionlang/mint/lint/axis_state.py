@@ -387,12 +387,10 @@ class Follower:
             return state
         if type(node) is not nodes.Name:
             return state
-        symbol = function.scope.find(node.name)
-        if symbol is not None:
-            inner = symbol.node if symbol.kind == "define" else None
-            known = isinstance(inner, nodes.Name) and inner.name.lower() != node.name.lower()
-            return self._refined(function, inner, truth, state) if known else state  # type: ignore[arg-type]
-        row = self.facts.table.get(node.name)
+        if node.symbol is not None:
+            known = isinstance(node.stands, nodes.Name)
+            return self._refined(function, node.stands, truth, state) if known else state  # type: ignore[arg-type]
+        row = node.row
         if row is None or row.verb != "is_idle":
             return state
         key = self.facts.key_of(function, node)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.mint.resolve.symbols import STRING, Scope
+from motionlang.mint.resolve.symbols import STRING
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -29,11 +29,7 @@ def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> No
             chain = _Chain(places, node)
             inner |= chain.inner
             bits = [op for op in chain.ops if places.text(op) in _BITS]
-            if (
-                bits
-                and chain.is_written
-                and not any(_is_text(function.scope, each) for each in chain.operands)
-            ):
+            if bits and chain.is_written and not any(_is_text(each) for each in chain.operands):
                 sign = places.text(bits[0])
                 add(
                     "mixed-operators",
@@ -43,10 +39,10 @@ def check_brackets(facts: Facts, places: Places, add: Callable[..., None]) -> No
                 )
 
 
-def _is_text(scope: Scope, node: nodes.Expr) -> bool:
+def _is_text(node: nodes.Expr) -> bool:
     """Whether an operand is surely a text, which `&` joins: then only one reading makes sense."""
     if type(node) is nodes.Name:
-        symbol = scope.find(node.name)
+        symbol = node.symbol
         return symbol is not None and symbol.type.name == STRING
     return type(node) is nodes.String
 

@@ -131,7 +131,7 @@ class Facts:
             for node in walk(function.body):
                 if type(node) is nodes.Dim:
                     for variable in node.variables:
-                        symbol = function.scope.find(variable.name)
+                        symbol = variable.symbol
                         if symbol is not None and node.nv:
                             kept.add(symbol)
                         if symbol is not None and variable.values:
@@ -149,7 +149,7 @@ class Facts:
         elif type(node) is nodes.For:
             yield node.variable
         elif type(node) is nodes.Name and node.args:
-            symbol = function.scope.find(node.name)
+            symbol = node.symbol
             if symbol is not None and symbol.kind == "sub":
                 for argument, parameter in zip(node.args, symbol.home.parameters, strict=False):
                     if type(argument) is nodes.Name and (parameter.by_ref or parameter.is_array):
@@ -157,18 +157,12 @@ class Facts:
 
     def symbol(self, function: Function, name: nodes.Name) -> Symbol | None:
         """The variable that a name stands for, through a Define, too."""
-        symbol = function.scope.find(name.name)
-        while symbol is not None and symbol.kind == "define" and type(symbol.node) is nodes.Name:
-            symbol = function.scope.find(symbol.node.name)
-        return symbol
+        meaning = meant(name)
+        return meaning.symbol if isinstance(meaning, nodes.Name) else name.symbol
 
     def value(self, function: Function, node: nodes.Expr | None) -> Known | None:
         """The value of an expression where it is known beforehand, through a Define, too."""
-        if type(node) is nodes.Name and node.args is None:
-            symbol = function.scope.find(node.name)
-            if symbol is not None and symbol.kind == "define":
-                return self.value(function, symbol.node)  # type: ignore[arg-type]
-        return None if node is None else fold(function.scope, node, self.table)
+        return None if node is None else fold(meant(node))
 
     def number(self, function: Function, node: nodes.Expr | None) -> float | None:
         """The value where it is a number."""
@@ -183,7 +177,7 @@ class Facts:
         target: nodes.Expr | None = None
         if isinstance(node, nodes.Assign | nodes.Call):
             target = node.target
-            written = meant(function.scope, node.target)
+            written = meant(node.target)
         for expression in parts(node):
             for name in reversed(list(walk([expression]))):
                 if (
@@ -199,18 +193,17 @@ class Facts:
     def _word(
         self, function: Function, name: nodes.Name, written: bool, values: list[nodes.Expr]
     ) -> Iterator[Act]:
-        symbol = function.scope.find(name.name)
+        symbol, row = name.symbol, name.row
         if symbol is not None:
             if symbol.kind == "sub" and not (
                 function.result and function.result.name == symbol.name and written
             ):
                 yield Act("call", None, name, values=name.args, callee=symbol.home)
-            elif symbol.kind == "define" and symbol.node is not None:
-                for inner in walk([symbol.node]):
-                    if type(inner) is nodes.Name and inner.name.lower() != name.name.lower():
+            elif name.stands is not None:
+                for inner in walk([name.stands]):
+                    if type(inner) is nodes.Name:
                         yield from self._word(function, inner, False, [])
             return
-        row = self.table.get(name.name)
         if row is None or row.kind in ("function", "constant", "statement"):
             return
         if row.verb == "default_axes":
@@ -235,7 +228,7 @@ class Facts:
         number = self.number(function, node)
         if number is not None:
             return int(number) if number == int(number) else None
-        symbol = function.scope.find(node.name) if type(node) is nodes.Name and node.args is None else None
+        symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
         if symbol is not None and symbol.kind == "parameter" and not (symbol.by_ref or symbol.is_array):
             return symbol if symbol not in self.writers else None
         return None
@@ -269,7 +262,7 @@ class Facts:
 
     def key_of(self, function: Function, name: nodes.Name) -> Key:
         """The one axis that a keyword names."""
-        row = self.table.get(name.name)
+        row = name.row
         axes = self._axes(function, name, row) if row is not None else ()
         key = axes[0] if len(axes) == 1 else None
         return None if isinstance(key, Symbol) and key not in self._apart else key

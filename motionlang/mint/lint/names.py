@@ -153,7 +153,7 @@ def _is_told(facts: Facts, task: Function) -> bool:
         for node in walk(function.body):
             condition = getattr(node, "condition", None)
             for name in walk([condition]) if condition is not None else ():
-                symbol = function.scope.find(name.name) if type(name) is nodes.Name else None
+                symbol = name.symbol if type(name) is nodes.Name else None
                 if symbol is not None and symbol.shared:
                     return True
     return False

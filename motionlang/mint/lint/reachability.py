@@ -124,7 +124,7 @@ class Ways:
         words = [each for name in names for each in self._inner(function, name)]
         if any(self._may_change(function, each, state) for each in words):
             return
-        readings = [name.name for name in words if function.scope.find(name.name) is None]
+        readings = [name.name for name in words if name.symbol is None]
         why = f"axis {self._axis(function, words)} stands still" if readings and self._stands(words) else (
             "no entry of the machine file drives it" if readings else "no other task and no event changes it"
         )  # fmt: skip
@@ -133,28 +133,26 @@ class Ways:
 
     def _inner(self, function: Function, name: nodes.Name) -> list[nodes.Name]:
         """A name, or those of the expression that a Define gives it."""
-        symbol = function.scope.find(name.name)
-        if symbol is None or symbol.kind != "define":
+        if name.stands is None:
             return [name]
-        return [each for each in walk([symbol.node]) if type(each) is nodes.Name]
+        return [each for each in walk([name.stands]) if type(each) is nodes.Name]
 
     def _stands(self, words: list[nodes.Name]) -> bool:
-        rows = [self.facts.table.get(each.name) for each in words]
+        rows = [each.row for each in words]
         return any(row is not None and row.changes == "motion" for row in rows)
 
     def _axis(self, function: Function, words: list[nodes.Name]) -> str:
         for each in words:
-            row = self.facts.table.get(each.name)
+            row = each.row
             if row is not None and row.changes == "motion":
                 key = self.facts.key_of(function, each)
                 return key.name if isinstance(key, Symbol) else str(key)
         return ""
 
     def _may_change(self, function: Function, name: nodes.Name, state: State) -> bool:
-        symbol = function.scope.find(name.name)
+        symbol, row = name.symbol, name.row
         if symbol is not None:
             return self._variable_may_change(function, symbol)
-        row = self.facts.table.get(name.name)
         if row is None:
             return True
         if row.kind == "constant":
@@ -189,7 +187,7 @@ class Ways:
 
     def _endless_loop(self, function: Function, node: nodes.While | nodes.Repeat) -> None:
         names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
-        symbols = [function.scope.find(each.name) for each in names]
+        symbols = [each.symbol for each in names]
         if not names or self.facts.value(function, node.condition) is not None:
             return
         inputs = [
@@ -197,7 +195,7 @@ class Ways:
         ]
         for name, symbol in zip(names, symbols, strict=True):
             if symbol is None and name not in inputs:
-                row = self.facts.table.get(name.name)
+                row = name.row
                 if row is None or row.kind not in ("constant", "function") or row.name == "Rnd":
                     return
             elif symbol is None:
@@ -239,8 +237,7 @@ class Ways:
         return bool(roots - self.facts.roots[symbol.home]) or len(roots) > 1
 
     def _calls(self, function: Function, name: nodes.Name) -> bool:
-        symbol = function.scope.find(name.name)
-        return symbol is not None and symbol.kind == "sub"
+        return name.symbol is not None and name.symbol.kind == "sub"
 
 
 def _is_made(node: nodes.Node) -> bool:

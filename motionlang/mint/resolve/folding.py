@@ -10,48 +10,54 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.lang.keyword import Table
-    from motionlang.mint.resolve.symbols import Scope
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.resolve.symbols import Symbol
+
+    Meaning = tuple[Symbol | None, Keyword | None]
 
 Known = float | str
 
 _WHOLE = (-(2**31), 2**31 - 1)
 
 
-def fold(scope: Scope, node: nodes.Expr, table: Table) -> Known | None:
-    """The value of `node`, None when it is not known beforehand."""
+def resolved(name: nodes.Name) -> tuple[Symbol | None, Keyword | None]:
+    """What a name stands for, once that is settled."""
+    return name.symbol, name.row
+
+
+def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) -> Known | None:
+    """The value of `node`, None when it is not known beforehand; `means` says what names stand for."""
     if type(node) is nodes.Number or type(node) is nodes.String:
         return node.value
     if type(node) is nodes.Name and node.args is None:
-        symbol = scope.find(node.name)
+        symbol, row = means(node)
         if symbol is not None:
             return symbol.const
-        row = table.get(node.name)
         return constant(row.verb, row.unit) if row is not None and row.kind == "constant" else None
     if type(node) is nodes.Unary:
-        value = fold(scope, node.operand, table)
+        value = fold(node.operand, means)
         return None if value is None else unary(node.op, value)
     if type(node) is nodes.Binary:
-        left, right = fold(scope, node.left, table), fold(scope, node.right, table)
+        left, right = fold(node.left, means), fold(node.right, means)
         return None if left is None or right is None else binary(node.op, left, right)
     return None
 
 
-def given(scope: Scope, node: nodes.Expr, table: Table) -> nodes.Expr | None:
+def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Expr | None:
     """`node` without a name in it, where its value is known when the program starts; None where it is not even then."""
     if type(node) is nodes.Given:
         return node
-    known = fold(scope, node, table)
+    known = fold(node, means)
     if known is not None:
         return nodes.String(node.at, known) if isinstance(known, str) else nodes.Number(node.at, known)
     if type(node) is nodes.Name and node.args is None:
-        symbol = scope.find(node.name)
+        symbol, _ = means(node)
         return symbol.node if symbol is not None and symbol.given else None  # type: ignore[return-value]
     if type(node) is nodes.Unary:
-        operand = given(scope, node.operand, table)
+        operand = given(node.operand, means)
         return None if operand is None else nodes.Unary(node.at, node.op, operand)
     if type(node) is nodes.Binary:
-        left, right = given(scope, node.left, table), given(scope, node.right, table)
+        left, right = given(node.left, means), given(node.right, means)
         return None if left is None or right is None else nodes.Binary(node.at, node.op, left, right)
     return None
 

@@ -19,13 +19,14 @@ from motionlang.mint.resolve.symbols import (
     Type,
 )
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.traversal import Survey, walk
+from motionlang.mint.syntax.traversal import Survey, copied, walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
-    from motionlang.lang.keyword import Table
+    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.mint.resolve.folding import Meaning
     from motionlang.mint.resolve.problems import Problems
 
 _LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
@@ -53,6 +54,8 @@ class Names:
         # Whether TERMINAL says where a PRINT without a number prints.
         self.uses_terminal = self.typed
         self._surveys: dict[Function, Survey] = {}
+        # The Defines that are being put in the places of their names, one within the other.
+        self._replacing: list[Symbol] = []
         # Names in Python, with the number of the last one that was made of each.
         self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
 
@@ -234,11 +237,13 @@ class Names:
                         self._python("v_", node.name), node.at, function)  # fmt: skip
         symbol.dimensions = self._dimensions(node, function.scope)
         self.add(function.scope, symbol)
+        node.resolve(symbol)
         return symbol
 
     def _declare_const(self, function: Function, node: nodes.Const) -> None:
-        value = fold(function.scope, node.value, self.table)
-        expression = given(function.scope, node.value, self.table) if value is None else None
+        means = self._means(function.scope)
+        value = fold(node.value, means)
+        expression = given(node.value, means) if value is None else None
         if expression is not None:
             symbol = Symbol(node.name, "define", Type(FLOAT), "", node.at, function)
             if node.type is not None:
@@ -270,8 +275,12 @@ class Names:
             return (1,) * len(sizes)
         return tuple(sizes)
 
+    def _means(self, scope: Scope) -> Callable[[nodes.Name], Meaning]:
+        """What names stand for in a scope, before all of them are known."""
+        return lambda name: (scope.find(name.name), self.table.get(name.name))
+
     def _whole(self, node: nodes.Expr, scope: Scope, what: str, least: int) -> int:
-        value = fold(scope, node, self.table)
+        value = fold(node, self._means(scope))
         if isinstance(value, (int, float)) and least <= value < float("inf") and value == int(value):
             return int(value)
         self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
@@ -332,15 +341,25 @@ class Names:
 
     def _use(self, function: Function) -> None:
         survey = self._surveys.pop(function)
-        known: dict[str, Symbol | None] = {}
+        known: dict[str, tuple[Symbol | None, Keyword | None]] = {}
         for name in survey.names:
             spelling = name.name
-            symbol = known.get(spelling)
-            if symbol is not None and symbol.kind in ("variable", "parameter"):
-                symbol.uses += 1
-            elif symbol is not None or spelling not in known:
+            found = known.get(spelling)
+            if found is None:
+                symbol = function.scope.find(spelling)
+                row = self.table.get(spelling) if symbol is None else None
+                known[spelling] = name.symbol, name.row = symbol, row
+                name.stands = None
                 self._use_name(function, name)
-                known[spelling] = function.scope.find(spelling)
+                continue
+            symbol, name.row = found
+            name.symbol, name.stands = symbol, None
+            if symbol is None:
+                continue
+            if symbol.kind in ("variable", "parameter"):
+                symbol.uses += 1
+            else:
+                self._use_name(function, name)
         for node in survey.statements:
             kind = node.__class__
             if kind is nodes.Assign or kind is nodes.Input:
@@ -358,9 +377,8 @@ class Names:
             symbol.uses -= 1
 
     def _use_name(self, function: Function, node: nodes.Name) -> None:
-        symbol = function.scope.find(node.name)
+        symbol, row = node.symbol, node.row
         if symbol is None:
-            row = self.table.get(node.name)
             if row is not None and row.kind not in ("function", "constant"):
                 function.observes = True
                 self.uses_axes = self.uses_axes or row.verb == "default_axes"
@@ -373,12 +391,28 @@ class Names:
             if symbol.type.name == TIME:
                 function.observes = True
         elif symbol.kind == "define":
-            for inner in walk([symbol.node]):
-                if isinstance(inner, nodes.Name):
-                    self._use_name(function, inner)
+            self._replace(function, node, symbol)
         elif symbol.kind == "sub" and (node.args is not None or not _is_result(function, node.name)):
             function.calls.add(symbol.home)
             self._box_arguments(function, node, symbol.home)
+
+    def _replace(self, function: Function, node: nodes.Name, define: Symbol) -> None:
+        """Have a name stand for what a Define says, resolved where it is used."""
+        if define in self._replacing:
+            message = f"{define.name} stands for itself"
+            self.problems.add(
+                "type", message, define.at, "the expression of a Define may not come back to its name"
+            )
+            return
+        self._replacing.append(define)
+        stands: nodes.Expr = copied(define.node)  # type: ignore[assignment]
+        for inner in walk([stands]):
+            if isinstance(inner, nodes.Name):
+                symbol = function.scope.find(inner.name)
+                inner.resolve(symbol, self.table.get(inner.name) if symbol is None else None)
+                self._use_name(function, inner)
+        self._replacing.pop()
+        node.stands = stands
 
     def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
         for argument, parameter in zip(node.args or (), callee.parameters, strict=False):

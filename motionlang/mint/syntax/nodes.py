@@ -16,7 +16,11 @@ from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.No
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Self
+
+    from motionlang.lang.keyword import Keyword
     from motionlang.lang.parsing.places import Places
+    from motionlang.mint.resolve.symbols import Symbol
 
 # --------------------------------------------------------------------------------------------- expressions
 
@@ -39,7 +43,26 @@ class String(Node):
         self.at, self.value = at, value
 
 
-class Name(Node):
+class Resolved(Node):
+    """A name, and what it stands for, which `resolve.names` writes down once wherever it stands.
+
+    `symbol` is what the program declares or assigns under that name, `row` the keyword that it is otherwise, both None
+    where it is neither. `stands` is what a Define has it stand for, a copy of its own.
+    """
+
+    __slots__ = ("row", "stands", "symbol")
+
+    row: Keyword | None
+    stands: Expr | None
+    symbol: Symbol | None
+
+    def resolve(self, symbol: Symbol | None, row: Keyword | None = None, stands: Expr | None = None) -> Self:
+        """Say what it stands for."""
+        self.symbol, self.row, self.stands = symbol, row, stands
+        return self
+
+
+class Name(Resolved):
     """A word with or without arguments: variable, array element, keyword, function.
 
     `name` keeps the spelling of the source; `args` is None where no bracket follows. `axes` is true for the
@@ -163,7 +186,7 @@ class TypeName(Node):
         self.at, self.name, self.size = at, name, size
 
 
-class Variable(Node):
+class Variable(Resolved):
     """One name of a `Dim`: its dimensions (empty for a plain variable), its type and its initial values."""
 
     __slots__ = ("dimensions", "name", "type", "values")

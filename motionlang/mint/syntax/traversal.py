@@ -9,8 +9,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from motionlang.mint.resolve.symbols import Scope
-
 # The slots of each class that may hold nodes; the others hold names, operators and the like.
 _NOT_NODES = frozenset(("at", "args_are", "axes", "by_ref", "field", "function", "is_array", "kind", "name", "nv", "op",
                         "places", "repeat", "separator", "word"))  # fmt: skip
@@ -51,14 +49,24 @@ def walk(start: Iterable[object]) -> Iterator[nodes.Node]:
                 stack.append(value)
 
 
-def meant(scope: Scope, node: nodes.Expr) -> nodes.Expr:
+def meant(node: nodes.Expr) -> nodes.Expr:
     """What a name made by Define stands for; anything else stands for itself."""
-    while isinstance(node, Name) and node.args is None:
-        symbol = scope.find(node.name)
-        if symbol is None or symbol.kind != "define":
-            break
-        node = symbol.node  # type: ignore[assignment]
+    while isinstance(node, Name) and node.args is None and node.stands is not None:
+        node = node.stands
     return node
+
+
+def copied(node: object) -> object:
+    """A tree of its own, at the same places."""
+    if node.__class__ is list:
+        return [copied(each) for each in node]
+    if node.__class__ not in _CHILDREN:
+        return node
+    made = node.__class__.__new__(node.__class__)
+    made.at = node.at  # type: ignore[attr-defined]
+    for slot in node.__class__.__slots__:  # type: ignore[attr-defined]
+        setattr(made, slot, copied(getattr(node, slot)))
+    return made
 
 
 class Survey:

@@ -1,0 +1,90 @@
+"""Names are resolved once: what a name stands for is written at each place where it is used."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from motionlang import execution
+from motionlang.errors import ProgramError
+from motionlang.mint.keywords import table
+from motionlang.mint.program import compile_source
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.parser import parse
+from motionlang.mint.syntax.traversal import meant, walk
+from motionlang.source import Source
+
+PACKAGE = Path(__file__).parents[3] / "motionlang" / "mint"
+# Where a stage behind the resolver looks a word up after all, and how often; it may only shrink. `model` asks for the
+# words of other controllers, whatever a program makes of them; the others have a word that is no expression: that of a
+# LINE, of a task, of a misspelling.
+LOOK_UPS = {
+    "compile/compiler.py": 1,
+    "compile/statements.py": 1,
+    "compile/terminal_use.py": 2,
+    "lint/model.py": 4,
+}
+
+
+def test_no_later_pass_looks_a_name_up() -> None:
+    found = {}
+    for path in sorted((*(PACKAGE / "compile").glob("*.py"), *(PACKAGE / "lint").glob("*.py"))):
+        count = len(re.findall(r"scope\.find\(|table\.get\(", path.read_text(encoding="utf-8")))
+        if count:
+            found[path.relative_to(PACKAGE).as_posix()] = count
+    assert found == LOOK_UPS
+
+
+def resolved(text: str) -> dict[str, list[nodes.Name]]:
+    """The names of a program by their spelling, in the order of the text."""
+    module = parse(Source("a.mnt", text))
+    names = Names(table(), Problems(module))
+    names.declare_module(module)
+    found: dict[str, list[nodes.Name]] = {}
+    every = [node for f in names.functions for node in walk(f.body) if isinstance(node, nodes.Name)]
+    for node in sorted(every, key=lambda node: node.at):
+        found.setdefault(node.name, []).append(node)
+    return found
+
+
+def test_a_name_is_what_its_function_declares_or_a_word_or_neither() -> None:
+    found = resolved("Dim a\na = POS(0) + b\nf\nSub f()\n  Dim a As Integer\n  a = 2\nEnd Sub")
+    outer, inner = found["a"]
+    assert outer.symbol is not None
+    assert inner.symbol is not None
+    assert (str(outer.symbol.type), str(inner.symbol.type)) == ("Float", "Integer")
+    (position,), (unknown,), (call,) = found["POS"], found["b"], found["f"]
+    assert (position.symbol, position.row) == (None, table().get("POS"))
+    assert (unknown.symbol, unknown.row) == (None, None)
+    assert call.symbol is not None
+    assert call.symbol.kind == "sub"
+
+
+def test_what_a_define_says_means_what_it_does_where_it_is_used() -> None:
+    found = resolved(
+        "Define twice = 2 * a\nDim a\na = twice\nf\nSub f()\n  Dim a As Integer\n  a = twice\nEnd Sub"
+    )
+    outer, inner = (meant(each) for each in found["twice"])
+    assert isinstance(outer, nodes.Binary)
+    assert isinstance(inner, nodes.Binary)
+    assert outer is not inner
+    of_outer, of_inner = (
+        next(n for n in walk([each]) if isinstance(n, nodes.Name)) for each in (outer, inner)
+    )
+    assert (str(of_outer.symbol.type), str(of_inner.symbol.type)) == ("Float", "Integer")  # type: ignore[union-attr]
+
+
+def test_a_define_is_written_to_and_counts_as_what_it_stands_for() -> None:
+    defines = "Define valve = OUTX(3)\nDefine n = count\nDim count As Integer\n"
+    text = f"{defines}valve = 1\nn = 5\nn = n + 2\nPRINT count, valve"
+    assert "".join(execution.run(Source("a.mnt", text), cache=False).output).replace(" ", "") == "71"
+
+
+@pytest.mark.parametrize("text", ["Define a = a + 1\nPRINT a", "Define a = b\nDefine b = a\nPRINT a"])
+def test_a_define_that_comes_back_to_itself_is_a_mistake(text: str) -> None:
+    with pytest.raises(ProgramError, match="stands for itself"):
+        compile_source(Source("a.mnt", text))
