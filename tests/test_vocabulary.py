@@ -45,7 +45,7 @@ NAMED = {
     "mccl/motion/gear.py": "SM",
     "mccl/motion/joystick.py": "JN",
     "mccl/motion/path.py": "CM VA VD VO VV",
-    "mint/compile/keyword_use.py": "IDLE VEL WAIT",
+    "mint/compile/keyword_use.py": "IDLE VEL",
     "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",
     "mint/lint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
 }
