@@ -2,6 +2,14 @@
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Self
+
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.resolve.symbols import Symbol
+    from motionlang.mint.syntax.nodes import Expr
+
 
 class Node:
     """A piece of a program that starts at token number `at`."""
@@ -21,3 +29,22 @@ class Node:
         )
 
     __hash__ = None  # type: ignore[assignment]
+
+
+class Resolved(Node):
+    """A name, and what it stands for, which `resolve.names` writes down once wherever it stands.
+
+    `symbol` is what the program declares or assigns under that name, `row` the keyword that it is otherwise, both None
+    where it is neither. `stands` is what a Define has it stand for, a copy of its own.
+    """
+
+    __slots__ = ("row", "stands", "symbol")
+
+    row: Keyword | None
+    stands: Expr | None
+    symbol: Symbol | None
+
+    def resolve(self, symbol: Symbol | None, row: Keyword | None = None, stands: Expr | None = None) -> Self:
+        """Say what it stands for."""
+        self.symbol, self.row, self.stands = symbol, row, stands
+        return self

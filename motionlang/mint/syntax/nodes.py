@@ -13,14 +13,11 @@ from __future__ import annotations
 from motionlang.mint.syntax.given import Cast as Cast  # noqa: PLC0414 - so are these
 from motionlang.mint.syntax.given import Given as Given  # noqa: PLC0414
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
+from motionlang.mint.syntax.node import Resolved
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Self
-
-    from motionlang.lang.keyword import Keyword
     from motionlang.lang.parsing.places import Places
-    from motionlang.mint.resolve.symbols import Symbol
 
 # --------------------------------------------------------------------------------------------- expressions
 
@@ -41,25 +38,6 @@ class String(Node):
 
     def __init__(self, at: int, value: str) -> None:
         self.at, self.value = at, value
-
-
-class Resolved(Node):
-    """A name, and what it stands for, which `resolve.names` writes down once wherever it stands.
-
-    `symbol` is what the program declares or assigns under that name, `row` the keyword that it is otherwise, both None
-    where it is neither. `stands` is what a Define has it stand for, a copy of its own.
-    """
-
-    __slots__ = ("row", "stands", "symbol")
-
-    row: Keyword | None
-    stands: Expr | None
-    symbol: Symbol | None
-
-    def resolve(self, symbol: Symbol | None, row: Keyword | None = None, stands: Expr | None = None) -> Self:
-        """Say what it stands for."""
-        self.symbol, self.row, self.stands = symbol, row, stands
-        return self
 
 
 class Name(Resolved):
