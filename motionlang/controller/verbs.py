@@ -10,6 +10,7 @@ from motionlang.controller.axis import Axis
 from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.clock import Clock
 from motionlang.controller.readers import UNHEARD, Hearing
+from motionlang.controller.triggers.limit import Limit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -176,8 +177,6 @@ class Recorder:
 
     def add_limit(self, axis: int, sign: int, bit: int, action: str, physical: bool = False) -> Limit:
         """A limit that nothing ever passes."""
-        from motionlang.controller.triggers.limit import Limit
-
         return Limit(self, axis, sign, bit, action, physical)  # type: ignore[arg-type]
 
     def reader(self, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:

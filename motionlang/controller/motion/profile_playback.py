@@ -9,6 +9,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.controller.faults import Refusal
+from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
 from motionlang.profile import halted, hold, plan_stop, plan_velocity
 from motionlang.profile.composed import Composed
@@ -74,8 +75,6 @@ class Played(Action):
         move = a.move
         assert move is not None
         a.target = move.target = a.profiles[-1].end
-        from motionlang.controller.motion.halt import Stopping
-
         move.action = Stopping()
         return True
 

@@ -24,6 +24,7 @@ from motionlang.mint.compile.loops import body_of, flag_for, go_on_leaving, turn
 from motionlang.mint.compile.operators import arithmetic
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, Symbol
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -155,8 +156,6 @@ def _can_be_cut(b: Body, node: nodes.For, counter: Counter) -> bool:
 
 def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
     """Whether the body gives the variable another value."""
-    from motionlang.mint.syntax.traversal import walk
-
     for each in walk(node.body):
         target = (
             each.target

@@ -17,6 +17,7 @@ from motionlang.mint.compile import polling
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -169,8 +170,6 @@ class Turns:
 
 def _ways(b: Body) -> dict[int, list[int]]:
     """Where each stretch leads to: what its Gotos name, each once, and the next one."""
-    from motionlang.mint.syntax.traversal import walk
-
     labels, ways = b.labels(), {}
     for number, (_, body) in enumerate(b.stretches()):
         gotos = [node for node in walk(body) if type(node) is nodes.Jump and not _is_gosub(node)]

@@ -12,6 +12,7 @@ from motionlang.mint.compile import intervals, unsimulated_use
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.conversions import as_float, as_integer, literal
 from motionlang.mint.compile.expressions import condition, number, value
+from motionlang.mint.compile.terminal_use import line
 from motionlang.mint.resolve.folding import constant
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
 from motionlang.mint.runtime.task import PARENT
@@ -390,8 +391,6 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         wait(b, target, target.args or [], row)
         return
     if row.verb == "line":
-        from motionlang.mint.compile.terminal_use import line
-
         line(b, node)
         return
     if row.access != "C" or row.kind == "statement":

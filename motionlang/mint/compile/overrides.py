@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -57,8 +58,6 @@ def _replace(
 
     Where that value is made of the name's own (`n = n + 1`), or stands in no line of the parent, Dim gives it.
     """
-    from motionlang.mint.syntax.traversal import walk
-
     bare: dict[str, nodes.Variable] = {}
     for node in sorted(walk(body), key=lambda each: each.at):
         if type(node) is nodes.Const:
@@ -82,8 +81,6 @@ def _replace(
 
 
 def _reads_itself(node: nodes.Assign, key: str) -> bool:
-    from motionlang.mint.syntax.traversal import walk
-
     return any(type(each) is nodes.Name and each.name.lower() == key for each in walk(node.values))
 
 

@@ -12,6 +12,7 @@ from motionlang.mint.compile.intervals import Range
 from motionlang.mint.resolve.folding import constant
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Function, Symbol
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -420,8 +421,6 @@ def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
 
 def _constants(body: Iterable[object]) -> set[int]:
     """The whole numbers that occur in a function, and their neighbours: where bounds settle."""
-    from motionlang.mint.syntax.traversal import walk
-
     found: set[int] = set()
     for node in walk(body):
         known: object = None

@@ -7,6 +7,7 @@ any number of values may stand in them.
 
 from __future__ import annotations
 
+from motionlang.mint.compile.expressions import value
 from motionlang.mint.keywords import unsimulated
 from motionlang.mint.keywords.no_effect import VERB as KEPT
 from motionlang.mint.resolve.symbols import STRING
@@ -63,8 +64,6 @@ def place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
 
 def indices(b: Body, node: nodes.Name) -> list[str]:
     """The texts of whatever stands in the brackets; of an array only that it is there."""
-    from motionlang.mint.compile.expressions import value
-
     texts = []
     for arg in node.args or ():
         if type(arg) is nodes.Name and arg.args is None and _is_whole(b, arg):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.paths_operations import write_mode
+from motionlang.mint.runtime.binding import Row as Named
 from motionlang.mint.runtime.errors import AXIS
 
 TYPE_CHECKING = False
@@ -40,8 +41,6 @@ def read_error_axis(environment: Environment, row: Row) -> Operation:
 
 def do_contour(environment: Environment, row: Row) -> Operation:
     """CONTOURON and CONTOUROFF."""
-    from motionlang.mint.runtime.binding import Row as Named
-
     mode = write_mode(environment, Named("", "CONTOURMODE", "integer", "axis", 0, 1))
     on = int(row.name.endswith("ON"))
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.homing_operations import Homes
+from motionlang.mint.keywords.limits_resetting import AT_DECEL, StopModes, stop
+from motionlang.mint.keywords.torque_operations import TorqueReferences
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -57,8 +60,6 @@ def begin(presets: Presets, axis: int, number: int, line: int) -> None:
 
 
 def _home(preset: Preset) -> None:
-    from motionlang.mint.keywords.homing_operations import Homes
-
     homes = preset.presets.environment.part(Homes)
     homes.begin(preset.axis, int(preset.value("PRESETMOVEHOMETYPE")), preset.line)
 
@@ -103,16 +104,12 @@ def _speed(preset: Preset) -> None:
 
 
 def _torque(preset: Preset) -> None:
-    from motionlang.mint.keywords.torque_operations import TorqueReferences
-
     references = preset.presets.environment.part(TorqueReferences)
     references.set("TORQUEREF", preset.axis, preset.value("PRESETMOVEPARAMETER"))
     references.run(preset.axis)
 
 
 def _stop(preset: Preset) -> None:
-    from motionlang.mint.keywords.limits_resetting import AT_DECEL, StopModes, stop
-
     environment = preset.presets.environment
     stop(environment, preset.axis, environment.part(StopModes).modes.get(preset.axis, AT_DECEL))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
+from motionlang.mint.keywords.presets_moves import begin
 from motionlang.mint.runtime.binding import axis_of
 
 TYPE_CHECKING = False
@@ -76,8 +77,6 @@ class Presets:
 
     def start(self, axis: int) -> None:
         """Start the preset that is selected, and select the one after it where the mode says so."""
-        from motionlang.mint.keywords.presets_moves import begin
-
         preset, mode = self.selected(axis), self.setting("PRESETINDEXMODE", axis)
         self._going_on.pop(axis, None)
         begin(self, axis, preset, self._lines.get(axis, 0))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from motionlang.mint.keywords import table
+
 _WORD = re.compile(r"([a-z_]\w*)(\s*[(.[])?", re.IGNORECASE)
 
 
@@ -20,8 +22,6 @@ def what_ends(why: str) -> str:
 
 def _section(word: str, bracket: str) -> str:
     """The section that drives a word; "" for one that lacks its brackets, which is a word of the sentence around it."""
-    from motionlang.mint.keywords import table
-
     row = table().get(word)
     if row is None or (row.index != "none" and not bracket and word != row.name):
         return ""
