@@ -152,6 +152,24 @@ class Scheduler:
                 self._forget(task)
         return True
 
+    def passes(self, wait: Wait, undisturbed: Callable[[], bool]) -> bool:
+        """Let the time of a wait pass under the task that runs, as it would pass while it gave way; false: it must.
+
+        So it is where there is one task, nobody holds the clock, nothing else begins meanwhile, and an end is in sight.
+        """
+        clock = self.clock
+        if not self.by_itself or self._end or not undisturbed():
+            return False
+        clock.advance(wait.since)
+        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts and undisturbed():
+            if wait.ready():
+                return True
+            time = min(wait.due(), clock.next_time())
+            if not clock.now < time < self.until:
+                return False
+            clock.advance(time)
+        return False
+
     def reach(self) -> float:
         """Until when the running task has the machine for itself, if it does nothing; 0 where others can run, too."""
         return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0

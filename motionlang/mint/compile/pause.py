@@ -24,6 +24,7 @@ def pause(b: Body, node: nodes.Pause) -> None:
         b.emit(f"while not {test}: t, H = yield {b.whole.use('env', 'tick')}(t)")
     else:
         why = f"until {shown(node.condition)}"
-        b.emit(f"if not {test}: t, H = yield {b.whole.use('env', 'pause')}(t, lambda: {test}, {why!r})")
+        pause = f"{b.whole.use('env', 'pause')}(t, lambda: {test}, {why!r}, {b.at})"
+        b.emit(f"if not {test}: t, H = {pause} or (yield E.wait)")
     b.waits = b.noted = True
     b.pending += 1

@@ -351,8 +351,10 @@ class Environment:
             axes,
         )
 
-    def pause(self, t: float, ready: Callable[[], object], why: str) -> Wait:
-        """`PAUSE`."""
+    def pause(
+        self, t: float, ready: Callable[[], object], why: str, at: int
+    ) -> tuple[float, float] | None:
+        """`PAUSE` at a place: as `rest`; nothing where another task acts meanwhile: `wait`."""
         self.acts += 1
         task = self.task
 
@@ -360,7 +362,21 @@ class Environment:
             self.task = task  # whose TIME the condition may read
             return ready()
 
-        return Condition(self.attention, test).wait(self.statements.leave(t), why)
+        wait = self.wait = Condition(self.attention, test).wait(self.statements.leave(t), why)
+        scheduler = self.machine.scheduler
+        if scheduler is None or not scheduler.passes(wait, self._undisturbed):
+            return None
+        clock, statements = self.clock, self.statements
+        self.machine.log.waits.add((task.name, at, wait.since, clock.now, wait.cause, wait.what, why))
+        if self.fired != clock.fired:
+            task.noticed(self)
+        t = statements.arrive(clock.now)
+        return t, statements.limit(min(clock.next_time(), scheduler.until))
+
+    def _undisturbed(self) -> bool:
+        """Whether nothing can have befallen the running task while it waited but that it may go on."""
+        task = self.task
+        return not (task.suspended or task.done or self._errors or self.quanta)
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""

@@ -45,9 +45,7 @@ class MintTask(GeneratorTask):
         environment.task = self
         clock = environment.clock
         if environment.fired != clock.fired:
-            environment.fired = clock.fired
-            environment.acts += 1
-            self.look = self.in_vain = None
+            self.noticed(environment)
         if environment.ran is not self or environment.leaps != clock.leaps:
             environment.resumed += 1
             environment.leaps = clock.leaps
@@ -83,6 +81,12 @@ class MintTask(GeneratorTask):
         environment = self.environment
         quantum = environment.quanta.get(self.name)
         return INFINITY if quantum is None else (quantum - 0.5) * environment.machine.instruction_time
+
+    def noticed(self, environment: Environment) -> None:
+        """Events have fired since the program last looked: whatever it polled may be another now."""
+        environment.fired = environment.clock.fired
+        environment.acts += 1
+        self.look = self.in_vain = None
 
     def time_at_error(self, error: BaseException) -> float:
         reached = super().time_at_error(error)
