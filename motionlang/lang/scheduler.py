@@ -152,16 +152,16 @@ class Scheduler:
                 self._forget(task)
         return True
 
-    def passes(self, wait: Wait, undisturbed: Callable[[], bool]) -> bool:
+    def passes(self, wait: Wait) -> bool:
         """Let the time of a wait pass under the task that runs, as it would pass while it gave way; false: it must.
 
         So it is where there is one task, nobody holds the clock, nothing else begins meanwhile, and an end is in sight.
         """
         clock = self.clock
-        if not self.by_itself or self._end or not undisturbed():
+        if not self.by_itself or self._end:
             return False
         clock.advance(wait.since)
-        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts and undisturbed():
+        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
             if wait.ready():
                 return True
             time = min(wait.due(), clock.next_time())

@@ -351,9 +351,7 @@ class Environment:
             axes,
         )
 
-    def pause(
-        self, t: float, ready: Callable[[], object], why: str, at: int
-    ) -> tuple[float, float] | None:
+    def pause(self, t: float, ready: Callable[[], object], why: str, at: int) -> tuple[float, float] | None:
         """`PAUSE` at a place: as `rest`; nothing where another task acts meanwhile: `wait`."""
         self.acts += 1
         task = self.task
@@ -364,7 +362,9 @@ class Environment:
 
         wait = self.wait = Condition(self.attention, test).wait(self.statements.leave(t), why)
         scheduler = self.machine.scheduler
-        if scheduler is None or not scheduler.passes(wait, self._undisturbed):
+        if self._errors is not None or "event onerror" in self.blocks:
+            return None  # what goes wrong meanwhile is not this statement's
+        if scheduler is None or not scheduler.passes(wait):
             return None
         clock, statements = self.clock, self.statements
         self.machine.log.waits.add((task.name, at, wait.since, clock.now, wait.cause, wait.what, why))
@@ -372,11 +372,6 @@ class Environment:
             task.noticed(self)
         t = statements.arrive(clock.now)
         return t, statements.limit(min(clock.next_time(), scheduler.until))
-
-    def _undisturbed(self) -> bool:
-        """Whether nothing can have befallen the running task while it waited but that it may go on."""
-        task = self.task
-        return not (task.suspended or task.done or self._errors or self.quanta)
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""
@@ -396,16 +391,7 @@ class Environment:
     def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take a semaphore, or give back what this task holds; false while another task holds it."""
         self.acts += 1
-        holder = semaphore[0]
-        if holder is not None and holder.done:
-            holder = None  # what a task holds is free when it ends
-        if not wanted:
-            semaphore[0] = None if holder is self.task else holder
-            return True
-        if holder is not None and holder is not self.task:
-            return False
-        semaphore[0] = self.task
-        return True
+        return self.task.take(semaphore, wanted)
 
     def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
         """Wait until nobody holds a semaphore."""

@@ -88,6 +88,19 @@ class MintTask(GeneratorTask):
         environment.acts += 1
         self.look = self.in_vain = None
 
+    def take(self, semaphore: list[MintTask | None], wanted: int) -> bool:
+        """Take a semaphore, or give back what this task holds; false while another task holds it."""
+        holder = semaphore[0]
+        if holder is not None and holder.done:
+            holder = None  # what a task holds is free when it ends
+        if not wanted:
+            semaphore[0] = None if holder is self else holder
+            return True
+        if holder is not None and holder is not self:
+            return False
+        semaphore[0] = self
+        return True
+
     def time_at_error(self, error: BaseException) -> float:
         reached = super().time_at_error(error)
         return self.environment.statements.at(reached) if reached else 0.0
