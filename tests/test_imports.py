@@ -17,7 +17,7 @@ PACKAGE = Path(motionlang.__file__).parent
 LAZY = {
     # The doors: each opens a family of modules, of which most programs need few.
     "cli/__init__.py": "commands complaints crash options run",
-    "cli/commands.py": "check input_files keywords plan profiles verify",
+    "cli/commands.py": "check completion input_files keywords plan profiles verify",
     "controller/axis_verbs.py": "motion.jog motion.profile_playback",
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries moves.path record.history record.trace triggers.latch triggers.limit",
@@ -65,7 +65,7 @@ LAZY = {
     "lang/machine/file.py": "machine.switch",
     "lang/scheduler.py": "recurrence",
     "mccl/keywords/reports_operations.py": "axis.status",
-    "mccl/lint/check.py": "lint.checks",
+    "mccl/lint/check.py": "lint.channels lint.checks",
     "mccl/resolve/decode.py": "resolve.nearest syntax.mistakes",
     "mccl/runtime/board.py": "keywords.switchable",
     "mint/compile/compiler.py": "compile.error_recovery compile.line_triggers",
@@ -88,6 +88,7 @@ LAZY = {
     "profile/packed.py": "ahead chain composed rate summed",
     "views/plot.py": "path_plot",
     "views/pvt_plot.py": "plot",
+    "cli/completion.py": "commands",
 }
 
 

@@ -225,7 +225,7 @@ class Ways:
 
     def _is_dead(self, function: Function, name: nodes.Name, symbol: Symbol | None) -> bool:
         """Whether a name is an input that nothing drives."""
-        row = self.facts.table.get(name.name) if symbol is None else None
+        row = name.row
         is_input = row is not None and row.driven == "input" and row.index == "input"
         return is_input and not self._input_may_change(function, name)
 
