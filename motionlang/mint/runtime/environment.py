@@ -367,7 +367,10 @@ class Environment:
         if scheduler is None or not scheduler.passes(wait):
             return None
         clock, statements = self.clock, self.statements
-        self.machine.log.waits.add((task.name, at, wait.since, clock.now, wait.cause, wait.what, why))
+        callers = task.callers()
+        self.machine.log.waits.add(
+            (task.name, at, wait.since, clock.now, wait.cause, wait.what, why, callers)
+        )
         if self.fired != clock.fired:
             task.noticed(self)
         t = statements.arrive(clock.now)
