@@ -81,6 +81,7 @@ LAZY = {
     "profile/packed.py": "ahead chain composed rate summed",
     "views/plot.py": "path_plot",
     "views/pvt_plot.py": "plot",
+    "mint/compile/overrides.py": "keywords",
 }
 
 

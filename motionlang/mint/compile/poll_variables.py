@@ -63,7 +63,7 @@ def _counts(b: Body, own: Symbol, value: nodes.Node) -> bool:
 
 def _own(b: Body, node: object) -> Symbol | None:
     """The variable of this function alone that a name stands for."""
-    symbol = b.scope.find(node.name) if isinstance(node, nodes.Name) and node.args is None else None
+    symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
     if (
         symbol is None
         or symbol.kind != "variable"
@@ -76,11 +76,7 @@ def _own(b: Body, node: object) -> Symbol | None:
 
 def _is_solved(b: Body, node: nodes.Node) -> bool:
     """Whether a value is nothing but a reading that can be asked for."""
-    row = (
-        b.whole.table.get(node.name)
-        if isinstance(node, nodes.Name) and b.scope.find(node.name) is None
-        else None
-    )
+    row = node.row if isinstance(node, nodes.Name) else None
     return row is not None and row.solved and _spelled(node) is not None
 
 
