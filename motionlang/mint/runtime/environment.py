@@ -7,7 +7,7 @@ from math import ceil, floor
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import TICK, Attention, Condition
 from motionlang.lang.task import Wait, wait_until
-from motionlang.mint.runtime.task import MintTask, TaskEnd
+from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -398,13 +398,7 @@ class Environment:
 
     def wait_for_semaphore(self, t: float, semaphore: list[MintTask | None]) -> Wait:
         """Wait until nobody holds a semaphore."""
-        return Wait(
-            self.statements.leave(t),
-            lambda: (holder := semaphore[0]) is None or holder.done,
-            lambda: INFINITY,
-            "for a semaphore",
-            "task",
-        )
+        return until_free(self.statements.leave(t), semaphore)
 
     # ---------------------------------------------------------------------------------------------- axes
 

@@ -109,3 +109,14 @@ class MintTask(GeneratorTask):
         """The wait of a suspended task."""
         now = self.environment.clock.now
         return Wait(now, lambda: not self.suspended, lambda: INFINITY, f"for TASKRESUME({self.name})", "task")
+
+
+def until_free(since: float, semaphore: list[MintTask | None]) -> Wait:
+    """The wait until nobody holds a semaphore."""
+    return Wait(
+        since,
+        lambda: (holder := semaphore[0]) is None or holder.done,
+        lambda: INFINITY,
+        "for a semaphore",
+        "task",
+    )
