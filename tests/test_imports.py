@@ -82,6 +82,7 @@ LAZY = {
     "views/plot.py": "path_plot",
     "views/pvt_plot.py": "plot",
     "mint/compile/overrides.py": "keywords",
+    "views/export.py": "mcap",
 }
 
 
