@@ -1,0 +1,149 @@
+"""All figures, each beside its bar: `python -m benchmarks [--halfway] [NAME …]`.
+
+A benchmark is a file of this folder that prints lines of `name value unit`. Those that count are ratios within one run,
+against a peer, a limit or the same thing done another way; `BARS` says how far they are to reach. Exit status 1 where
+one does not, or with `--halfway` where one does not come halfway, which also a machine with other work should.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+from rich.console import Console
+from rich.table import Table
+
+FOLDER = Path(__file__).parent
+# Order: what takes seconds first.
+NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
+         "servo", "serve", "pvt")  # fmt: skip
+
+
+class Bar(NamedTuple):
+    """How far a figure is to reach: at least, or at most, so much."""
+
+    at_least: bool
+    value: float
+
+    def holds(self, figure: float, slack: float = 1.0) -> bool:
+        """Whether a figure reaches it; with `slack` 2, whether it comes halfway."""
+        return figure * slack >= self.value if self.at_least else figure <= self.value * slack
+
+
+def _least(value: float) -> Bar:
+    return Bar(True, value)
+
+
+def _most(value: float) -> Bar:
+    return Bar(False, value)
+
+
+BARS: dict[str, Bar] = {
+    # Loops against the same loop in Python.
+    "loop_declared": _most(1.0),
+    "loop_undeclared": _most(1.0),
+    "loop_while": _most(2.0),
+    "loop_shared": _most(2.0),
+    "loop_four_tasks": _most(1.1),
+    # Text to code, against Lark and CPython.
+    "parse_vs_lark_as_shipped": _least(8.0),
+    "parse_vs_lark_gc_off": _least(8.0),
+    "parse_vs_ast_parse": _least(0.9),
+    "mccl_parse_vs_lark_as_shipped": _least(15.0),
+    "mccl_known_vs_lark_as_shipped": _least(7.8),
+    "compile_runnable": _most(3.0),
+    "compile_everything": _most(3.8),
+    # A process against an empty Python.
+    "start_cached": _most(2.0),
+    "start_first_sight": _most(3.5),
+    "start_table": _most(5.5),
+    # Machine time against CPU time.
+    "shift_speed": _least(250_000.0),
+    "poll_stands": _least(20_000.0),
+    "poll_error": _least(20_000.0),
+    "poll_jog_panel": _least(20_000.0),
+    "poll_cut_to_length": _least(20_000.0),
+    "poll_maximum": _least(5_000.0),
+    "poll_top_speed": _least(5_000.0),
+    "poll_counter": _least(5_000.0),
+    "poll_copy": _least(5_000.0),
+    "poll_left_alone_display": _least(0.95),
+    "poll_left_alone_mean": _least(0.95),
+    "poll_left_alone_cam_switch": _least(0.95),
+    "poll_left_alone_clock": _least(0.95),
+    "poll_left_alone_sum": _least(0.95),
+    "poll_32_tasks_reading": _most(2.0),
+    "poll_32_tasks_writing": _most(2.0),
+    "poll_32_tasks_beside_moves": _most(2.0),
+    "quantised-real-time": _least(80.0),
+    "both-real-time": _least(80.0),
+    "simulate-real-time": _least(1_600.0),
+    # Sampling against filling an array, a table of numbers against NumPy's.
+    "sample.one_profile_over_fill": _most(5.0),
+    "sample.table_of_2000_moves_over_fill": _most(25.0),
+    "output.savetxt_over_csv": _least(8.0),
+    # Sweeps against a bare run and against a loop in a shell.
+    "sweep_variant_by_bare_run": _most(1.3),
+    "sweep_thousand": _most(1.2),
+    "sweep_faster_than_shell": _least(50.0),
+    "diff_way_motion": _most(2.0),
+}
+
+
+def figures(name: str) -> dict[str, tuple[float, str]]:
+    """What one benchmark prints: value and unit by name. Raises CalledProcessError where it fails."""
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join((str(FOLDER.parent), str(FOLDER)))}
+    ran = subprocess.run(
+        [sys.executable, str(FOLDER / f"{name}.py")],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=environment,
+    )
+    found = {}
+    for line in ran.stdout.splitlines():
+        label, _, rest = line.partition(" ")
+        value, _, unit = rest.strip().partition(" ")
+        try:
+            found[label] = float(value.replace(",", "")), unit
+        except ValueError:
+            continue
+    return found
+
+
+def main(names: list[str]) -> int:
+    """Run the named benchmarks, or all; a table each as it is done."""
+    slack = 2.0 if "--halfway" in names else 1.0
+    names = [name for name in names if name != "--halfway"]
+    unknown = [name for name in names if name not in NAMES]
+    if unknown:
+        sys.stderr.write(f"there is no benchmark {unknown[0]}: {', '.join(NAMES)}\n")
+        return 2
+    console, short = Console(), []
+    for name in names or NAMES:
+        try:
+            found = figures(name)
+        except subprocess.CalledProcessError as error:
+            sys.stderr.write(f"{name}: {error.stderr.strip().splitlines()[-1]}\n")
+            short.append(name)
+            continue
+        table = Table("figure", "measured", "unit", "bar", "", title=name, title_justify="left", box=None)
+        for label, (value, unit) in found.items():
+            bar = BARS.get(label)
+            text = "" if bar is None else f"{'at least' if bar.at_least else 'at most'} {bar.value:g}"
+            verdict = "" if bar is None else "reached" if bar.holds(value) else "[red]short of it[/]"
+            if bar is not None and not bar.holds(value, slack):
+                short.append(label)
+            table.add_row(label, f"{value:g}", unit, text, verdict)
+        console.print(table)
+        console.print()
+    if short:
+        console.print(f"short of their bars: {', '.join(short)}")
+    return 1 if short else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,29 @@
+"""The benchmarks run, and no figure has fallen to half of its bar. The bars themselves are for a machine at rest."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+
+
+def benchmarks(*names: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "benchmarks", *names]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
+
+
+def test_ratios_within_one_run_come_halfway_to_their_bars() -> None:
+    ran = benchmarks("--halfway", "loop", "mccl")
+    assert (ran.returncode, ran.stderr) == (0, ""), ran.stdout
+    assert "loop_declared" in ran.stdout
+
+
+def test_every_benchmark_is_listed() -> None:
+    ran = benchmarks("none")
+    assert ran.returncode == 2
+    listed = re.findall(r"\w+", ran.stderr.partition(": ")[2])
+    files = {path.stem for path in (ROOT / "benchmarks").glob("*.py")}
+    assert files - {"__main__", "timing", "parse_program"} == set(listed)
