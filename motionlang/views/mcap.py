@@ -35,7 +35,12 @@ def write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> 
     writer = Writer(file, compression=CompressionType.ZSTD)
     writer.start(profile="", library=f"motionlang {__version__}")
     topics = _Topics(writer)
-    streams = [_motion(trace, rate, topics, progress), _channels(trace, topics), _program(trace, topics)]
+    streams = [
+        _motion(trace, rate, topics, progress),
+        _channels(trace, topics),
+        _program(trace, topics),
+        _events(trace, topics),
+    ]
     for sequence, (time, topic, message) in enumerate(merge(*streams, key=itemgetter(0))):
         writer.add_message(
             channel_id=topic, log_time=time, publish_time=time, data=message, sequence=sequence & 0xFFFFFFFF
@@ -91,6 +96,16 @@ def _channels(trace: Trace, topics: _Topics) -> Iterator[Message]:
         for time, value in zip(lane.times, lane.values, strict=True):
             found.append((round(time * PER_SECOND), number, json.dumps({"value": value}).encode()))
     return iter(sorted(found))
+
+
+def _events(trace: Trace, topics: _Topics) -> Iterator[Message]:
+    """Limits, faults, clamps, jumps: docs/events.md has the kinds."""
+    fields = {"kind": "string", "axis": "integer", "value": "number", "limit": "number", "text": "string"}
+    number = topics.add("/events", fields)
+    for event in trace.controller.log.events:
+        about = {"kind": event.kind, "axis": event.axis, "value": event.value, "limit": event.limit}
+        message = {name: value for name, value in about.items() if value is not None} | {"text": event.text}
+        yield round(event.time * PER_SECOND), number, json.dumps(message).encode()
 
 
 def _program(trace: Trace, topics: _Topics) -> Iterator[Message]:

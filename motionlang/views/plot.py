@@ -13,6 +13,7 @@ from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
 from motionlang.files import replacing
+from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import HEIGHTS, panels
@@ -24,11 +25,12 @@ from motionlang.views.plot_panel import (
     draw_lanes,
     draw_panel,
     is_shaded,
+    mark_events,
     name_moves,
 )
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE
-from motionlang.views.words import dialect_name, outcome
+from motionlang.views.words import GRAVE, dialect_name, outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -104,6 +106,8 @@ class _Picture:
             row for row in moves if row["start_time"] <= end and row["start_time"] + row["duration"] >= begin
         ]
         self.axes = chosen[:MOST_AXES]
+        happened: list[dict[str, Any]] = list(events_of(run))
+        self.events = [row for row in happened if row["kind"] in GRAVE and begin <= row["time"] <= end]
         self.moves = {axis: [row for row in rows if row["axis"] == axis] for axis in self.axes}
         self.panels = {axis: panels(trace, axis, servos.get(axis), self.span) for axis in self.axes}
         self.digital = [lane for lane in channels if lane.is_digital][:MOST_LANES]
@@ -148,6 +152,7 @@ def _draw_axis(group: Sequence[Axes], picture: _Picture, axis: int, second: floa
     for axes, panel in zip(group, picture.panels[axis], strict=True):
         draw_panel(axes, panel, rows, second)
     name_moves(group[0], rows, picture.span, second)
+    mark_events(group, [row for row in picture.events if row.get("axis") == axis], picture.span, second)
 
 
 def _draw_channels(group: Sequence[Axes], picture: _Picture, second: float) -> None:

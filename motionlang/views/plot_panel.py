@@ -27,9 +27,9 @@ PHASES = {
     "segment": "#f1ebf9",
     "hold": "#f4f6f8",
 }
-ON = "#3f6d9e"
+ON, EVENT = "#3f6d9e", "#b3261e"
 # Beyond these numbers shading is noise and names lie on top of each other.
-MOST_SHADED, MOST_NAMED = 60, 40
+MOST_SHADED, MOST_NAMED, MOST_EVENTS = 60, 40, 12
 # A letter of a name as a part of the width of the picture, and half a gap between two names.
 LETTER, GAP = 0.0072, 0.004
 
@@ -121,6 +121,27 @@ def name_moves(axes: Axes, rows: Rows, span: tuple[float, float], second: float)
         if text and middle - half >= free:
             free = middle + half + GAP
             _above(axes, text, (begin + middle * length) / second, "data", "center", 8.0)
+
+
+def mark_events(group: Sequence[Axes], rows: Rows, span: tuple[float, float], second: float) -> None:
+    """Limits, faults, velocity jumps: a line across the panels of its axis where one happened, named in the first."""
+    named: dict[float, list[str]] = {}
+    for row in rows[:MOST_EVENTS]:
+        named.setdefault(row["time"], []).append(row["kind"])
+    for time in named:
+        for axes in group:
+            axes.axvline(time / second, color=EVENT, linewidth=1.0, linestyle=(0, (3, 2)), zorder=2.5)
+    for time, kinds in named.items():
+        side = "right" if time > 0.5 * (span[0] + span[1]) else "left"
+        group[0].annotate(
+            f" {', '.join(dict.fromkeys(kinds))} ",
+            (time / second, 0.04),
+            xycoords=("data", "axes fraction"),
+            ha=side,
+            fontsize=7.5,
+            color=EVENT,
+            parse_math=False,
+        )
 
 
 def _names(row: dict[str, Any]) -> tuple[str, str, str]:

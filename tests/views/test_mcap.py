@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from motionlang.execution import run
+from motionlang.source import Source
 from motionlang.views.export import write_trace
 from tests.views.runs import pick
 from tests.views.test_vcd import switched
@@ -54,3 +56,14 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("one.mcap", "two.mcap"):
         write_trace(pick().trace, str(tmp_path / name), 50.0)
     assert (tmp_path / "one.mcap").read_bytes() == (tmp_path / "two.mcap").read_bytes()
+
+
+def test_events_are_a_topic(tmp_path: Path) -> None:
+    jumping = Source("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n")
+    write_trace(run(jumping, cache=False).trace, str(tmp_path / "x.mcap"), 10.0)
+    found = messages(tmp_path / "x.mcap")["/events"]
+    assert [(row["kind"], row["axis"], row["value"]) for _, row in found][-1] == (
+        "velocity jump",
+        0,
+        pytest.approx(50.0),
+    )

@@ -13,7 +13,9 @@ import pytest
 from motionlang.controller.servo import Loop, simulate
 from motionlang.controller.servo.settings import make_plant
 from motionlang.controller.servo.trace import ServoTrace
+from motionlang.execution import run
 from motionlang.result import Run
+from motionlang.source import Source
 from motionlang.views import plot
 from motionlang.views.plot import write_plot
 from motionlang.views.plot_panel import _ends_high
@@ -155,3 +157,10 @@ def test_a_path_is_drawn_in_the_colour_of_its_speed(tmp_path: Path, axes: tuple[
     found = re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "x.svg").read_text(encoding="utf-8"))
     assert any(text.startswith("speed (uu/s), at most ") for text in found)
     assert all(f"axis {axis} (uu)" in found for axis in axes)
+
+
+@pytest.mark.usefixtures("texts")
+def test_a_velocity_jump_is_marked(tmp_path: Path) -> None:
+    jumping = Source("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\nWAIT(500)\n")
+    assert any("velocity jump" in text for text in drawn(run(jumping, cache=False), tmp_path))
+    assert not any("velocity jump" in text for text in drawn(pick(), tmp_path))

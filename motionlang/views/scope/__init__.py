@@ -28,7 +28,7 @@ from motionlang.views.panels import UNITS, panels
 from motionlang.views.plot_panel import PHASES
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE
-from motionlang.views.words import dialect_name, figure, outcome
+from motionlang.views.words import GRAVE, dialect_name, figure, outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 PARTS = ("model", "panels", "draw", "path", "tools", "script")
-GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "velocity jump")
 LONGEST_LINE = 120
 """Characters of a program's line that are shown beside the cursor."""
 
