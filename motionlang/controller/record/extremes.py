@@ -164,17 +164,22 @@ def _searched(profile: Profile, begin: float, end: float) -> list[tuple[float, S
 
 # What is rounding and no jump, as a part of what it is beside: a velocity, an acceleration.
 _ROUNDING = 1e-9
+# Seconds before the end of a stretch that may be missing in it.
+_MOMENT = 1e-10
 
 
 def _jump(found: Extremes, now: float, left: State, right: State) -> None:
     """What is there at once between two states at one time has an infinite derivative."""
-    largest = max(abs(left.velocity), abs(right.velocity))
-    if abs(right.velocity - left.velocity) > _ROUNDING * max(largest, 1.0):
+    if _differ(left.velocity, right.velocity, left.acceleration, right.acceleration):
         found.acceleration, found.jerk = Extreme(inf, now), Extreme(inf, now)
-    elif abs(right.acceleration - left.acceleration) > _ROUNDING * max(
-        abs(left.acceleration), abs(right.acceleration), 1.0
-    ):
+    elif _differ(left.acceleration, right.acceleration, left.jerk, right.jerk):
         found.jerk = Extreme(inf, now)
+
+
+def _differ(left: float, right: float, slope: float, slope_after: float) -> bool:
+    """Whether two values are not the same but for rounding, and for the last moment that a formula is not asked for."""
+    rounding = _ROUNDING * max(abs(left), abs(right), 1.0)
+    return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
 
 
 def _in_units(a: Axis, state: State) -> State:
