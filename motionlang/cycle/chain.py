@@ -8,7 +8,7 @@ had ended. Whatever is shortened outside of the chain does not make the run shor
 from __future__ import annotations
 
 from bisect import bisect_right
-from operator import itemgetter
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.cycle.places import Place, Places
@@ -56,14 +56,13 @@ class Link(NamedTuple):
         return bool(self.axes)
 
 
-class Motion(NamedTuple):
+class Motion:
     """A move as the chain sees it: axes that move together are one, and `move` is that of the first."""
 
-    axes: tuple[int, ...]
-    line: int
-    begin: float
-    end: float
-    move: Move
+    __slots__ = ("axes", "begin", "end", "line", "move")
+
+    def __init__(self, axes: tuple[int, ...], line: int, begin: float, end: float, move: Move) -> None:
+        self.axes, self.line, self.begin, self.end, self.move = axes, line, begin, end, move
 
 
 class Chain:
@@ -244,8 +243,8 @@ class Chain:
         """
         first = motion.begin if begin is None else begin
         place, edge = self._places.at_line(motion.line), motion.begin
-        if place.sub == waited.sub:
-            place = place._replace(callers=waited.callers)
+        if place.sub == waited.sub and waited.callers:
+            place = self._places.called(place.line, waited.callers)
         edges = []
         profile = motion.move.profile
         for phase in profile.phases if profile is not None else ():
@@ -262,14 +261,20 @@ class Chain:
 
 def _motions(run: Run) -> list[Motion]:
     """Every move by its end; axes that begin and end together on one line are one."""
-    together: dict[tuple[float, float, int], list[Move]] = {}
+    found: list[Motion] = []
+    same: Motion | None = None
     over = run.time
     for move in run.controller.log.moves:
-        profile, begin = move.profile, move.start_time
-        if profile is not None:
-            end = begin + profile.duration
-            together.setdefault((end if end < over else over, begin, move.line), []).append(move)
-    return [
-        Motion(tuple([move.axis for move in moves]), line, begin, end, moves[0])
-        for (end, begin, line), moves in sorted(together.items(), key=itemgetter(0))
-    ]
+        profile, begin, line = move.profile, move.start_time, move.line
+        if profile is None:
+            continue
+        end = begin + profile.duration
+        if end > over:
+            end = over
+        if same is not None and same.end == end and same.begin == begin and same.line == line:
+            same.axes += (move.axis,)
+        else:
+            same = Motion((move.axis,), line, begin, end, move)
+            found.append(same)
+    found.sort(key=attrgetter("end", "begin"))
+    return found

@@ -24,6 +24,7 @@ class Places:
         self._run = run
         self._lines: dict[int, int] = {}
         self._blocks = run.dialect.blocks(run.source)
+        self._called: dict[tuple[int, tuple[int, ...]], Place] = {}
         self._at_lines: dict[int, Place] = {}
         self._known: dict[tuple[int, tuple[int, ...]], Place] = {}
 
@@ -45,6 +46,13 @@ class Places:
             line = self.line(wait.at)
             self._known[key] = Place(line, self.sub(line), tuple(map(self.line, wait.callers)))
         return self._known[key]
+
+    def called(self, line: int, callers: tuple[int, ...]) -> Place:
+        """A line to which the lines of `callers` led."""
+        key = line, callers
+        if key not in self._called:
+            self._called[key] = Place(line, self.sub(line), callers)
+        return self._called[key]
 
     def at_line(self, line: int) -> Place:
         """A line of which nobody knows who led there."""

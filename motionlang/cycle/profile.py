@@ -167,15 +167,19 @@ class TimeProfile:
 
 
 def _alike(links: Iterable[Link]) -> dict[object, tuple[Link, list[float]]]:
-    """Links that differ in nothing but their times: one of them, and how long each of them took."""
+    """Links that differ in nothing but their times: one of them, and how long each of them took.
+
+    There is one `Place` of each place, so that its identity says which it is.
+    """
     found: dict[object, tuple[Link, list[float]]] = {}
     for link in links:
-        key = link.place, link.cause, link.axes
+        begin, end, cause, place, _, axes = link
+        key = id(place), cause, axes
         known = found.get(key)
         if known is None:
-            found[key] = link, [link.end - link.begin]
+            found[key] = link, [end - begin]
         else:
-            known[1].append(link.end - link.begin)
+            known[1].append(end - begin)
     return found
 
 

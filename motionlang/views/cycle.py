@@ -61,8 +61,9 @@ def render_profile(
         [styled(f"where the {clock_time(whole)} go", "bold", colour)],
         _kinds(made, whole, width, colour),
     ]
-    if made.slacks():
-        parts.append([_slack(row.axis, row.other, row.seconds) for row in made.slacks()])
+    slacks = made.slacks()
+    if slacks:
+        parts.append([_slack(row.axis, row.other, row.seconds) for row in slacks])
     parts.append(_lines(made, whole, width, colour, everything))
     subs = made.subs()
     if len(subs) > 1:
