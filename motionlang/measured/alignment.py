@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from motionlang.profile.formula import summit
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -21,7 +23,6 @@ if TYPE_CHECKING:
 
 # Steps of the coarse grid at most, and points that the fine search looks at.
 COARSE, FINE = 1 << 16, 20_000
-_GOLDEN = 0.6180339887498949
 
 
 class Signal(NamedTuple):
@@ -50,7 +51,8 @@ def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
     if coarse is None:
         return None
     middle, step = coarse
-    return _golden(lambda delay: _misfit(trace, signals, delay), middle - 2.0 * step, middle + 2.0 * step)
+    low, high = middle - 2.0 * step, middle + 2.0 * step
+    return summit(lambda delay: -_misfit(trace, signals, delay), low, high)
 
 
 def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) -> float | None:
@@ -101,23 +103,6 @@ def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
         left -= left.mean()
         total += float(left @ left) / (float(np.var(values)) * len(values) or 1.0)
     return total
-
-
-def _golden(misfit: object, low: float, high: float) -> float:
-    """Where a function is lowest between two points, by golden section, to a billionth of the way."""
-    assert callable(misfit)
-    a, b = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-    at_a, at_b = misfit(a), misfit(b)
-    for _ in range(44):
-        if at_a <= at_b:
-            high, b, at_b = b, a, at_a
-            a = high - _GOLDEN * (high - low)
-            at_a = misfit(a)
-        else:
-            low, a, at_a = a, b, at_b
-            b = low + _GOLDEN * (high - low)
-            at_b = misfit(b)
-    return 0.5 * (low + high)
 
 
 def fit(expected: Array, values: Array) -> tuple[float, float]:
