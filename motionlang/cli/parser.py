@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import argparse
 import re
+import sys
 from typing import TYPE_CHECKING, NoReturn
 
 from motionlang.errors import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+
+    from _typeshed import SupportsWrite
 
 
 # Numbers below zero are values, never options; argparse itself does not know those with an exponent.
@@ -27,6 +30,11 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Say what is wrong in two lines and end with 2; the usage line is what --help is for."""
         self.exit(2, f"{self.prog}: error: {_in_our_words(message)}\n  hint: {self._hint(message)}\n")
+
+    def _print_message(self, message: str, file: SupportsWrite[str] | None = None) -> None:
+        """Write a help text; argparse itself does not say where it could not be written."""
+        (file or sys.stderr).write(message)
+        sys.stdout.flush()
 
     def _hint(self, message: str) -> str:
         wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)

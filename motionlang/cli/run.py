@@ -92,6 +92,8 @@ def _result(options: Options) -> Run | int:
 
 def _tell(result: Run, options: Options) -> int:
     """The report and what there is to complain of; answers with the exit status."""
+    if isinstance(result.crash, OSError):  # of what the program has printed: `main` knows what that means
+        raise result.crash
     if result.crash is not None:
         result.diagnostics.append(
             _crash(result.crash, options, result.source if options.file == STDIN else None)

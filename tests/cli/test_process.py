@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import subprocess
@@ -10,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.programs import BALLSCREW
+from tests.cli.programs import BALLSCREW, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
 
@@ -21,6 +22,62 @@ def test_a_reader_that_goes_away_is_no_error(tmp_path: Path) -> None:
     ran = subprocess.run([*COMMAND, "keywords"], stdout=write, stderr=subprocess.PIPE, text=True, check=False)
     os.close(write)
     assert (ran.returncode, ran.stderr) == (141, "")
+
+
+# Programs for commands whose reader goes away: one prints more than a pipe's buffer holds, one moves.
+LOUD = 'Dim i As Integer\nFor i = 1 To 2000\nPRINT "line "; i\nNext\n'
+MOVES = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n"
+WRITERS = """\
+--help
+--version
+run --help
+run loud.mnt
+run loud.mnt --report none
+run loud.mnt --report none --prove
+run loud.mnt --report none --realtime 1000
+run loud.mnt --report json
+run moves.mnt
+run moves.mnt --profile --all
+run moves.mnt --paths
+run moves.mnt --prove
+run moves.mnt --certify
+run wrong.mnt --report json
+repl loud.mnt
+check moves.mnt
+check moves.mnt --json
+keywords SPEED
+plan --distance 10 --time 1 --rule third
+profiles
+diff moves.mnt loud.mnt
+diff moves.mnt moves.mnt
+sweep moves.mnt --vary controller.axes=1,2
+verify moves.mnt
+verify moves.mnt --json
+pvt --help
+servo slip --help
+"""
+
+
+def test_every_command_ends_quietly_where_its_reader_goes_away(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    crashes = tmp_path_factory.mktemp("crashes")
+    monkeypatch.setattr("tempfile.tempdir", str(crashes))
+    cell.write("loud.mnt", LOUD)
+    cell.write("moves.mnt", MOVES)
+    cell.write("moves.machine.toml", "[axis.0.limits]\nspeed = 500\n")
+    cell.write("wrong.mnt", "PRIMT 1\n")
+    ends = {}
+    for command in WRITERS.splitlines():
+        read, write = os.pipe()
+        os.close(read)
+        with open(write, "w") as pipe, monkeypatch.context() as patched:
+            patched.setattr(sys, "stdin", io.StringIO(""))
+            patched.setattr(sys, "stdout", pipe)
+            ran = cell(*command.split())
+        ends[command] = ran.status, ran.err
+    assert ends == dict.fromkeys(ends, (141, ""))
+    assert list(crashes.iterdir()) == []
 
 
 def test_a_full_disk_under_standard_output_is_said_once() -> None:
