@@ -203,6 +203,16 @@ class Axis:
         i = bisect_right(starts, time) - 1
         return starts[i], self.profiles[i]
 
+    def next_start(self, time: float) -> float:
+        """When the profile after the one in force at `time` begins; infinite for the last one."""
+        starts = self.starts
+        if time >= starts[-1]:
+            return float("inf")
+        if time < starts[0] and self.older is not None:
+            k = self.older.in_force(time) + 1
+            return self.older.start(k) if k < self.older.count else starts[0]
+        return starts[bisect_right(starts, time)]
+
     def end_of_motion(self) -> float:
         """The time at which the present profile is done: infinite while jogging."""
         last = self.profiles[-1]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
@@ -51,10 +49,11 @@ class Takeup:
 
     def _stretch(self, now: float) -> tuple[float, int]:
         """Up to when the axis goes one way, and which."""
-        a, begin = self._axis, self._time
-        k = max(bisect_right(a.starts, begin) - 1, 0)
-        start, profile = a.starts[k], a.profiles[k]
-        end = min(now, a.starts[k + 1]) if k + 1 < len(a.starts) else now
+        begin = self._time
+        start, profile = self._axis.in_force(begin)
+        end = min(now, self._axis.next_start(begin))
+        if start > begin:  # a session that has run for long has forgotten what was in force
+            return min(start, end), 0
         turn = profile.velocity_crossing(0.0, begin - start + 1e-9) if profile.peak_speed else None
         if turn is not None and begin < start + turn < end:
             end = start + turn

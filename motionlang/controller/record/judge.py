@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 # A part of the largest figure that rounding may be worth.
 SLACK = 1e-6
+# By how much of itself an end may be late, which is a beginning and a time added up.
+ROUNDED = 4e-16
 # Paths that may be blended into one another at one time.
 _AT_ONCE = 100
 
@@ -173,6 +175,6 @@ def _gone(move: Move, time: float) -> tuple[float, float]:
 def position(a: WholeTrack, time: float, ending: bool = False) -> float:
     """The position of a track; `ending` before what begins at that very moment, such as another zero."""
     i = a.place(time)
-    while ending and i > 0 and a.starts[i] == time:
+    while ending and i > 0 and a.starts[i] >= time - ROUNDED * (1.0 + time):
         i -= 1
     return a.profiles[i].position(time - a.starts[i])

@@ -133,6 +133,25 @@ def test_a_track_is_read_as_one_list() -> None:
     )
 
 
+def test_play_is_taken_up_by_motion_that_is_packed_too(request: pytest.FixtureRequest) -> None:
+    """600 moves of 0.01 at 1000/s² are 3.79 s of motion; play of 2 that takes 20 s is taken up by 0.379."""
+    program = """Dim n As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+BACKLASH(0) = 2 : BACKLASHINTERVAL(0) = 20000 : BACKLASHMODE(0) = 1
+For n = 1 To 600
+  MOVER(0) = 0.01 : GO(0)
+  PAUSE IDLE(0)
+Next
+PRINT ENCODER(0) - POS(0)
+"""
+    whole = run(Source("play.mnt", program), cache=False)
+    request.getfixturevalue("small")
+    packed = run(Source("play.mnt", program), cache=False)
+    assert (whole.controller.axes[0].older is None, packed.controller.axes[0].older is None) == (True, False)
+    assert packed.output == whole.output
+    assert float(packed.output[0]) == pytest.approx(2.0 * 600 * 2.0 * (0.01 / 1000.0) ** 0.5 / 20.0, rel=1e-4)
+
+
 def test_a_stream_forgets_and_keeps_its_numbers(small: None) -> None:
     numbers: Stream[tuple[int]] = Stream(Store())
     for k in range(100):

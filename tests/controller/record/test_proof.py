@@ -105,6 +105,16 @@ def test_what_is_ordered_has_its_name(program: str) -> None:
     assert list(proof.exceptions) == [ORDERED[program]]
 
 
+def test_a_position_is_given_a_new_value_at_the_moment_at_which_a_move_is_cut_off() -> None:
+    """The end of the move, its beginning and its time added up, is one rounding behind that moment."""
+    program = "WA0.1\n1MN,1SV20000,1MA5000\nWA0.125,1RT\n"
+    result = run(Source("reset.mcl", program), machine={}, cache=False, prove=True)
+    (move,) = result.controller.log.moves
+    assert move.profile is not None
+    assert move.start_time + move.profile.duration > result.controller.axes[1].starts[-1]
+    assert found(result) == []
+
+
 # Paths of more than one pace, and a stop on one: each broke a bound once.
 PACES = (
     # A path shorter than the ramp to its speed: 420.5 uu/s² without a forward pass.
