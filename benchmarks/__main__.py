@@ -19,7 +19,7 @@ from rich.table import Table
 FOLDER = Path(__file__).parent
 # Order: what takes seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "pvt")  # fmt: skip
+         "servo", "serve", "pvt", "watches")  # fmt: skip
 
 
 class Bar(NamedTuple):
@@ -78,6 +78,7 @@ BARS: dict[str, Bar] = {
     "poll_32_tasks_reading": _most(2.0),
     "poll_32_tasks_writing": _most(2.0),
     "poll_32_tasks_beside_moves": _most(2.0),
+    "watches_thousand": _most(3.0),
     "quantised-real-time": _least(80.0),
     "both-real-time": _least(80.0),
     "simulate-real-time": _least(1_600.0),

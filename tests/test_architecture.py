@@ -57,7 +57,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("scheduler",),
     ),
     "controller": (
-        ("clock", "scale", "faults", "move"),
+        ("clock", "scale", "faults", "move", "watches"),
         ("axis",),
         ("triggers",),
         ("servo",),

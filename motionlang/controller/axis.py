@@ -11,6 +11,7 @@ from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.scale import Scale
+from motionlang.controller.watches import Watches
 from motionlang.profile import hold
 from motionlang.profile.limits import LARGEST
 
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.feedback import Feedback
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
-    from motionlang.controller.triggers.watch import Watch
     from motionlang.profile import Profile, State
 
 # What an axis starts with; a dialect's table may say otherwise (Mint's SPEED is 40000).
@@ -159,7 +159,7 @@ class Axis:
         self.profiles: list[Profile] = [hold(0.0)]
         # What began before those, packed.
         self.older: Profiles | None = None
-        self.watches: list[Watch] = []
+        self.watches = Watches()
         # Called with each new profile at the moment it begins, such as by an axis that is geared to this one.
         self.followers: list[Callable[[Profile], None]] = []
         self.limits: list[Limit] = []

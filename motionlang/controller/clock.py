@@ -38,19 +38,34 @@ class Clock:
     went on over what was known to repeat itself.
     """
 
-    __slots__ = ("_heap", "fired", "horizon", "leaps", "made", "now")
+    __slots__ = ("_heap", "_kept", "fired", "horizon", "leaps", "made", "now")
 
     def __init__(self) -> None:
         self.now = 0.0
         self.horizon = INFINITY
         self.made = self.fired = self.leaps = 0
+        self._kept = 0  # places in the order that are kept for events entered later
         self._heap: list[tuple[float, int, Event]] = []
 
     def at(self, time: float, call: Callable[[], None]) -> Event:
         """Call `call` at `time`; events of one time run in the order in which they were made."""
         event = Event(time, call)
         self.made += 1
-        heappush(self._heap, (time, self.made, event))
+        heappush(self._heap, (time, self.made + self._kept, event))
+        if time < self.horizon:
+            self.horizon = time
+        return event
+
+    def keep(self, count: int) -> int:
+        """Keep `count` places in the order of events, as if they were made now; the last of those before them."""
+        first = self.made + self._kept
+        self._kept += count
+        return first
+
+    def at_kept(self, time: float, order: int, call: Callable[[], None]) -> Event:
+        """The same as `at`, in a place that was kept for it."""
+        event = Event(time, call)
+        heappush(self._heap, (time, order, event))
         if time < self.horizon:
             self.horizon = time
         return event

@@ -14,7 +14,7 @@ from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
 from motionlang.controller.triggers import events
 from motionlang.controller.triggers.conditions import Together, refuse_motion, release
-from motionlang.controller.triggers.watch import arm
+from motionlang.controller.triggers.next_watches import follow
 from motionlang.profile import hold
 from motionlang.profile.trapezoid import plan_trapezoid
 
@@ -153,9 +153,8 @@ class Core(Readings):
         if a.feedback is not None:
             a.feedback.changed()
         else:
-            for watch in tuple(a.watches):
-                if watch in a.watches:  # what is passed in this very moment may end others
-                    arm(a, watch, self.clock, now)
+            if a.watches.all:
+                follow(a, self.clock)
             if a.profiles[-1] is not profile:  # what was passed has given it another one, and told of that
                 return
         for follower in tuple(a.followers):

@@ -245,8 +245,6 @@ class Readings:
     def unwatch(self, axis: int, watch: Watch) -> None:
         """End a watch."""
         self.axes[axis].watches.remove(watch)
-        if watch.event is not None:
-            watch.event.cancel()
 
     def input(self, channel: int) -> float:
         return self.inputs[channel]

@@ -119,10 +119,7 @@ class Cells:
             watch.side = 1 if k < self.index else -1
 
     def _unwatch(self, k: int) -> None:
-        watch = self._watches.pop(k)
-        self._track.watches.remove(watch)
-        if watch.event is not None:
-            watch.event.cancel()
+        self._track.watches.remove(self._watches.pop(k))
 
     def _enter(self, index: int) -> None:
         self.index = index

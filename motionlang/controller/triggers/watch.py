@@ -1,7 +1,7 @@
 """Watches: something that happens when an axis passes a position, at the exact time at which it passes.
 
 Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Each time an
-axis gets a new profile its watches are solved anew; nothing polls.
+axis gets a new profile those next to it are solved anew (see `next_watches`); nothing polls.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Clock, Event
+    from motionlang.controller.triggers.next_watches import Front
     from motionlang.profile import Profile
 
 # Counts within which an axis stands on a position: far below any encoder, far above rounding.
@@ -28,12 +29,14 @@ class Watch:
     the program gives the axis a new zero. Others, such as software limits, are positions as the program counts.
     """
 
-    __slots__ = ("call", "event", "physical", "position", "side")
+    __slots__ = ("call", "event", "front", "order", "physical", "position", "side")
 
     def __init__(self, position: float, call: Callable[[int], None], physical: bool) -> None:
         self.position, self.call, self.physical = position, call, physical
         self.side = 0  # where the axis was last: above, below, or not known yet
         self.event: Event | None = None
+        self.order = 0  # its place among those of its axis
+        self.front: Front | None = None  # where it is among the next ones of its axis
 
 
 def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
@@ -49,11 +52,35 @@ def arm(axis: Axis, watch: Watch, clock: Clock, now: float) -> None:
         pass_now = due.call
         due.cancel()
         pass_now()
+        if watch not in axis.watches.all:  # it has ended in its own call
+            return
+    axis.watches.loose[watch] = None
+    if watch.front is not None:
+        watch.front.leave(watch)
+    side = take_side(axis, watch, axis.profiles[-1].position(now - axis.starts[-1]))
+    _solve(axis, watch, clock, now, side)
+
+
+def take_side(axis: Axis, watch: Watch, here: float) -> int:
+    """The side of a watch on which an axis is that is `here`, 0 on it, which leaves the watch as it was."""
     position = place(axis, watch)
-    side = _side(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
+    side = side_of(here - position, position)
     if side:
         watch.side = side
-    _solve(axis, watch, clock, now, side)
+    return side
+
+
+def solve_kept(axis: Axis, watch: Watch, clock: Clock, start: float, profile: Profile, at: float, side: int,
+               order: int) -> None:  # fmt: skip
+    """Set the event of the first change of sides on a profile that began at `start`, in its place in the order.
+
+    `at` is where the watch was then, `side` on which side of it the axis was.
+    """
+    found, after = _next(profile, at, 0.0, side)
+    if found is not None:
+        watch.event = clock.at_kept(
+            start + found, order, lambda: _changed(axis, watch, clock, after, reached=side != 0)
+        )
 
 
 def _solve(axis: Axis, watch: Watch, clock: Clock, now: float, side: int) -> None:
@@ -98,6 +125,8 @@ def _crossing(profile: Profile, position: float, elapsed: float, direction: int)
 def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -> None:
     """The axis has `reached` the position, or has left it; either way it now counts as being on `side`."""
     watch.event = None
+    if watch.front is not None:
+        watch.front.leave(watch)
     before, watch.side = watch.side, side
     _solve(axis, watch, clock, clock.now, 0 if reached else side)
     if before and before != side:
@@ -109,7 +138,8 @@ def place(axis: Axis, watch: Watch) -> float:
     return watch.position + axis.datum if watch.physical else watch.position
 
 
-def _side(distance: float, position: float) -> int:
+def side_of(distance: float, position: float) -> int:
+    """The side of a position, seen from which something is at a distance; 0 where it stands on it."""
     within = margin(position)
     return (distance > within) - (distance < -within)
 

@@ -97,8 +97,6 @@ class Triggers:
         track, watch = self._watches.pop(axis, (None, None))
         if track is not None and watch is not None:
             track.watches.remove(watch)
-            if watch.event is not None:
-                watch.event.cancel()
         if self.mode(axis) != AT_POSITION:
             return
         from motionlang.mint.keywords.following_masters import master
