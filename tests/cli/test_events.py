@@ -98,13 +98,19 @@ def test_what_happened(case: str) -> None:
 
 
 def test_a_limit_that_a_homing_meets_is_no_matter(cell: Cell) -> None:
-    cell.write("home.mnt", SETTINGS + "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_LIMIT\nPAUSE IDLE(0)\n")
-    cell.write("home.machine.toml", "[axis.0]\ntravel = [-10.0, 100.0]\n")
-    ran = cell("run", "home.mnt", "--report", "json", "--no-cache")
-    report = json.loads(ran.out)
-    limits = [each for each in report["events"] if each["kind"] == "limit"]
-    assert all(each["text"] == "homing" for each in limits)
-    assert ran.status == 0 or not limits
+    """The switch lies beyond the travel: the homing ends at the limit; what moves there by itself has status 1."""
+    cell.write("home.machine.toml", "[axis.0]\ntravel = [-10.0, 100.0]\nhome_switch = [-22.0, -20.0]\n")
+    for word, text, status in (
+        ("HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_SWITCH", "homing", 0),
+        ("MOVER(0) = -20 : GO(0)", "reverse limit, abort", 1),
+    ):
+        cell.write("home.mnt", f"{SETTINGS}{word}\nPAUSE IDLE(0)\n")
+        ran = cell("run", "home.mnt", "--report", "json", "--no-cache")
+        limits = [each for each in json.loads(ran.out)["events"] if each["kind"] == "limit"]
+        assert [(each["text"], round(each["value"], 9), each["limit"]) for each in limits] == [
+            (text, -10.0, -10.0)
+        ], word
+        assert (ran.status, "--allow limit" in ran.err) == (status, status == 1), word
 
 
 def test_the_exit_status_is_that_of_the_events_and_allow_takes_them_off(cell: Cell) -> None:
