@@ -179,6 +179,11 @@ class Machine:
             f"{move.command} starts motion after motion and waits for none: {count} of them in {span:.3g} s"
         )
         hint = "wait for the end of each, or let time pass between them"
+        if not any(
+            each.profile is None or each.profile.duration for each in self.controller.log.moves[-count:]
+        ):
+            message = f"{move.command} sends its axis again and again to where it stands: {count} times in {span:.3g} s"
+            hint = "each of them takes no time; let the loop end, or let time pass in it"
         self.complain(Diagnostic("never-waits", message, move.line, hint=hint, severity="warning"))
 
     def moving(self) -> list[int]:

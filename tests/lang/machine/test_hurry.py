@@ -30,3 +30,11 @@ def test_many_moves_that_are_waited_for_are_none() -> None:
     )
     result = run(Source("a.mnt", text), cache=False)
     assert (len(result.controller.log.moves), result.diagnostics) == (1100, [])
+
+
+def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
+    """It waits, but for nothing: each of its moves is over when it begins."""
+    text = "Loop\n  MOVEA(0) = 0 : GO(0)\n  PAUSE IDLE(0)\nEnd Loop\n"
+    (found,) = ran("a.mnt", text).diagnostics
+    assert (found.code, found.line) == ("never-waits", 2)
+    assert found.message.startswith("MOVEA sends its axis again and again to where it stands: 1024 times in ")
