@@ -6,6 +6,7 @@ import argparse
 import json
 import os
 import sys
+from math import isfinite, nan
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
@@ -13,6 +14,7 @@ from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_command
+from motionlang.cli.run_options import machine_time
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.measured.comparison import Mapped, compare
@@ -22,7 +24,6 @@ if TYPE_CHECKING:
     from motionlang.measured.comparison import Comparison
     from motionlang.result import Run
 
-PIPED_WIDTH = 160
 EPILOG = """\
 A column is given a meaning by --map: time, or a quantity and the number of its axis; *FACTOR turns its numbers into
 seconds or user units. Columns that are called as those of --trace need no --map. The delay between the two is found by
@@ -69,12 +70,12 @@ def add_parser(commands: Commands) -> None:
     )
     parser.add_argument(
         "--delay",
-        type=float,
+        type=_seconds,
         metavar="S",
         help="seconds that the recording is later than the run; found without it",
     )
     parser.add_argument(
-        "--until", type=float, metavar="S", help="end the run after S seconds of machine time"
+        "--until", type=machine_time, metavar="S", help="end the run after S seconds of machine time"
     )
     parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page to look around in")
     parser.add_argument(
@@ -94,6 +95,16 @@ def _mapped(text: str) -> Mapped:
         return Mapped(what.strip(), name.strip(), float(factor))
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r}: {factor!r} is not a number to multiply by") from None
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = nan
+    if not isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of seconds")
+    return value
 
 
 def _tolerance(text: str) -> tuple[str, float]:
@@ -160,9 +171,9 @@ def _show(made: Comparison, arguments: argparse.Namespace) -> None:
         sys.stdout.write(json.dumps(made.report(), indent=1) + "\n")
         return
     from motionlang.views.comparison import render_comparison
-    from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+    from motionlang.views.terminal import draws, plain, table_width, wants_colour
 
-    width = width_of(sys.stdout) if is_terminal(sys.stdout) else PIPED_WIDTH
+    width = table_width(sys.stdout)
     text = render_comparison(made, width=width, colour=wants_colour(sys.stdout), everything=arguments.all)
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
 

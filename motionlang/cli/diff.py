@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
+from motionlang.cli.run_options import machine_time
 from motionlang.diff.motion import parting
 from motionlang.diff.reports import check, difference
 from motionlang.diff.tolerance import Tolerance
@@ -66,7 +67,7 @@ def add_parser(commands: Commands) -> None:
         )
     add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
         help="time=1ms, position=0.01uu, speed=2%%: what differs by less is the same; may be repeated")  # fmt: skip
-    add("--until", type=float, metavar="S", help="end the runs after S seconds of machine time")
+    add("--until", type=machine_time, metavar="S", help="end the runs after S seconds of machine time")
     add("--plot", metavar="PAGE", help="draw both runs into an .html page to look around in")
     add("--all", action="store_true", help="tell everything, not the first of each kind")
     add("--json", action="store_true", help="print one JSON document and nothing else")

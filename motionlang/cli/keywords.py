@@ -11,7 +11,7 @@ from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
-from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, wants_colour, width_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 SCHEMA = "motionlang.keywords/1"
-PIPED_WIDTH = 160
 
 
 def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 
 # The exit status where motionlang itself has made a mistake, as sysexits has it.
 CRASHED = 70
-# The width of a table that goes into a file or a pipe: wide enough for every column.
-PIPED_WIDTH = 160
 
 
 def run_command(options: Options) -> int:
@@ -227,10 +225,10 @@ def _report(result: Run, options: Options) -> None:
     if options.report == "none" or not began:
         return
     from motionlang.views.table import render
-    from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+    from motionlang.views.terminal import draws, is_terminal, plain, table_width, wants_colour
 
     seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
-    width = width_of(sys.stdout) if seen else PIPED_WIDTH
+    width = table_width(sys.stdout)
     table = render(
         result,
         width=width,

@@ -49,7 +49,7 @@ def add_run(commands: Commands) -> None:
     parser.add_argument("--all", action="store_true", help="the table with every move, phase and line")
     parser.add_argument(
         "--until",
-        type=_time,
+        type=machine_time,
         metavar="S",
         help="end the run after S seconds of machine time; without it the machine file says when, or it ends after "
         f"one shift, {ONE_SHIFT:.0f} s = 8 h",
@@ -91,11 +91,13 @@ def add_run(commands: Commands) -> None:
     parser.add_argument(
         "--from",
         dest="begin",
-        type=_time,
+        type=machine_time,
         metavar="S",
         help="the first second that the picture of --plot shows; an .html page has the rest, too",
     )
-    parser.add_argument("--to", dest="end", type=_time, metavar="S", help="the last second that it shows")
+    parser.add_argument(
+        "--to", dest="end", type=machine_time, metavar="S", help="the last second that it shows"
+    )
     parser.add_argument(
         "--axes", type=_axes, metavar="N,…", help="the axes that it shows, such as 0,2 (all that moved)"
     )
@@ -219,6 +221,13 @@ def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentPars
                 parser.error(f"--{option} is about a picture: give --plot OUT")
     elif arguments.end is not None and arguments.end <= (arguments.begin or 0.0):
         parser.error("--to is not after --from: there is nothing in between")
+    if arguments.report != "table":
+        for name in ("all", "paths", "profile"):
+            if getattr(arguments, name):
+                instead = ": --profile-to FILE writes the profile" if name == "profile" else ""
+                parser.error(
+                    f"--{name} is about the table, which --report {arguments.report} leaves out{instead}"
+                )
     if arguments.trajectory_rate and not arguments.as_controller:
         parser.error("--trajectory-rate is about --as-controller, which is missing")
 
@@ -233,7 +242,8 @@ def _number(text: str, low: float, high: float, what: str, *, open_low: bool = F
     return value
 
 
-def _time(text: str) -> float:
+def machine_time(text: str) -> float:
+    """A time of the machine, s, for argparse."""
     return _number(text, 0.0, sys.float_info.max, "a time in seconds, 0 or more")
 
 

@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from motionlang.cli.machine_options import add_machine
+from motionlang.cli.run_options import machine_time
 from motionlang.sweeps.quantities import ROWS
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ def add_parser(commands: Commands) -> None:
         help="the beginning of what is drawn (0): the same for the same variants",
     )
     add("--keep", metavar="NAMES", help="what is kept of each run, by commas (time); the list is below")
-    add("--until", type=float, metavar="S", help="end every run after S seconds of machine time")
+    add("--until", type=machine_time, metavar="S", help="end every run after S seconds of machine time")
     add(
         "--prove",
         action="store_true",

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 # Bad variants that are named for each thing that is wrong.
 MOST_BAD = 3
 _FIGURES = re.compile(r"\d[\d.e+-]*")
-# The width of a table that goes into a file or a pipe.
-PIPED_WIDTH = 160
 
 
 class Report:
@@ -113,7 +111,7 @@ class Report:
         front: list[int],
     ) -> None:
         from motionlang.views.sweep_table import heading, sweep_table
-        from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
+        from motionlang.views.terminal import draws, plain, table_width, wants_colour
 
         colour = wants_colour(sys.stdout)
         shown = front if self._costs else self._where(sweep, rows, good)
@@ -134,7 +132,7 @@ class Report:
         names = [*self.names, *self.keep]
         units = [*("" for _ in self.names), *(unit_of(name) for name in self.keep)]
         marked = shown.index(best) if best in shown[:most] else None
-        width = width_of(sys.stdout) if is_terminal(sys.stdout) else PIPED_WIDTH
+        width = table_width(sys.stdout)
         lines = [heading(what, colour), ""] if what else []
         if cells:
             lines += sweep_table(names, units, cells, width=width, colour=colour, best=marked)

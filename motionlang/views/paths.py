@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from motionlang.controller.record.paths import PathRow
 
 MOST = 60
+# Degrees that are no corner.
+SMOOTH = 0.05
 _COLUMNS = (
     Column("line"),
     Column("command", align="<", style="word"),
@@ -50,7 +52,7 @@ def render_paths(
             figure(row.peak_speed),
             figure(row.exit_speed),
             "" if row.corner is None else f"{row.corner:.1f}",
-            row.end,
+            at_its_end(row),
         ]
         for row in shown
     ]
@@ -58,3 +60,14 @@ def render_paths(
     if len(shown) < len(rows):
         lines.append(styled(f"… and {len(rows) - len(shown)} more paths: --all shows them", "dim", colour))
     return "\n".join(lines) + "\n"
+
+
+def at_its_end(row: PathRow) -> str:
+    """How a path goes over into the next, or why it comes to rest, as far as the motion tells."""
+    if row.ended:
+        return f"ended by {row.ended}"
+    if row.exit_speed:
+        return "runs through"
+    if row.corner is None:
+        return "stops: no path follows at once"
+    return f"stops: corner of {row.corner:.1f}°" if row.corner > SMOOTH else "stops: the paths are not joined"

@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
+from motionlang.controller.record.records import GRAVE
 from motionlang.files import replacing
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
@@ -30,7 +31,7 @@ from motionlang.views.plot_panel import (
 )
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE
-from motionlang.views.words import GRAVE, dialect_name, outcome
+from motionlang.views.words import dialect_name, outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

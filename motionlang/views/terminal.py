@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 WIDTH = 100
+PIPED_WIDTH = 160
 # What the views' few names of styles mean to rich.
 STYLES = {
     "error": "bold red",
@@ -62,6 +63,11 @@ def width_of(stream: TextIO) -> int:
         return os.get_terminal_size(stream.fileno()).columns or WIDTH
     except (OSError, ValueError, AttributeError):
         return WIDTH
+
+
+def table_width(stream: TextIO) -> int:
+    """The columns that a table may have: those of the terminal; through a pipe so many that none is left out."""
+    return width_of(stream) if is_terminal(stream) else PIPED_WIDTH
 
 
 def console(colour: bool, file: TextIO | None = None, width: int = _ENDLESS) -> Console:

@@ -15,9 +15,6 @@ _OUTCOMES = {
     "open": "{} so far",  # a session, which has no end before its user leaves
 }
 
-# Kinds of events that a machine should not have.
-GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "velocity jump")
-
 
 def outcome(run: Run) -> str:
     """How the run ended, and when by the machine's own clock."""

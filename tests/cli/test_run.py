@@ -227,6 +227,11 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
             ("--trace", "x.csv", "--trajectory-rate", "5"),
             "--trajectory-rate is about --as-controller, which is missing",
         ),
+        (
+            ("--report", "json", "--profile"),
+            "--profile is about the table, which --report json leaves out: --profile-to FILE writes the profile",
+        ),
+        (("--report", "none", "--paths"), "--paths is about the table, which --report none leaves out"),
         (("--columns", "jerk"), "--columns is about a trace: give --trace OUT"),
         (("--from", "1"), "--from is about a picture: give --plot OUT"),
         (

@@ -206,6 +206,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (("two.mnt", "real.csv", "--map", "position.0=x*y"), 2),
         (("two.mnt", "real.csv", "--tolerance", "-1"), 2),
         (("two.mnt", "real.csv", "--plot", "x.png"), 2),
+        (("two.mnt", "real.csv", "--delay", "nan"), 2),
+        (("two.mnt", "real.csv", "--until", "-1"), 2),
     ],
 )
 def test_the_command_and_its_status(folder: Path, arguments: tuple[str, ...], status: int) -> None:

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 SAMPLES = 1001
 # A part of a path's time at its ends in which its direction is taken, and a part of its peak speed that is standstill.
 _ENDS, _STILL = 1e-5, 1e-6
-# Degrees that are no corner, and seconds within which the next path follows at once.
-SMOOTH, AT_ONCE = 0.05, 1e-3
+# Seconds within which the next path follows at once.
+AT_ONCE = 1e-3
 
 
 class PathRow(NamedTuple):
     """One path: `length` in user units, speeds in uu/s along it, `corner` in degrees to the next one, if one follows.
 
-    `end` says how it ends: "runs through", or why it comes to rest, as far as the motion tells.
+    `ended` says what cut it short, "" for nothing.
     """
 
     line: int
@@ -43,7 +43,7 @@ class PathRow(NamedTuple):
     peak_speed: float
     exit_speed: float
     corner: float | None
-    end: str
+    ended: str
 
 
 class _Path(NamedTuple):
@@ -105,7 +105,7 @@ def _row(trace: Trace, path: _Path, following: _Path | None) -> PathRow:
         peak,
         leaving,
         corner,
-        _end(path, leaving, corner),
+        path.ended,
     )
 
 
@@ -138,13 +138,3 @@ def _tangent(trace: Trace, path: _Path, side: int) -> Array:
 
 def _angle(one: Array, other: Array) -> float:
     return degrees(acos(max(-1.0, min(1.0, float(one @ other)))))
-
-
-def _end(path: _Path, leaving: float, corner: float | None) -> str:
-    if path.ended:
-        return f"ended by {path.ended}"
-    if leaving:
-        return "runs through"
-    if corner is None:
-        return "stops: no path follows at once"
-    return f"stops: corner of {corner:.1f}°" if corner > SMOOTH else "stops: the paths are not joined"

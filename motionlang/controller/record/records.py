@@ -77,6 +77,8 @@ EVENTS = (
     "buffer full",
     "wait",
 )
+# Those that a machine should not have.
+GRAVE = ("limit", "soft limit", "following error", "fault", "e-stop", "abort", "velocity jump")
 
 
 class Event(NamedTuple):

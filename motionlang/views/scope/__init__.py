@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from motionlang import __version__
+from motionlang.controller.record.records import GRAVE
 from motionlang.cycle.places import Places
 from motionlang.cycle.profile import TimeProfile
 from motionlang.cycle.tasks import waits_of
@@ -28,7 +29,7 @@ from motionlang.views.panels import UNITS, panels
 from motionlang.views.plot_panel import PHASES
 from motionlang.views.terminal import printable
 from motionlang.views.window import WHOLE
-from motionlang.views.words import GRAVE, dialect_name, figure, outcome
+from motionlang.views.words import dialect_name, figure, outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

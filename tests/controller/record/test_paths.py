@@ -9,7 +9,7 @@ import pytest
 from motionlang.controller.record.paths import PathRow, paths
 from motionlang.execution import run
 from motionlang.source import Source
-from motionlang.views.paths import render_paths
+from motionlang.views.paths import at_its_end, render_paths
 
 SETUP = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : MOVEBUFFERSIZE(0) = 10 : MOVEBUFFERSIZE(1) = 10\n"
 
@@ -31,10 +31,10 @@ def test_a_line_and_an_arc_that_are_run_through() -> None:
     )
     assert line.duration == pytest.approx(0.1 + 27.5 / 50)
     assert line.corner == pytest.approx(0.0, abs=0.01)
-    assert line.end == "runs through"
+    assert at_its_end(line) == "runs through"
     assert arc.length == pytest.approx(5 * pi, rel=1e-6)
     assert (arc.entry_speed, arc.exit_speed) == pytest.approx((50.0, 0.0))
-    assert (arc.corner, arc.end) == (None, "stops: no path follows at once")
+    assert (arc.corner, at_its_end(arc)) == (None, "stops: no path follows at once")
 
 
 @pytest.mark.parametrize(
@@ -50,12 +50,12 @@ def test_a_line_and_an_arc_that_are_run_through() -> None:
 def test_a_corner_and_why_the_path_stops_there(mode: str, second: str, corner: float, end: str) -> None:
     first, _ = rows_of(f"{mode}VECTORR(0, 1) = 30, 0\nVECTORR(0, 1) = {second}\nGO(0)\nPAUSE IDLE(0)\n")
     assert first.corner == pytest.approx(corner, abs=0.05)
-    assert first.end == end
+    assert at_its_end(first) == end
 
 
 def test_what_cut_a_path_short_is_told() -> None:
     (only,) = rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT(500)\nSTOP(0)\nPAUSE IDLE(0)\n")
-    assert only.end == "ended by stop"
+    assert at_its_end(only) == "ended by stop"
     assert only.length < 50.0
 
 
