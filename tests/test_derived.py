@@ -44,7 +44,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     mint, mccl = folder / "motionlang/mint/keywords", folder / "motionlang/mccl/keywords"
     row = (
         '    Keyword("HALFWAY", "HFW", "reading", "R", "axis", "uu", "state.halfway", "Half of the position.",\n'
-        '            "POS(0) = 5\\nPRINT HALFWAY(0)", source="made up", changes="motion"),\n'
+        '            "POS(0) = 5\\nPRINT HALFWAY(0)", changes="motion"),\n'
     )
     insert(mint / "state.py", ")  # fmt: skip", row)
     does = (
@@ -60,6 +60,12 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'
     insert(mccl / "reports_operations.py", "ACTIONS: dict", does)
     insert(mccl / "reports_operations.py", "}\n", '    "tell_half": tell_half,\n')
+    for language, word, facts in (
+        ("mint", "HALFWAY", "meaning short index unit"),
+        ("mccl", "HY", "meaning unit"),
+    ):
+        with (folder / f"motionlang/{language}/evidence/facts.txt").open("a", encoding="utf-8") as evidence:
+            evidence.write(f"\n{facts} · memory high · made up\n  {word}\n")
     python(folder, "-m", "tests.derived")
     return folder
 
@@ -77,7 +83,7 @@ def test_a_word_added_by_the_recipe_runs(copy: Path, name: str, text: str, shown
 def test_a_word_added_by_the_recipe_is_explained(copy: Path, word: str) -> None:
     page = copy / "docs/keywords" / ("mccl.md" if word == "HY" else "mint.md")
     assert f"### {word}\n" in page.read_text(encoding="utf-8").replace(" · HFW", "")
-    assert word in python(copy, "-m", "motionlang", "keywords", word)
+    assert "known from  made up (remembered" in python(copy, "-m", "motionlang", "keywords", word)
 
 
 def test_the_linter_knows_it_by_its_row(copy: Path) -> None:

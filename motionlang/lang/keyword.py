@@ -10,11 +10,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-# How the fact is known: printed in a manual, read off running code, or remembered.
-TRUST = ("manual", "code", "memory")
-# How well it is known. A sibling is another product of the same maker, or in the same style, whose rule is printed;
-# a choice has nothing to go by.
-STRENGTHS = ("manual", "code", "sibling", "memory high", "memory medium", "memory low", "choice")
 # What a statement with a word does to the axes it names. Of the first group a word has at most one, which is its role
 # in a program that is followed step by step; the others say more of it.
 ROLES = {
@@ -77,8 +72,6 @@ class Keyword:
         "short",
         "simulated",
         "solved",
-        "source",
-        "trust",
         "tunes",
         "unit",
         "verb",
@@ -99,8 +92,6 @@ class Keyword:
         default: float | str | None = None,
         low: float | None = None,
         high: float | None = None,
-        source: str = "",
-        trust: str = "memory",
         group: str = "",
         simulated: bool = True,
         solved: bool = False,
@@ -110,12 +101,10 @@ class Keyword:
         tunes: str = "",
         driven: str = "",
     ) -> None:
-        assert trust in TRUST, trust
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
         self.unit, self.verb, self.help, self.example = unit, verb, help, example
         self.default, self.low, self.high = default, low, high
-        self.source, self.trust, self.group, self.simulated = source, trust, group, simulated
-        self.solved = solved
+        self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
         self.tunes = tunes
 

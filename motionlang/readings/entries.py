@@ -7,11 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from motionlang.lang.keyword import STRENGTHS
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, with_default
-from motionlang.readings.facts import of_word
+from motionlang.readings.facts import STRENGTHS, of_word
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -76,7 +75,7 @@ class Reading:
     """One question that somebody had to answer, and the answer.
 
     `name` is that of the machine file's `[readings]`, `alternatives` are the other answers, `why` the reason for the
-    one `chosen`, `strength` one of `lang.keyword.STRENGTHS`; `words` are those whose use makes a program depend on it,
+    one `chosen`, `strength` one of `facts.STRENGTHS`; `words` are those whose use makes a program depend on it,
     in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any. `probe` is how
     a controller is asked, None where it cannot be; `key` is that of the machine file which sets the reading, "" where
     it is no value that could be set.

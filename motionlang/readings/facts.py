@@ -1,7 +1,7 @@
 """What each fact of a word rests on: its meaning, short form, brackets, unit, default and range.
 
-The facts stand in the word's row, once. What the word itself is known from is the row's `source` and `trust`, or, with
-its page, in the `facts.txt` of the dialect, which says what its other facts rest on, as far as a source has them.
+The facts stand in the word's row, once. What they rest on stands in the `facts.txt` of the dialect, for each fact of
+each word; only `keywords`, the documents and `check --evidence` read it, and never a run.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from motionlang.lang.dialect import dialects
-from motionlang.lang.keyword import STRENGTHS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -19,14 +18,15 @@ if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
 
 ROOT = Path(__file__).parent.parent
+# How well a fact is known. A sibling is another product of the same maker, or in the same style, whose rule is printed;
+# a choice has nothing to go by.
+STRENGTHS = ("manual", "code", "sibling", "memory high", "memory medium", "memory low", "choice")
 # The facts that a row may have, as a page of the word shows them.
 FACTS = ("meaning", "short", "index", "unit", "default", "range")
-# Without a source these are chosen; the others follow from what the word is.
-CHOSEN = ("default", "range")
 
 
 class Evidence:
-    """What a fact rests on: its strength, one of `lang.keyword.STRENGTHS`, and the source, "" where there is none."""
+    """What a fact rests on: its strength, one of `STRENGTHS`, and the source, "" where there is none."""
 
     __slots__ = ("source", "strength")
 
@@ -38,17 +38,14 @@ class Evidence:
         return f"{self.strength}, {self.source}" if self.source else self.strength
 
 
+# Of a word that is not listed, such as one that is being added.
+UNKNOWN = Evidence("choice")
+
+
 def of_word(language: str, row: Keyword) -> dict[str, Evidence]:
-    """The evidence of each fact that the row of a word has, by its name."""
+    """The evidence of each fact that the row of a word has, by its name; a choice where `facts.txt` has none."""
     known = listed(language)
-    own = Evidence("memory low" if row.trust == "memory" else row.trust, row.source)
-    meaning = known.get((row.name, "meaning"), own)
-    others = meaning if row.trust == "manual" or not row.simulated else Evidence("memory low")
-    found = {"meaning": meaning}
-    for fact in facts_of(row)[1:]:
-        otherwise = Evidence("choice") if fact in CHOSEN else others
-        found[fact] = known.get((row.name, fact), otherwise)
-    return found
+    return {fact: known.get((row.name, fact), UNKNOWN) for fact in facts_of(row)}
 
 
 def facts_of(row: Keyword) -> list[str]:
@@ -69,14 +66,16 @@ def listed(language: str) -> Mapping[tuple[str, str], Evidence]:
     """What `facts.txt` of a dialect says, by word and fact; AssertionError where it says a thing twice."""
     assert language in dialects(), language
     found: dict[tuple[str, str], Evidence] = {}
-    fact, evidence = "", Evidence("choice")
+    facts, evidence = [""], UNKNOWN
     for line in (ROOT / language / "evidence" / "facts.txt").read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):
             for word in line.split():
-                assert (word, fact) not in found, (word, fact)
-                found[word, fact] = evidence
+                for fact in facts:
+                    assert (word, fact) not in found, (word, fact)
+                    found[word, fact] = evidence
         elif line and not line.startswith("#"):
-            fact, strength, *source = line.split(" · ")
-            assert fact in FACTS, line
+            names, strength, *source = line.split(" · ")
+            facts = names.split()
+            assert set(facts) <= set(FACTS), line
             evidence = Evidence(strength, *source)
     return found

@@ -17,10 +17,13 @@ if TYPE_CHECKING:
     from motionlang.readings.facts import Evidence
 
 ACCESS = {"R": "read", "W": "write", "RW": "read and write", "C": "command"}
+# How a fact is known, by the first word of its strength.
 TRUST = {
     "manual": "printed in a manual",
     "code": "read off running code",
+    "sibling": "printed of a product that is alike",
     "memory": "remembered, not checked against a manual",
+    "choice": "a choice: no source says it",
 }
 UNITS = {
     "uu": "user units",
@@ -80,14 +83,14 @@ def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: boo
 def as_dict(row: Keyword, dialect: str) -> dict[str, object]:
     """A row as JSON shows it."""
     names = (name for name in type(row).__slots__ if name not in ("simulated", "verb"))
-    evidence = {
-        fact: {"strength": each.strength, "source": each.source}
-        for fact, each in of_word(dialect, row).items()
-    }
+    known = of_word(dialect, row)
+    evidence = {fact: {"strength": each.strength, "source": each.source} for fact, each in known.items()}
     return {
         "dialect": dialect,
         **{name: getattr(row, name) for name in names},
         "simulated": row.simulated,
+        "source": known["meaning"].source,
+        "trust": _trust(known["meaning"]),
         "evidence": evidence,
     }
 
@@ -124,7 +127,8 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
     default = "" if row.default is None else _figure(row.default)
     evidence = of_word(dialect, row)
     known = evidence["meaning"]
-    source = f"{known.source} ({TRUST[row.trust]})" if known.source else TRUST[row.trust]
+    trust = TRUST[_trust(known)]
+    source = f"{known.source} ({trust})" if known.source else trust
     return [
         ("short form", _with(row.short, "short", evidence)),
         ("use", ACCESS.get(row.access, row.access)),
@@ -135,6 +139,10 @@ def facts(row: Keyword, dialect: str) -> list[tuple[str, str]]:
         ("group", row.group),
         ("known from", source),
     ]
+
+
+def _trust(evidence: Evidence) -> str:
+    return evidence.strength.partition(" ")[0]
 
 
 def _with(text: str, fact: str, evidence: Mapping[str, Evidence]) -> str:

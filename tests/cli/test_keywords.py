@@ -15,9 +15,9 @@ SPEED = Keyword(
     "SPEED", "SP", "setting", "RW", "axis", "uu/s", "speed",
     "Slew speed of moves; a change acts at once on the move in progress.",
     "SPEED(0) = 250\nPRINT SPEED(0)",
-    default=40000.0, low=0.0, source="Baldor MN1270", trust="manual", group="axis",
+    default=40000.0, low=0.0, group="axis",
 )  # fmt: skip
-CAM = Keyword("CAM", "", "move", "W", "axis", "", "", "Start a cam.", trust="code", simulated=False)
+CAM = Keyword("CAM", "", "move", "W", "axis", "", "", "Start a cam.", simulated=False)
 
 PAGE = """\
 SPEED · Mint setting
@@ -55,7 +55,7 @@ def test_the_page_of_a_word() -> None:
 def test_the_page_of_a_word_that_is_not_simulated_says_so() -> None:
     text = page([CAM], "mint")
     assert "  not simulated: the word is recognised, and a program that uses it is told so.\n" in text
-    assert "  known from  read off running code\n" in text
+    assert "  known from  Mint type library (remembered, not checked against a manual)\n" in text
 
 
 def test_the_list() -> None:

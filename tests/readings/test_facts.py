@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.execution import dialect, dialects
+from motionlang.lang.keyword import Keyword
 from motionlang.readings.facts import facts_of, listed, of_word
 
 LARGEST = 8388607.0
@@ -59,6 +60,18 @@ def test_a_fact_that_is_listed_is_one_of_its_word(language: str) -> None:
         assert row is not None, word
         assert row.name == word
         assert fact in facts_of(row), (word, fact)
+
+
+@pytest.mark.parametrize("language", dialects())
+def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
+    """Also where it is only that somebody chose it: a fact that nobody has asked about is none."""
+    known = listed(language)
+    asked = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
+    assert sorted(asked - known.keys()) == []
+
+
+def test_the_row_of_a_word_says_nothing_of_its_evidence() -> None:
+    assert not {"source", "trust", "strength", "evidence"} & set(Keyword.__slots__)
 
 
 def test_a_default_and_a_range_are_choices_unless_a_source_has_them() -> None:

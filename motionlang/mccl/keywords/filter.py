@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MCAPI, MX, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("servo filter", MCAPI)
+_G = Group("servo filter")
 _row, _known = _G.row, _G.known
 
 ROWS = (
     _row("SG", "setting", "W", "axes", "number", "kept_gain", "Set the proportional gain.",
-         "1SG0.01", default=0, low=0, source=MX, trust="code", tunes="stage"),
+         "1SG0.01", default=0, low=0, tunes="stage"),
     _row("SI", "setting", "W", "axes", "number", "kept_integral", "Set the integral gain.",
-         "1SI0.000001", default=0, low=0, source=MX, trust="code", tunes="loop"),
+         "1SI0.000001", default=0, low=0, tunes="loop"),
     _row("IL", "setting", "W", "axes", "number", "kept_integral_limit", "Set the limit of the integral term.",
-         "1IL1000", default=0, low=0, source=MX, trust="code", tunes="loop"),
+         "1IL1000", default=0, low=0, tunes="loop"),
     _row("SD", "setting", "W", "axes", "number", "kept_derivative", "Set the derivative gain.",
-         "1SD0.25", default=0, low=0, source=MX, trust="code", tunes="loop"),
+         "1SD0.25", default=0, low=0, tunes="loop"),
     _row("SE", "setting", "W", "axes", "counts", "kept_error_limit",
          "Set the largest following error; beyond it the motor is switched off. 0 means no check.",
-         "1SE2500", default=1024, low=0, source=MX, trust="code"),
+         "1SE2500", default=1024, low=0),
     _row("FR", "setting", "W", "axes", "number", "kept_derivative_period",
-         "Set the sampling period of the derivative term.", "1FR3", default=0, low=0, source=MX, trust="code",
-         tunes="loop"),
+         "Set the sampling period of the derivative term.", "1FR3", default=0, low=0, tunes="loop"),
     _row("VG", "setting", "W", "axes", "number", "kept_velocity_gain", "Set the velocity feed-forward gain.",
          "1VG0.5", default=0, tunes="loop"),
     _row("AG", "setting", "W", "axes", "number", "kept_accel_gain", "Set the acceleration feed-forward gain.",

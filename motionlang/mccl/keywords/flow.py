@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MANUAL, MCAPI, SELF_TEST, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("flow", MCAPI)
+_G = Group("flow")
 _row, _known = _G.row, _G.known
 
 ROWS = (
     _row("RP", "statement", "W", "none", "number", "repeat",
          "Repeat the line, or the macro, up to here n more times; without a number, or with 0, for ever.",
-         "AL1,TR0,RP2", source=SELF_TEST, trust="code"),
-    _row("WA", "statement", "W", "none", "s", "wait", "Wait for a time.", "WA0.5", low=0, source=MANUAL,
-         trust="manual"),
+         "AL1,TR0,RP2"),
+    _row("WA", "statement", "W", "none", "s", "wait", "Wait for a time.", "WA0.5", low=0),
     _row("WS", "statement", "W", "axes", "s", "wait_stop",
-         "Wait for stop: until the trajectory is complete, then for a time.", "1WS0.1", low=0,
-         source=MANUAL, trust="manual"),
+         "Wait for stop: until the trajectory is complete, then for a time.", "1WS0.1", low=0),
     _row("WT", "statement", "W", "axes", "s", "wait_target",
-         "Wait for target: until the axis has been in the deadband for DT, then for a time.", "1WT0.1", low=0,
-         source=MANUAL, trust="manual"),
+         "Wait for target: until the axis has been in the deadband for DT, then for a time.", "1WT0.1", low=0),
     _row("WP", "statement", "W", "axis", "uu", "wait_position", "Wait until the axis passes a position.",
          "1MN,1MR1000,1WP500"),
     _row("WR", "statement", "W", "axis", "uu", "wait_relative",

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MX, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("limits", MX, "code")
+_G = Group("limits")
 _row, _known = _G.row, _G.known
 
 ROWS = (

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MCAPI, MX, SELF_TEST, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("macros and tasks", MCAPI)
+_G = Group("macros and tasks")
 _row, _known = _G.row, _G.known
 
 ROWS = (
@@ -14,11 +14,9 @@ ROWS = (
          "MD1,AL5\nMC1,TR0"),
     _row("MJ", "statement", "W", "none", "number", "jump_macro", "Jump to macro n and do not come back.",
          "MD1,AL5,TR0\nMJ1"),
-    _row("RM", "command", "C", "none", "", "reset_macros", "Forget all macros.", "RM", source=SELF_TEST,
-         trust="code"),
+    _row("RM", "command", "C", "none", "", "reset_macros", "Forget all macros.", "RM"),
     _row("GT", "statement", "W", "none", "number", "start_task",
-         "Run macro n as a background task; its number is then in the accumulator.", "MD1,WA0.1\nGT1,TR0",
-         source=MX, trust="code"),
+         "Run macro n as a background task; its number is then in the accumulator.", "MD1,WA0.1\nGT1,TR0"),
     _row("ET", "statement", "W", "none", "number", "end_task", "End a background task.", "MD1,WA9\nGT1,ET@0", low=0),
     _row("BK", "statement", "C", "none", "", "leave", "Leave the macro, or the line.", "AL5,BK,AL6"),
 )  # fmt: skip

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MCAPI, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("modes", MCAPI)
+_G = Group("modes")
 _row, _known = _G.row, _G.known
 
 ROWS = (

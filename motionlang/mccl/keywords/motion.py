@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MCAPI, MX, SELF_TEST, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("motion", MCAPI)
+_G = Group("motion")
 _row, _known = _G.row, _G.known
 
 ROWS = (
     _row("MN", "command", "C", "axes", "", "motor_on",
          "Motor on: target, optimal and actual position become one, faults are forgotten, user units take effect.",
-         "1MN", source=SELF_TEST, trust="code"),
+         "1MN"),
     _row("MF", "command", "C", "axes", "", "motor_off", "Motor off: motion ends, the output is 0 V.",
-         "1MF", source=SELF_TEST, trust="code"),
+         "1MF"),
     _row("MA", "move", "W", "axes", "uu", "move_to", "Move to a position.", "1MN,1MA1000"),
     _row("MR", "move", "W", "axes", "uu", "move_by", "Move by a distance, counted from the present target.",
          "1MN,1MR-500"),
     _row("GH", "move", "C", "axes", "", "go_home", "Go home: move to position 0.", "1MN,1GH"),
     _row("GO", "move", "W", "axes", "number", "go",
-         "Start: run in velocity mode, or release the contour paths that wait.", "1MN,1VM,1GO,WA0.1,1ST", source=MX,
-         trust="code"),
+         "Start: run in velocity mode, or release the contour paths that wait.", "1MN,1VM,1GO,WA0.1,1ST"),
     _row("DI", "setting", "W", "axes", "bool", "direction", "Direction of velocity mode: 0 positive, 1 negative.",
          "1DI1", default=0, low=0, high=1),
-    _row("ST", "command", "C", "axes", "", "stop", "Stop at the programmed deceleration.", "1ST",
-         source=MX, trust="code"),
-    _row("AB", "command", "C", "axes", "", "abort", "Abort: stop at once, the motor stays on.", "1AB",
-         source=MX, trust="code"),
+    _row("ST", "command", "C", "axes", "", "stop", "Stop at the programmed deceleration.", "1ST"),
+    _row("AB", "command", "C", "axes", "", "abort", "Abort: stop at once, the motor stays on.", "1AB"),
     _row("DH", "command", "W", "axes", "uu", "define_home", "Define home: the present position becomes this one.",
          "1DH0"),
     _row("AH", "command", "W", "axes", "uu", "define_auxiliary",
@@ -50,8 +47,7 @@ ROWS = (
     _row("LT", "command", "W", "axes", "number", "learn_target", "Learn the target as point n.",
          "1LT1", low=0, high=255),
     _row("MP", "move", "W", "axes", "number", "move_to_point", "Move to the learned point n.",
-         "1MN,1LP1,1MR500,1WS,1MP1",
-         low=0, high=255),
+         "1MN,1LP1,1MR500,1WS,1MP1", low=0, high=255),
     _row("RT", "command", "C", "axes", "", "reset", "Reset the axis, or without an axis the whole controller.",
          "1RT"),
     _row("PR", "command", "W", "axes", "number", "record",

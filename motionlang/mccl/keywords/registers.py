@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import SELF_TEST, Group
+from motionlang.mccl.keywords.row import Group
 
 _G = Group("registers")
 _row, _known = _G.row, _G.known
@@ -16,8 +16,7 @@ ROWS = (
          low=0, high=255),
     _row("AA", "command", "W", "none", "number", "add", "Add to the accumulator.", "AL5,AA3,TR0"),
     _row("AS", "command", "W", "none", "number", "subtract", "Subtract from the accumulator.", "AL5,AS3,TR0"),
-    _row("AM", "command", "W", "none", "number", "multiply", "Multiply the accumulator.", "AL246,AM2,TR0",
-         source=SELF_TEST, trust="code"),
+    _row("AM", "command", "W", "none", "number", "multiply", "Multiply the accumulator.", "AL246,AM2,TR0"),
     _row("AD", "command", "W", "none", "number", "divide",
          "Divide the accumulator; whole numbers give a whole number.",
          "AL7,AD2,TR0"),

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MANUAL, MCAPI, MX, SELF_TEST, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("reports", MCAPI)
+_G = Group("reports")
 _row, _known = _G.row, _G.known
 
 ROWS = (
-    _row("TP", "reading", "R", "axes", "uu", "tell_position", "Tell the actual position.", "1TP",
-         source="PMC sample programs", trust="code"),
+    _row("TP", "reading", "R", "axes", "uu", "tell_position", "Tell the actual position.", "1TP"),
     _row("TT", "reading", "R", "axes", "uu", "tell_target", "Tell the target.", "1TT"),
     _row("TO", "reading", "R", "axes", "uu", "tell_optimal", "Tell the optimal position, that of the trajectory.",
          "1TO"),
     _row("TF", "reading", "R", "axes", "uu", "tell_following", "Tell the following error, optimal minus actual.",
-         "1TF",
-         source=MANUAL, trust="manual"),
+         "1TF"),
     _row("TV", "reading", "R", "axes", "uu/s", "tell_velocity", "Tell the actual velocity.", "1TV"),
     _row("TS", "reading", "R", "axes", "bits", "tell_status",
          "Tell a status word: 0 status, 1 auxiliary, 2 profile, 3 mode.", "1TS", low=0, high=3),
@@ -35,11 +33,11 @@ ROWS = (
     _row("AZ", "reading", "R", "axes", "uu", "tell_auxiliary_index",
          "Tell the position of the auxiliary encoder at its index, as AF found it.", "1AZ"),
     _row("TC", "reading", "R", "none", "number", "tell_channel", "Tell a digital channel: 1 on, 0 off.", "TC1",
-         low=1, high=255, source=SELF_TEST, trust="code"),
+         low=1, high=255),
     _row("TA", "reading", "R", "none", "number", "tell_analog", "Tell an analogue input, volts.", "TA1",
          low=1, high=255),
     _row("TR", "reading", "R", "none", "number", "tell_register", "Tell a register; 0 is the accumulator.", "AL5,TR0",
-         low=0, high=255, source=MX, trust="code"),
+         low=0, high=255),
     _row("TM", "reading", "R", "none", "number", "tell_macro", "List a macro; -1 lists all.", "TM-1", low=-1),
     _row("VE", "reading", "R", "none", "text", "tell_version", "Tell the model and the version.", "VE"),
     _row("DO", "reading", "R", "axes", "uu", "tell_recorded_optimal",

@@ -4,21 +4,12 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-# Where a fact comes from, in the words of docs/fidelity.md.
-TN1069 = "PMC TN1069"
-MANUAL = "MultiFlex user's manual"
-FIRMWARE = "PMC firmware history"
-MX = "MX beam-line driver"
-MCAPI = "PMC MCAPI header"
-SELF_TEST = "PMC self-test"
-RECALL = "recollection of PMC's manuals"
-
 
 class Group:
     """Makes the rows of one group."""
 
-    def __init__(self, title: str, source: str = RECALL, trust: str = "memory") -> None:
-        self.title, self.source, self.trust = title, source, trust
+    def __init__(self, title: str) -> None:
+        self.title = title
 
     def row(
         self,
@@ -34,8 +25,6 @@ class Group:
         default: float | str | None = None,
         low: float | None = None,
         high: float | None = None,
-        source: str = "",
-        trust: str = "",
         solved: bool = False,
         tunes: str = "",
     ) -> Keyword:
@@ -53,16 +42,12 @@ class Group:
             default=default,
             low=low,
             high=high,
-            source=source or self.source,
-            trust=trust or self.trust,
             group=self.title,
             solved=solved,
             tunes=tunes,
         )
 
-    def known(
-        self, name: str, kind: str, index: str, help: str, source: str = "", trust: str = ""
-    ) -> Keyword:
+    def known(self, name: str, kind: str, index: str, help: str) -> Keyword:
         """A command of the language that is recognised and answered as not simulated."""
         return Keyword(
             name,
@@ -73,8 +58,6 @@ class Group:
             "",
             "",
             help,
-            source=source or self.source,
-            trust=trust or self.trust,
             group=self.title,
             simulated=False,
         )

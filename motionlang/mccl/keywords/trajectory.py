@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MCAPI, MX, SELF_TEST, TN1069, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("trajectory", MCAPI)
+_G = Group("trajectory")
 _row, _known = _G.row, _G.known
 
 ROWS = (
     _row("SA", "setting", "W", "axes", "uu/s2", "accel", "Set the acceleration.",
-         "1SA100000", default=100000, low=0, source=MX, trust="code"),
+         "1SA100000", default=100000, low=0),
     _row("DS", "setting", "W", "axes", "uu/s2", "decel", "Set the deceleration.", "1DS100000", default=100000, low=0),
     _row("SV", "setting", "W", "axes", "uu/s", "speed",
          "Set the velocity of moves; in velocity mode a running axis changes to it at once.",
-         "1SV40000", default=40000, low=0, source=MX, trust="code"),
+         "1SV40000", default=40000, low=0),
     _row("MV", "setting", "W", "axes", "uu/s", "minimum_speed",
          "Set the minimum velocity, at which a stepper starts and stops at once: trapezoidal moves begin and end with "
          "it; 0 for none.", "1MN,1MV1000,1MR5000,1WS,1TP", default=0, low=0),
@@ -21,19 +21,17 @@ ROWS = (
          "Velocity override of contour paths: the vector velocity is multiplied by it.",
          "1VO0.5", default=1, low=0, high=10),
     _row("PT", "setting", "C", "axes", "", "shape_trapezoid",
-         "Trapezoidal profile: constant acceleration, the fastest to velocity.", "1PT", source=TN1069,
-         trust="manual"),
+         "Trapezoidal profile: constant acceleration, the fastest to velocity.", "1PT"),
     _row("PS", "setting", "W", "axes", "number", "shape_scurve",
          "S-curve: without a number the sinusoidal one; with n between 0 and 0.5 the trapezoidal one, whose "
          "acceleration rises over the part n of the acceleration time.",
-         "1PS0.1", default=0, low=0, high=0.5, source=TN1069, trust="manual"),
+         "1PS0.1", default=0, low=0, high=0.5),
     _row("PP", "setting", "C", "axes", "", "shape_parabolic",
-         "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP",
-         source=TN1069, trust="manual"),
+         "Parabolic profile: the acceleration falls linearly from its peak to zero.", "1PP"),
     _row("SQ", "setting", "W", "axes", "number", "kept_torque",
          "Set the torque limit, the largest output in volts; kept and told as it is written, though no output exceeds "
          "10.",
-         "1SQ3.5,1TQ", default=10, low=0, source=SELF_TEST, trust="code", tunes="stage"),
+         "1SQ3.5,1TQ", default=10, low=0, tunes="stage"),
     _row("VV", "setting", "W", "axis", "uu/s", "vector_velocity",
          "Vector velocity of contour paths, on the controlling axis.", "1VV20000", default=40000, low=0),
     _row("VA", "setting", "W", "axis", "uu/s2", "vector_accel",

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from motionlang.mccl.keywords.row import MANUAL, Group
+from motionlang.mccl.keywords.row import Group
 
-_G = Group("user units", MANUAL)
+_G = Group("user units")
 _row, _known = _G.row, _G.known
 
 ROWS = (
@@ -12,7 +12,7 @@ ROWS = (
          "1US1200", default=1, low=1e-9, high=1e12),
     _row("UR", "setting", "W", "axes", "number", "rate",
          "Set the seconds per user time unit of velocities and accelerations (60: per minute); from the next MN.",
-         "1UR60", default=1, low=1e-9, high=1e9, trust="manual"),
+         "1UR60", default=1, low=1e-9, high=1e9),
     _row("UT", "setting", "W", "none", "number", "time_unit", "Set the seconds per unit of WA, WS and WT.",
          "UT0.001", default=1, low=1e-9, high=1e9),
     _row("UK", "setting", "W", "axes", "number", "constant",

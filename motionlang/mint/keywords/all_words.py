@@ -30,7 +30,6 @@ camboxes captures auxiliary_latches monitoring event_flags relays steppers
 io comms modbus remote network serial limits homing latches sensing servo functions nonvolatile encoder_wrap
 no_effect identity legacy factory_defaults units constants language
 """
-_LIBRARY = "Mint ActiveX type library, build 5626"
 _UNITS = {
     "int": "integer",
     "bool": "bool",
@@ -54,13 +53,13 @@ def _not_simulated() -> Iterator[Keyword]:
     for name, short, index, kind, access, fate, meaning in _lines("values"):
         verb = fates[fate]
         sense = "reading" if access == "R" else "setting"
-        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning, source=_LIBRARY, trust="code",
+        yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning,
                       group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False,
                       effect="switch" if name in no_effect.SWITCHES else "")  # fmt: skip
-    for file, origin, trust in (("commands", _LIBRARY, "code"), ("commands_v4", "Mint v4", "memory")):
+    for file in ("commands", "commands_v4"):
         for name, short, index, fate, meaning in _lines(file):
             verb = fates[fate]
-            yield Keyword(name, short, "command", "C", index, "", verb, meaning, source=origin, trust=trust,
+            yield Keyword(name, short, "command", "C", index, "", verb, meaning,
                           group=unsimulated.GROUPS[verb], simulated=False)  # fmt: skip
 
 

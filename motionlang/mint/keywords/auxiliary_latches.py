@@ -4,26 +4,23 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _FAST = "FASTAUXSELECT(0) = 3\nFASTAUXENABLE(0) = 1\nPRINT {}(0)"
 _MARK = "AUXENCODERZEROENABLE(0) = 1\nPRINT {}(0)"
 
 
 def _setting(name: str, unit: str, verb: str, value: str, help: str, high: float) -> Keyword:
     return Keyword(name, "", "setting", "RW", "auxchannel", unit, f"auxiliary_latches.{verb}", help,
-                   f"{name}(0) = {value}\nPRINT {name}(0)", default=0.0, low=0, high=high, source=_LIBRARY,
-                   trust="memory", group="latches")  # fmt: skip
+                   f"{name}(0) = {value}\nPRINT {name}(0)", default=0.0, low=0, high=high, group="latches")  # fmt: skip
 
 
-def _reading(name: str, short: str, index: str, unit: str, verb: str, help: str, example: str,
-             source: str = _LIBRARY, trust: str = "memory") -> Keyword:  # fmt: skip
+def _reading(name: str, short: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:  # fmt: skip
     return Keyword(name, short, "reading", "R", index, unit, f"auxiliary_latches.{verb}", help, example.format(name),
-                   default=0.0, source=source, trust=trust, group="latches")  # fmt: skip
+                   default=0.0, group="latches")  # fmt: skip
 
 
 def _enable(name: str, verb: str, help: str, example: str) -> Keyword:
     return Keyword(name, "", "setting", "W", "auxchannel", "bool", f"auxiliary_latches.{verb}", help, example,
-                   low=0, high=1, source=_LIBRARY, trust="memory", group="latches")  # fmt: skip
+                   low=0, high=1, group="latches")  # fmt: skip
 
 
 ROWS = (
@@ -44,8 +41,7 @@ ROWS = (
              "1 when an encoder has passed an index mark since this was read last.",
              "MOVER(0) = 100\nGO(0)\nPRINT ENCODERZLATCH(0)"),
     _reading("AUXENCODERZLATCH", "aez", "auxchannel", "bool", "aux_passed",
-             "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK,
-             "Baldor MN1270 p. 34", "manual"),
+             "1 when an auxiliary encoder has passed an index mark since this was read last.", _MARK),
     _enable("AUXENCODERZEROENABLE", "zero_enable", "Catch the position of an auxiliary encoder at its next index mark.",
             _MARK.format("AUXENCODERZEROPOSITION")),
     _setting("AUXENCODERZEROLATCHMODE", "integer", "zero_mode", "1",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 # The quantities in their order, `motionlang.mint.keywords.captures_quantities.NAMES` in few words.
 QUANTITIES = (
     "0 nothing, 1 measured position, 2 measured velocity, 3 demand position, 4 demand velocity, 5 demand acceleration, "
@@ -23,7 +22,7 @@ def _word(
 ) -> Keyword:  # fmt: skip
     kind = "reading" if access == "R" else "setting"
     return Keyword(name, short, kind, access, index, unit, f"captures.{verb}", help, example, default=default,
-                   low=low, high=high, source=_LIBRARY, trust="memory", group="capture")  # fmt: skip
+                   low=low, high=high, group="capture")  # fmt: skip
 
 
 def _channel(
@@ -42,7 +41,7 @@ ROWS = (
              "The encoder, the analogue channel or the bank that a channel records.", 999),
     Keyword("CAPTUREMODENAME", "", "reading", "R", "channel", "text", "captures.name",
             "What a channel of the capture records, in words.", "CAPTUREMODE(0) = 3\nPRINT CAPTUREMODENAME(0)",
-            source=_LIBRARY, trust="memory", group="capture"),
+            group="capture"),
     _word("CAPTURENUMPOINTS", "", "RW", "none", "integer", "points", "How many points a channel records, 1 to 100000.",
           "CAPTURENUMPOINTS = 100\nPRINT CAPTURENUMPOINTS", 1000.0),
     _word("CAPTUREINTERVAL", "cpi", "RW", "none", "integer", "spacing", "Servo ticks (LOOPTIME) from point to point.",
@@ -67,7 +66,7 @@ ROWS = (
     Keyword("CAPTURETRIGGER", "", "command", "C", "none", "", "captures.trigger",
             "Trigger the capture that waits.",
             "CAPTURETRIGGERMODE(0) = 1\nCAPTURETRIGGERSOURCE(0) = 13\nCAPTURECOMMAND = 1\nCAPTURETRIGGER\n"
-            "PRINT CAPTURESTATUS", source=_LIBRARY, trust="memory", group="capture"),
+            "PRINT CAPTURESTATUS", group="capture"),
     _word("CAPTURE", "", "RW", "none", "bool", "running",
           "1 begins a capture at once, 0 ends it; 1 while one is running.",
           _RUN.format("CAPTURE"), 0.0, 0, 1),

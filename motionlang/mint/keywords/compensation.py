@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_MN1270 = "Baldor MN1270 p. 39"
-_SCREW = "Baldor MN1270 p. 10"
 _LARGEST = 8388607.0
 _PLAY = (
     "BACKLASH(0) = 2 : BACKLASHINTERVAL(0) = 200 : BACKLASHMODE(0) = 1\n"
@@ -18,15 +16,16 @@ _TABLE = (
 )
 
 
-def _setting(name: str, short: str, unit: str, verb: str, help: str, example: str, low: float, high: float,
-             source: str = _MN1270, trust: str = "manual") -> Keyword:  # fmt: skip
+def _setting(
+    name: str, short: str, unit: str, verb: str, help: str, example: str, low: float, high: float
+) -> Keyword:
     return Keyword(name, short, "setting", "RW", "axis", unit, f"compensation.{verb}", help, example, default=0.0,
-                   low=low, high=high, source=source, trust=trust, group="compensation")  # fmt: skip
+                   low=low, high=high, group="compensation")  # fmt: skip
 
 
-def _mode(name: str, value: int, help: str, trust: str) -> Keyword:
-    return Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}", source=_SCREW,
-                   trust=trust, group="constants")  # fmt: skip
+def _mode(name: str, value: int, help: str) -> Keyword:
+    return Keyword(name, "", "constant", "R", "none", "integer", str(value), help, f"PRINT {name}",
+                   group="constants")  # fmt: skip
 
 
 ROWS = (
@@ -39,19 +38,18 @@ ROWS = (
              "be idle.", _PLAY, 0, _LARGEST),
     _setting("BACKLASHMODE", "BLM", "integer", "backlash_mode", "1: play is compensated. Not with _lsDUAL_TABLE.",
              _PLAY, 0, 1),
-    _mode("_blOFF", 0, "BACKLASHMODE: off.", "memory"),
+    _mode("_blOFF", 0, "BACKLASHMODE: off."),
     Keyword("PRECISIONTABLE", "", "command", "C", "axis, array, array", "", "compensation.table",
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "
-            "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, source=_SCREW, trust="manual",
-            group="compensation"),
+            "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, group="compensation"),
     _setting("PRECISIONINCREMENT", "", "uu", "step", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,
-             0, _LARGEST, _SCREW),
+             0, _LARGEST),
     _setting("PRECISIONOFFSET", "PCO", "uu", "step", "Where PRECISIONTABLE begins, from the axis's zero.", _TABLE,
-             -_LARGEST, _LARGEST, "Baldor MN1270 p. 116"),
+             -_LARGEST, _LARGEST),
     _setting("PRECISIONMODE", "", "integer", "precision_mode",
              "Compensation of the leadscrew: _lsOFF, _lsSINGLE_TABLE for both directions, _lsDUAL_TABLE for one each.",
-             _TABLE, 0, 2, "Baldor MN1270 p. 116"),
-    _mode("_lsOFF", 0, "PRECISIONMODE: leadscrew compensation off.", "manual"),
-    _mode("_lsSINGLE_TABLE", 1, "PRECISIONMODE: leadscrew compensation by one table.", "memory"),
-    _mode("_lsDUAL_TABLE", 2, "PRECISIONMODE: leadscrew compensation by two tables.", "memory"),
+             _TABLE, 0, 2),
+    _mode("_lsOFF", 0, "PRECISIONMODE: leadscrew compensation off."),
+    _mode("_lsSINGLE_TABLE", 1, "PRECISIONMODE: leadscrew compensation by one table."),
+    _mode("_lsDUAL_TABLE", 2, "PRECISIONMODE: leadscrew compensation by two tables."),
 )  # fmt: skip

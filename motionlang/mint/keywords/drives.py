@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
 _RUN = "DRIVESPEEDMAX(0) = 1000 : SPEEDREFACCELTIME(0) = 500 : SPEEDREFDECELTIME(0) = 500\n"
@@ -14,7 +13,7 @@ _STOP = "\nSPEEDREF(0) = 0\nPAUSE IDLE(0)\nPRINT POS(0)"
 def _setting(name: str, unit: str, help: str, example: str, high: float, default: float = 0.0, short: str = "",
              effect: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, short, "setting", "RW", "axis", unit, "drives.setting", help, example, default=default, low=0,
-                   high=high, source=_LIBRARY, trust="memory", group="axis", effect=effect)  # fmt: skip
+                   high=high, group="axis", effect=effect)  # fmt: skip
 
 
 def _time(name: str, help: str) -> Keyword:
@@ -23,13 +22,12 @@ def _time(name: str, help: str) -> Keyword:
 
 def _reading(name: str, short: str, unit: str, verb: str, help: str) -> Keyword:
     return Keyword(name, short, "reading", "R", "axis", unit, verb, help,
-                   f"JOG(0) = 100\nWAIT = 100\nPRINT {name}(0)\nCANCEL(0)", default=0.0, source=_LIBRARY,
-                   trust="memory", group="state")  # fmt: skip
+                   f"JOG(0) = 100\nWAIT = 100\nPRINT {name}(0)\nCANCEL(0)", default=0.0, group="state")  # fmt: skip
 
 
 def _reference(name: str, short: str, unit: str, verb: str, help: str, example: str) -> Keyword:
     return Keyword(name, short, "setting", "RW", "axis", unit, verb, help, example, default=0.0, low=-_LARGEST,
-                   high=_LARGEST, source=_LIBRARY, trust="memory", group="motion", effect="act")  # fmt: skip
+                   high=_LARGEST, group="motion", effect="act")  # fmt: skip
 
 
 _EDGES = (

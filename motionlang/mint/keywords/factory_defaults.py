@@ -9,7 +9,7 @@ _EXAMPLE = "SPEED(0) = 10 : MOTORPOLES(0) = 6\n{}\nPRINT SPEED(0), MOTORPOLES(0)
 
 def _word(name: str, short: str, help: str) -> Keyword:
     return Keyword(name, short, "command", "C", "none", "", "factory_defaults.defaults", help, _EXAMPLE.format(name),
-                   source="Mint type library", trust="memory", group="axis")  # fmt: skip
+                   group="axis")  # fmt: skip
 
 
 ROWS = (

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
-_MN1270 = "Baldor MN1270"
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
 _HALF = "SPEED(0) = 20\nFEEDRATEMODE(0) = 2\nFEEDRATEOVERRIDE(0) = 50\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)"
@@ -13,32 +11,31 @@ _HALF = "SPEED(0) = 20\nFEEDRATEMODE(0) = 2\nFEEDRATEOVERRIDE(0) = 50\nMOVER(0) 
 
 def _most(name: str, unit: str, verb: str, help: str, example: str) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, verb, help, example, default=_LARGEST, low=1e-6,
-                   high=1e12, source=_LIBRARY, trust="memory", group="axis")  # fmt: skip
+                   high=1e12, group="axis")  # fmt: skip
 
 
 def _ramp_time(name: str, verb: str, help: str, example: str, low: float, gives: str) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "ms", verb, help, example, low=low, high=_LONGEST,
-                   source=_LIBRARY, trust="memory", group="axis", gives=gives)  # fmt: skip
+                   group="axis", gives=gives)  # fmt: skip
 
 
 ROWS = (
     Keyword("FEEDRATE", "", "setting", "RW", "axis", "uu/s", "speed",
             "Another name of SPEED: slew speed of moves; with bit 0 of FEEDRATEMODE each keeps that of its loading.",
             "FEEDRATE(0) = 250\nPRINT FEEDRATE(0), SPEED(0)",
-            default=40000.0, low=0.0, high=_LARGEST, source=_MN1270, trust="manual", group="axis", gives="speed"),
+            default=40000.0, low=0.0, high=_LARGEST, group="axis", gives="speed"),
     Keyword("FEEDRATEMODE", "FRM", "setting", "RW", "axis", "integer", "feedrate_mode",
             "Bit 0: moves keep the speed with which they are loaded; without it a new speed acts at once. "
             "Bit 1: FEEDRATEOVERRIDE acts.",
-            "FEEDRATEMODE(0) = 1\nPRINT FEEDRATEMODE(0)",
-            default=0.0, low=0, high=3, source=_MN1270, trust="manual", group="axis"),
+            "FEEDRATEMODE(0) = 1\nPRINT FEEDRATEMODE(0)", default=0.0, low=0, high=3, group="axis"),
     Keyword("FEEDRATEOVERRIDE", "FRO", "setting", "RW", "axis", "%", "feedrate.override",
             "Percentage of its speed at which a move runs, where bit 1 of FEEDRATEMODE is set; it acts at once.",
-            _HALF, default=100.0, low=0.0, high=_LARGEST, source=_MN1270, trust="manual", group="axis"),
+            _HALF, default=100.0, low=0.0, high=_LARGEST, group="axis"),
     Keyword("FEEDRATEPARAMETER", "", "setting", "RW", "axis, parameter", "number", "feedrate.parameter",
             "What moves loaded from now on keep: parameter 0 a speed, 1 an acceleration, 2 a deceleration; 0 goes back "
             "to SPEED, ACCEL or DECEL.",
             "FEEDRATEPARAMETER(0, 0) = 25\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)",
-            default=0.0, low=0.0, high=1e12, source=_LIBRARY, trust="memory", group="axis"),
+            default=0.0, low=0.0, high=1e12, group="axis"),
     _most("MAXSPEED", "uu/s", "feedrate.limit",
           "The highest speed of moves, of JOG, of an axis on a path, and of OFFSET in its mode 1 and above.",
           "MAXSPEED(0) = 50\nSPEED(0) = 80\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)"),
@@ -62,5 +59,5 @@ ROWS = (
             "Smoothing of ramps in percent: 0 a trapezoid, 100 acceleration that only rises and falls. Replaces "
             "PROFILEMODE and the jerks; ACCEL and DECEL stay the peaks, so ramps grow by this percentage.",
             "SPEED(0) = 100\nACCEL(0) = 500\nSRAMP(0) = 50\nPRINT ACCELJERK(0)",
-            default=0.0, low=0.0, high=100.0, source=_LIBRARY, trust="memory", group="axis"),
+            default=0.0, low=0.0, high=100.0, group="axis"),
 )  # fmt: skip

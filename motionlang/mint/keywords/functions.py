@@ -7,7 +7,7 @@ from motionlang.lang.keyword import Keyword
 
 def _function(name: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:
     return Keyword(name, "", "function", "R", index, unit, verb, help, f"PRINT {example}",
-                   source="MN1955 section 4.4", trust="memory", group="functions")  # fmt: skip
+                   group="functions")  # fmt: skip
 
 
 # The unit "same" stands for the type of the arguments.

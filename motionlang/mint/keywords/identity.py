@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 # What NUMBEROF counts.
 AXES = 0
 
@@ -18,8 +17,7 @@ def _word(
     where = "" if index == "none" else "(0)"
     kind = "setting" if "W" in access else "reading"
     return Keyword(name, short, kind, access, index, unit, f"identity.{verb}", help, f"PRINT {name}{where}",
-                   default=None if unit == "text" else default, source=_LIBRARY, trust="memory",
-                   group="identity")  # fmt: skip
+                   default=None if unit == "text" else default, group="identity")  # fmt: skip
 
 
 def _fine(name: str, short: str, access: str, index: str, unit: str, help: str) -> Keyword:
@@ -34,9 +32,9 @@ ROWS = (
     _word("NUMBEROF", "no", "R", "item", "integer", "count",
           "How many there are of something: _noAXES counts the axes; of other things the machine file knows."),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",
-            trust="memory", group="constants"),
+            group="constants"),
     Keyword("_egCONTROLLER", "", "constant", "R", "none", "integer", "3",
-            "ERRORPRESENT and its family: errors of the controller, as _egMISC.", "PRINT _egCONTROLLER", trust="memory",
+            "ERRORPRESENT and its family: errors of the controller, as _egMISC.", "PRINT _egCONTROLLER",
             group="constants"),
     _word("AXISBUS", "", "R", "axis", "integer", "local", "The bus of an axis: 0, as every axis is local."),
     _word("AXISNODE", "", "R", "axis", "integer", "local",
@@ -48,28 +46,23 @@ ROWS = (
     _fine("INITWARNING", "", "RW", "none", "bits", "Warnings of the start of the controller."),
     Keyword("AVERAGEVEL", "", "reading", "R", "axis", "uu/s", "velocity",
             "Velocity of the axis as VEL has it: there is no noise of which to take the average.",
-            "JOG(0) = 100\nWAIT = 100\nPRINT AVERAGEVEL(0)\nSTOP(0)", default=0.0, source=_LIBRARY, trust="memory",
-            group="state"),
+            "JOG(0) = 100\nWAIT = 100\nPRINT AVERAGEVEL(0)\nSTOP(0)", default=0.0, group="state"),
     Keyword("OKTOLOADMOVE", "", "reading", "R", "count, array", "bool", "identity.takes_moves",
             "1 when the axes in an array, so many of them, take a move now: there is room, and none is in error, "
             "switched off or stopping.",
-            "Dim a(2) As Integer = 0, 1\nPRINT OKTOLOADMOVE(2, a)", default=1.0, source=_LIBRARY, trust="memory",
-            group="state"),
+            "Dim a(2) As Integer = 0, 1\nPRINT OKTOLOADMOVE(2, a)", default=1.0, group="state"),
     Keyword("REALTIMECLOCK", "", "setting", "RW", "none", "text", "identity.date",
             "Date and time, 2000-01-01 00:00:00 at power-up until it is set; [mint.readings] gives another begin. It "
             "goes with machine time.",
-            'REALTIMECLOCK = "2026-11-20 06:30:00"\nWAIT = 2000\nPRINT REALTIMECLOCK', source=_LIBRARY,
-            trust="memory", group="identity"),
-    Keyword("NOP", "", "command", "C", "none", "", "identity.nothing", "Do nothing.", "NOP",
-            source="symbol table of a Baldor drive", trust="code", group="control"),
+            'REALTIMECLOCK = "2026-11-20 06:30:00"\nWAIT = 2000\nPRINT REALTIMECLOCK', group="identity"),
+    Keyword("NOP", "", "command", "C", "none", "", "identity.nothing", "Do nothing.", "NOP", group="control"),
     *(
-        Keyword(name, "", "command", "C", "none", "", "identity.nothing", help, name,
-                source="symbol table of a Baldor drive", trust=trust, group="terminal")
-        for name, help, trust in (
-            ("TRON", "Line trace on: MintMT has the word for old programs and does nothing.", "code"),
-            ("TROFF", "Line trace off: MintMT has the word for old programs and does nothing.", "code"),
-            ("BEEPON", "Key clicks on: nobody hears them here.", "memory"),
-            ("BEEPOFF", "Key clicks off: nobody hears them here.", "memory"),
+        Keyword(name, "", "command", "C", "none", "", "identity.nothing", help, name, group="terminal")
+        for name, help in (
+            ("TRON", "Line trace on: MintMT has the word for old programs and does nothing."),
+            ("TROFF", "Line trace off: MintMT has the word for old programs and does nothing."),
+            ("BEEPON", "Key clicks on: nobody hears them here."),
+            ("BEEPOFF", "Key clicks off: nobody hears them here."),
         )
     ),
 )  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
 _PANEL = "JOGSPEED(0) = 100 : JOGMODE(0) = 1 : JOGDURATION(0) = 300\nJOGCOMMAND(0) = 1\nWAIT = 100\n"
@@ -14,7 +13,7 @@ def _setting(
     name: str, short: str, unit: str, help: str, example: str, high: float, low: float = 0.0
 ) -> Keyword:
     return Keyword(name, short, "setting", "RW", "axis", unit, "jogging.setting", help, example, default=0.0, low=low,
-                   high=high, source=_LIBRARY, trust="memory", group="axis")  # fmt: skip
+                   high=high, group="axis")  # fmt: skip
 
 
 ROWS = (
@@ -23,8 +22,8 @@ ROWS = (
     Keyword("JOGCOMMAND", "jgc", "setting", "RW", "axis", "integer", "jogging.command",
             "Jog at JOGSPEED: 1 forwards, -1 in reverse; 0 brings the axis to rest. It keeps its value until it is "
             "written again, also when JOGDURATION has ended the jog.",
-            _PANEL + "PRINT VEL(0)\nPAUSE IDLE(0)\nPRINT POS(0)", default=0.0, low=-1, high=1, source=_LIBRARY,
-            trust="memory", group="motion", effect="act"),
+            _PANEL + "PRINT VEL(0)\nPAUSE IDLE(0)\nPRINT POS(0)", default=0.0, low=-1, high=1,
+            group="motion", effect="act"),
     _setting("JOGMODE", "", "integer",
              "How long JOGCOMMAND jogs: 0 until it is 0, 1 for JOGDURATION, once for each new command.",
              "JOGMODE(0) = 1\nPRINT JOGMODE(0)", 1),
@@ -33,8 +32,7 @@ ROWS = (
              "JOGDURATION(0) = 500\nPRINT JOGDURATION(0)", _LONGEST),
     Keyword("JOGTIME", "", "reading", "R", "axis", "integer", "jogging.time",
             "How many milliseconds JOGCOMMAND has been jogging; 0 while it does not.",
-            _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, source=_LIBRARY, trust="memory", group="state",
-            solved=True),
+            _PANEL + "PRINT JOGTIME(0)\nPAUSE IDLE(0)", default=0.0, group="state", solved=True),
     _setting("JOGACCELTIMEMAX", "", "ms",
              "Acceleration of jogs, given as the time from rest to DRIVESPEEDMAX or, where that is not set, MAXSPEED "
              "or SPEED; 0 for ACCEL.",

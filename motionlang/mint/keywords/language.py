@@ -5,21 +5,21 @@ from __future__ import annotations
 from motionlang.lang.keyword import Keyword
 
 
-def _word(name: str, help: str, example: str, trust: str = "memory", short: str = "",
+def _word(name: str, help: str, example: str, short: str = "",
           driven: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, short, "statement", "C", "none", "", name.lower(), help, example,
-                   source="MN1955 contents", trust=trust, group="language", driven=driven)  # fmt: skip
+                   group="language", driven=driven)  # fmt: skip
 
 
 ROWS = (
     _word("Print", "Print values one after the other; a last comma or semicolon keeps the line open.",
-          'PRINT "x = ", 1.5', "code", "?"),
+          'PRINT "x = ", 1.5', "?"),
     _word("Input", "Wait for a number from the terminal.", "Dim n As Integer\nIf 0 Then INPUT \"How many? \", n",
           driven="answer"),
-    _word("Pause", "Wait until a condition is true.", "MOVER(0) = 12 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)", "manual"),
+    _word("Pause", "Wait until a condition is true.", "MOVER(0) = 12 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)"),
     _word("Dim", "Declare variables, with their types and first values.", "Dim n As Integer = 3\nPRINT n"),
-    _word("Const", "Give a fixed value a name.", "Const LENGTH = 12.5\nPRINT LENGTH", "code"),
-    _word("Define", "Let a name stand for an expression.", "Define ready = IDLE(0)\nPRINT ready", "code"),
+    _word("Const", "Give a fixed value a name.", "Const LENGTH = 12.5\nPRINT LENGTH"),
+    _word("Define", "Let a name stand for an expression.", "Define ready = IDLE(0)\nPRINT ready"),
     _word("If", "Do statements when a condition is true.", "If 1 < 2 Then PRINT \"yes\" Else PRINT \"no\""),
     _word("Then", "The part of an If that is done when its condition is true.", "If 1 < 2 Then PRINT \"yes\""),
     _word("ElseIf", "A further condition of an If.",
@@ -55,10 +55,10 @@ ROWS = (
     _word("ByRef", "A parameter that stands for the variable given to it.",
           "Dim k As Integer\nCount(k)\nPRINT k\nEnd\nSub Count(ByRef n As Integer)\n  n = n + 1\nEnd Sub"),
     _word("Task", "A piece of program that runs beside the parent task once it is Run.",
-          "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task", "manual"),
-    _word("Run", "Start a task.", "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task", "manual"),
+          "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task"),
+    _word("Run", "Start a task.", "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task"),
     _word("Event", "What is done when something happens, between two statements of the tasks.",
-          "TIMEREVENT = 100\nWAIT = 350\nEnd\nEvent TIMER\n  PRINT \"tick\"\nEnd Event", "manual"),
+          "TIMEREVENT = 100\nWAIT = 350\nEnd\nEvent TIMER\n  PRINT \"tick\"\nEnd Event"),
     _word("Startup", "Statements that are done before anything else.",
           "PRINT \"main\"\nStartup\n  PRINT \"startup\"\nEnd Startup"),
     _word("Auto", "Start the program at power-up.", "Auto\nPRINT \"started\""),
@@ -66,14 +66,14 @@ ROWS = (
     _word("Type", "A type made of several values.",
           "Type Point\n  x As Float\n  y As Float\nEnd Type\nDim p As Point\np.x = 1\nPRINT p.x"),
     _word("As", "The type of a name.", "Dim n As Integer = 3\nPRINT n"),
-    _word("Integer", "A whole number of 32 bits.", "Dim n As Integer = 3\nPRINT n", "manual"),
-    _word("Float", "A number with a fraction.", "Dim x As Float = 3\nPRINT x", "manual"),
+    _word("Integer", "A whole number of 32 bits.", "Dim n As Integer = 3\nPRINT n"),
+    _word("Float", "A number with a fraction.", "Dim x As Float = 3\nPRINT x"),
     _word("String", "A text, of at most the length that follows the star.",
-          "Dim s As String * 10 = \"abc\"\nPRINT s", "code"),
+          "Dim s As String * 10 = \"abc\"\nPRINT s"),
     _word("Semaphore", "Something that one task at a time can hold.",
-          "Dim s As Semaphore\ns = _TRUE\nPRINT s\ns = _FALSE", "code"),
-    _word("Controller", "Another controller on a network.", "", "code"),
-    _word("Using", "The width and the decimals that PRINT gives a value.", "PRINT 1.5 USING 8, 2", "code"),
+          "Dim s As Semaphore\ns = _TRUE\nPRINT s\ns = _FALSE"),
+    _word("Controller", "Another controller on a network.", ""),
+    _word("Using", "The width and the decimals that PRINT gives a value.", "PRINT 1.5 USING 8, 2"),
     _word("And", "True when both sides are; the right side is not looked at when the left one is false.",
           "PRINT 1 And 0"),
     _word("Or", "True when one side is; the right side is not looked at when the left one is true.",
@@ -84,5 +84,5 @@ ROWS = (
     _word("To", "The upper end of a For or of a Case range.", "For i = 1 To 3\n  PRINT i\nNext"),
     _word("Is", "A comparison in a Case.",
           "Select Case 5\nCase Is > 3\n  PRINT \"large\"\nCase Else\n  PRINT \"small\"\nEnd Select"),
-    _word("Rem", "A comment to the end of the line, as ' is.", "REM nothing happens here", "manual"),
+    _word("Rem", "A comment to the end of the line, as ' is.", "REM nothing happens here"),
 )  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _ARMED = "LATCHTRIGGERCHANNEL(0) = 3\nLATCHENABLE(0) = 1\nPRINT {}(0)"
 _FAST = "FASTSELECT(0) = 3\nFASTENABLE(0) = 1\nPRINT {}(0)"
 
@@ -13,19 +12,18 @@ def _setting(
     name: str, index: str, unit: str, value: str, help: str, high: float, default: float = 0.0
 ) -> Keyword:
     return Keyword(name, "", "setting", "RW", index, unit, "latches.setting", help,
-                   f"{name}(0) = {value}\nPRINT {name}(0)", default=default, low=0, high=high, source=_LIBRARY,
-                   trust="memory", group="latches")  # fmt: skip
+                   f"{name}(0) = {value}\nPRINT {name}(0)", default=default, low=0, high=high,
+                   group="latches")  # fmt: skip
 
 
 def _reading(name: str, index: str, unit: str, verb: str, help: str, example: str) -> Keyword:
     return Keyword(name, "", "reading", "R", index, unit, verb, help, example.format(name), default=0.0,
-                   source=_LIBRARY, trust="memory", group="latches")  # fmt: skip
+                   group="latches")  # fmt: skip
 
 
 def _compare(name: str, help: str, low: float, high: float, default: float) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "integer", "latches.position_compare.setting", help,
-                   f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, source=_LIBRARY,
-                   trust="memory", group="latches")  # fmt: skip
+                   f"{name}(0) = 1\nPRINT {name}(0)", default=default, low=low, high=high, group="latches")  # fmt: skip
 
 
 ROWS = (
@@ -45,14 +43,13 @@ ROWS = (
              "How far the axis must be from the position caught last before an edge counts again.", 8388607.0),
     Keyword("LATCHENABLE", "", "setting", "RW", "latch", "bool", "latches.enable",
             "Arm a latch; it forgets what it had caught.",
-            _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, source=_LIBRARY, trust="memory",
-            group="latches"),
+            _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
     _reading("LATCH", "latch", "bool", "latches.caught", "1 when a latch has caught a position.", _ARMED),
     _reading("LATCHVALUE", "latch", "number", "latches.value", "What a latch has caught.", _ARMED),
     _setting("FASTSELECT", "axis", "integer", "3", "The input that triggers the fast latch of the axis.", 999),
     Keyword("FASTENABLE", "", "setting", "W", "axis", "integer", "latches.enable",
             "Arm the fast latch of the axis; it forgets what it had caught.",
-            _FAST.format("FASTLATCH"), low=0, high=1, source=_LIBRARY, trust="memory", group="latches"),
+            _FAST.format("FASTLATCH"), low=0, high=1, group="latches"),
     _setting("FASTLATCHEDGE", "axis", "bool", "1", "0: the input triggers when it becomes active; 1: inactive.", 1),
     _setting("FASTLATCHMODE", "axis", "integer", "1", "0: the fast latch catches once; 1: it stays armed.", 1),
     _setting("FASTLATCHDISTANCE", "axis", "uu", "5",
@@ -67,11 +64,11 @@ ROWS = (
     Keyword("COMPAREPOS", "", "setting", "RW", "axis, register", "uu", "latches.position_compare.position",
             "The positions with which the axis is compared: registers 0 and 1.",
             "COMPAREPOS(0, 1) = 25\nPRINT COMPAREPOS(0, 1)",
-            default=0.0, low=-8388607.0, high=8388607.0, source=_LIBRARY, trust="memory", group="latches"),
+            default=0.0, low=-8388607.0, high=8388607.0, group="latches"),
     Keyword("COMPAREENABLE", "", "setting", "RW", "output", "bool", "latches.position_compare.enable",
             "Whether the position compare switches an output.",
             "COMPAREOUTPUT(0) = 2\nCOMPAREENABLE(2) = 1\nPRINT COMPAREENABLE(2)",
-            default=0.0, low=0, high=1, source=_LIBRARY, trust="memory", group="latches"),
+            default=0.0, low=0, high=1, group="latches"),
     _reading("COMPARELATCH", "axis", "bool", "latches.position_compare.passed",
              "1 when the axis has been at a compare position since the compare was enabled.", "PRINT {}(0)"),
 )  # fmt: skip

@@ -5,7 +5,6 @@ from __future__ import annotations
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords.defaults import FATAL_ERROR, MODES
 
-_LIBRARY = "Mint type library"
 _ADC = "ADCMIN(2) = 10\nADCMAX(2) = 90\nADCMONITOR(0) = 4\nPRINT {}"
 _FAIL = "{}SPEED(0) = 0\nMOVER(0) = 1\nGO(0)\nPRINT IDLE(0)\nEnd\nEvent ONERROR\n  PRINT ERRCODE\nEnd Event"
 
@@ -16,7 +15,7 @@ def _word(
 ) -> Keyword:  # fmt: skip
     kind = "reading" if access == "R" else "setting"
     return Keyword(name, short, kind, access, index, unit, verb, help, example, default=default, low=low, high=high,
-                   source=_LIBRARY, trust="memory", group=group)  # fmt: skip
+                   group=group)  # fmt: skip
 
 
 ROWS = (
@@ -38,7 +37,7 @@ ROWS = (
           "ADCERRORMODE(0) = _emERROR_DECEL\nPRINT ADCERRORMODE(0)", float(MODES["ADCERRORMODE"]), 0, 5, "limits"),
     Keyword("ADCOFFSETTRIM", "", "command", "C", "channel", "", "monitoring.trim",
             "Make what an analogue input shows now its zero, by its ADCOFFSET.",
-            "ADCOFFSETTRIM(0)\nPRINT ADC(0)", source=_LIBRARY, trust="memory", group="io"),
+            "ADCOFFSETTRIM(0)\nPRINT ADC(0)", group="io"),
     _word("FOLERRORWARNING", "", "RW", "axis", "uu", "monitoring.following_warning",
           "The following error beyond which the axis warns, in AXISWARNING; only a simulated motor has one.",
           "FOLERRORWARNING(0) = 2\nPRINT FOLERRORWARNING(0)", FATAL_ERROR, 0.0, 8388607.0, "servo"),

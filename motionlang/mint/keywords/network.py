@@ -26,24 +26,22 @@ def _word(
     verb: str,
     help: str,
     example: str,
-    trust: str = "memory",
     low: float | None = None,
     high: float | None = None,
 ) -> Keyword:
     kind = "command" if access == "C" else "setting" if "W" in access else "reading"
     default = None if access == "C" else "" if unit == "text" else 0.0
-    source = _MN1274 if trust == "manual" else _LIBRARY
     where = verb if "." in verb else f"network.{verb}"
     return Keyword(name, "", kind, access, index, unit, where, help, example, default=default, low=low, high=high,
-                   source=source, trust=trust, group="remote")  # fmt: skip
+                   group="remote")  # fmt: skip
 
 
-def _bus(name: str, verb: str, help: str, trust: str) -> tuple[Keyword, Keyword]:
+def _bus(name: str, verb: str, help: str) -> tuple[Keyword, Keyword]:
     """A word of the bus, and the older word that says CAN."""
     words = (f"BUS{name}", "CANBUSSTATE" if name == "STATE" else f"CAN{name}")
     rest = ("", " The older word for CAN buses.")
     new, old = (
-        _word(word, "R", "bus", "integer", verb, help + more, f"PRINT {word}(1)", trust)
+        _word(word, "R", "bus", "integer", verb, help + more, f"PRINT {word}(1)")
         for word, more in zip(words, rest, strict=True)
     )
     return new, old
@@ -57,15 +55,14 @@ def _reset(name: str) -> Keyword:
 ROWS = (
     *(
         Keyword(f"_cet{name}", "", "constant", "R", "none", "integer", str(value), f"BUSEVENT: {help}.",
-                f"PRINT _cet{name}", source=_MN1274, trust="manual" if name in ("NONE", "LIVE") else "memory",
-                group="constants")
+                f"PRINT _cet{name}", group="constants")
         for name, value, help in _CODES
     ),
     *_bus("EVENT", "event",
-          "Code of the next event of a bus, which is taken off its queue; 0 when there is none.", "manual"),
+          "Code of the next event of a bus, which is taken off its queue; 0 when there is none."),
     *_bus("EVENTINFO", "event_info",
-          "What the event that was taken last is about: the number of the node.", "manual"),
-    *_bus("STATE", "bus_state", "State of a bus: 1 operational, 2 passive, 3 off.", "memory"),
+          "What the event that was taken last is about: the number of the node."),
+    *_bus("STATE", "bus_state", "State of a bus: 1 operational, 2 passive, 3 off."),
     _reset("BUSRESET"),
     _reset("CANBUSRESET"),
     _word("BUSNODE", "RW", "bus", "integer", "network.groups.own_node", "The controller's own node number on a bus.",
@@ -75,10 +72,10 @@ ROWS = (
           "NODESCAN(1, 2)\nPRINT BUSEVENT(1), \" \", BUSEVENTINFO(1)"),
     _word("REMOTECOMMS", "RW", "bus, node, element", "number", "comms_real",
           "An element of the comms array of another node, 1 to 99, as a float.",
-          "REMOTECOMMS(1, 2, 5) = 2.5\nPRINT REMOTECOMMS(1, 2, 5)", "code"),
+          "REMOTECOMMS(1, 2, 5) = 2.5\nPRINT REMOTECOMMS(1, 2, 5)"),
     _word("REMOTECOMMSINTEGER", "RW", "bus, node, element", "integer", "comms_whole",
           "An element of the comms array of another node as an Integer, of the same 32 bits.",
-          "REMOTECOMMSINTEGER(1, 2, 5) = 7\nPRINT REMOTECOMMSINTEGER(1, 2, 5)", "code"),
+          "REMOTECOMMSINTEGER(1, 2, 5) = 7\nPRINT REMOTECOMMSINTEGER(1, 2, 5)"),
     _word("COMMSREMOTE", "RW", "node, element", "number", "first_bus_comms",
           "An element of the comms array of another node of bus 1, as a float.",
           "COMMSREMOTE(2, 5) = 2.5\nPRINT COMMSREMOTE(2, 5), REMOTECOMMS(1, 2, 5)"),

@@ -16,7 +16,7 @@ _TYPES = (("OFF", "no axis"), ("SERVO", "a servo"), ("STEPPER", "a stepper"), ("
 ROWS = (
     *(
         Keyword(f"_cf{name}", "", "constant", "R", "none", "integer", str(value), f"CONFIG: {help}.",
-                f"PRINT _cf{name}", trust="memory", group="constants")
+                f"PRINT _cf{name}", group="constants")
         for value, (name, help) in enumerate(_TYPES)
     ),
 )  # fmt: skip

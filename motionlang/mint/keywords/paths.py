@@ -4,24 +4,21 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _LARGEST = 8388607.0
 _READY = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 _END = '\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), " ", POS(1)'
 _TWO = "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)"
 
 
-def _path(
-    name: str, unit: str, help: str, example: str, trust: str = "code", effect: str = "path"
-) -> Keyword:
+def _path(name: str, unit: str, help: str, example: str, effect: str = "path") -> Keyword:
     short = "".join(name[at] for at in (0, -1)) if name[:5] != "HELIX" else ""  # VA, VR, CA, CR
     return Keyword(name, short, "move", "W", "axes", unit, "paths.arc" if "degrees" in unit else "paths.line", help,
-                   example + _END, source=_LIBRARY, trust=trust, group="motion", effect=effect)  # fmt: skip
+                   example + _END, group="motion", effect=effect)  # fmt: skip
 
 
 def _setting(name: str, unit: str, verb: str, help: str, example: str, high: float) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, verb, help, _READY + example, default=0.0, low=0.0,
-                   high=high, source=_LIBRARY, trust="memory", group="paths")  # fmt: skip
+                   high=high, group="paths")  # fmt: skip
 
 
 _RULE = "SPEED, ACCEL and DECEL of the first axis are those along the path, and GO of it starts all"
@@ -57,14 +54,11 @@ ROWS = (
     Keyword("BLEND", "", "command", "C", "axes", "", "paths.blend",
             "Begin the next path now, on top of what remains of the present one.",
             _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"
-            "PAUSE IDLE(0)\nPRINT POS(1)",
-            source=_LIBRARY, trust="memory", group="motion"),
+            "PAUSE IDLE(0)\nPRINT POS(1)", group="motion"),
     Keyword("VELDEMANDPATH", "", "reading", "R", "axis", "number", "path_speed",
             "Speed along the path that the axis is on, in user units a second.",
-            _READY + "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 200\nPRINT VELDEMANDPATH(0)",
-            default=0.0, source=_LIBRARY, trust="memory", group="paths"),
+            _READY + "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 200\nPRINT VELDEMANDPATH(0)", default=0.0, group="paths"),
     Keyword("VECTORANGLE", "", "reading", "R", "axis, axis", "number", "paths.angle",
             "The direction, in degrees, in which two axes move in their plane; 0 at rest.",
-            _READY + "VECTORR(0, 1) = 30, 30\nGO(0)\nWAIT = 100\nPRINT VECTORANGLE(0, 1)",
-            default=0.0, source=_LIBRARY, trust="memory", group="paths"),
+            _READY + "VECTORR(0, 1) = 30, 30\nGO(0)\nWAIT = 100\nPRINT VECTORANGLE(0, 1)", default=0.0, group="paths"),
 )  # fmt: skip

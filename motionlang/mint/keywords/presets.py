@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _LARGEST = 8388607.0
 _LONGEST = 2147483647.0
 _TWO = "PRESETMOVETYPE(1, 0) = 4 : PRESETMOVEPOSITION(1) = 10\nPRESETMOVETYPE(2, 0) = 3 : PRESETMOVEPOSITION(2) = 0\n"
@@ -14,7 +13,7 @@ _RUN = _TWO + "PRESETINDEX(0) = 1\n{}PRESETMOVEENABLE(0) = 1\nPAUSE IDLE(0)\nPRI
 def _row(name: str, index: str, unit: str, verb: str, help: str, example: str, low: float, high: float,
          default: float = 0.0, group: str = "axis", effect: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, "", "setting", "RW", index, unit, f"presets.{verb}", help, example, default=default, low=low,
-                   high=high, source=_LIBRARY, trust="memory", group=group, effect=effect)  # fmt: skip
+                   high=high, group=group, effect=effect)  # fmt: skip
 
 
 def _entry(name: str, unit: str, help: str, low: float, high: float) -> Keyword:
@@ -55,8 +54,7 @@ ROWS = (
             100, "parameter", -100),
     _row("PRESETINDEX", "axis", "integer", "index",
          "The preset that is next; without a trigger input writing it starts it, while PRESETMOVEENABLE is 1.",
-         _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion",
-         effect="act"),
+         _RUN.format("") + "\nPRESETINDEX(0) = 2\nPAUSE IDLE(0)\nPRINT POS(0)", 0, 63, group="motion", effect="act"),
     _setting("PRESETINDEXMODE",
              "What follows a preset: 0 it stays selected, 1 the next one of the table is selected, 2 that starts by "
              "itself after PRESETDWELLTIME.", 0, 2),
@@ -69,7 +67,7 @@ ROWS = (
     _setting("PRESETINPUTSMAX", "How many inputs select a preset.", 0, 6, 4.0),
     Keyword("PRESETINPUTSTATE", "", "reading", "R", "axis", "integer", "presets.inputs",
             "The preset that the inputs select now.", "PRESETSELECTORINPUT(0) = 4\nPRINT PRESETINPUTSTATE(0)",
-            default=0.0, source=_LIBRARY, trust="memory", group="state"),
+            default=0.0, group="state"),
     _setting("PRESETTRIGGERINPUT", "The input whose becoming active starts the preset that is selected; -1 for none.",
              -1, 999, -1.0),
     _row("PRESETMOVEENABLE", "axis", "bool", "setting",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _BRAKE = "MOTORBRAKEOUTPUT(0) = 4\nMOTORBRAKEMODE(0) = 1\nDRIVEENABLE(0) = _OFF\nPRINT OUTX(4)"
 
 
@@ -14,14 +13,13 @@ def _word(
 ) -> Keyword:  # fmt: skip
     kind = "reading" if access == "R" else "setting"
     return Keyword(name, short, kind, access, index, unit, f"relays.{verb}", help, example, default=default,
-                   low=low, high=high, source=_LIBRARY, trust="memory", group="io")  # fmt: skip
+                   low=low, high=high, group="io")  # fmt: skip
 
 
 ROWS = (
     Keyword("PULSEOUTX", "", "setting", "W", "channel", "ms", "relays.pulse",
             "Turn an output on for some milliseconds, from now on; the program goes on meanwhile.",
-            "PULSEOUTX(3) = 50\nPRINT OUTX(3)\nWAIT = 50\nPRINT OUTX(3)", low=0, high=2147483647.0,
-            source=_LIBRARY, trust="memory", group="io"),
+            "PULSEOUTX(3) = 50\nPRINT OUTX(3)\nWAIT = 50\nPRINT OUTX(3)", low=0, high=2147483647.0, group="io"),
     _word("RELAY", "", "RW", "bank", "bool", "relay", "The relay of the controller, or the first one of a bank.",
           "RELAY = _ON\nPRINT RELAY", low=0, high=1),
     _word("RELAYOUT", "", "RW", "bank", "bits", "bank", "The relays of a bank as bits.",

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_MN1274 = "Baldor MN1274 p. 116"
-
 
 def _word(name: str, access: str, index: str, unit: str, verb: str, help: str, example: str,
           driven: str = "") -> Keyword:  # fmt: skip
     kind = "setting" if "W" in access else "reading"
     low, high = (-100.0, 100.0) if unit == "%" and "W" in access else (None, None)
     return Keyword(name, "", kind, access, index, unit, verb, help, example, default=0.0, low=low, high=high,
-                   source=_MN1274, trust="manual", group="remote", driven=driven)  # fmt: skip
+                   group="remote", driven=driven)  # fmt: skip
 
 
 ROWS = (

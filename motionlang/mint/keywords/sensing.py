@@ -5,26 +5,25 @@ from __future__ import annotations
 from motionlang.lang.keyword import Keyword
 from motionlang.mint.keywords.defaults import IDLE
 
-_LIBRARY = "Mint type library"
 _MOVE = "MOVER(0) = 100\nGO(0)\nPRINT {}(0)"
 
 
-def _reading(name: str, short: str, unit: str, verb: str, help: str, trust: str = "memory",
+def _reading(name: str, short: str, unit: str, verb: str, help: str,
              changes: str = "", solved: bool = False) -> Keyword:  # fmt: skip
-    return Keyword(name, short, "reading", "R", "axis", unit, verb, help, _MOVE.format(name), source=_LIBRARY,
-                   trust=trust, group="state", changes=changes, solved=solved)  # fmt: skip
+    return Keyword(name, short, "reading", "R", "axis", unit, verb, help, _MOVE.format(name),
+                   group="state", changes=changes, solved=solved)  # fmt: skip
 
 
 def _window(name: str, unit: str, help: str, high: float) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, "sensing.window", help,
                    f"{name}(0) = 3\nPRINT {name}(0)", default=float(IDLE[name]), low=0, high=high,
-                   source=_LIBRARY, trust="memory", group="state")  # fmt: skip
+                   group="state")  # fmt: skip
 
 
 def _encoder(name: str, unit: str, help: str, low: float, default: float) -> Keyword:
     return Keyword(name, "", "setting", "RW", "channel", unit, "sensing.encoder_setting", help,
-                   f"{name}(0) = 4\nPRINT {name}(0)", default=default, low=low, high=8388607.0, source=_LIBRARY,
-                   trust="memory", group="encoders")  # fmt: skip
+                   f"{name}(0) = 4\nPRINT {name}(0)", default=default, low=low, high=8388607.0,
+                   group="encoders")  # fmt: skip
 
 
 ROWS = (
@@ -33,8 +32,7 @@ ROWS = (
              "256 OFFSET, 512 another one; 1024 is added while the axis is suspended."),
     Keyword("POSDEMAND", "", "reading", "RW", "axis", "uu", "demand",
             "The position that the profiler demands: POS, where no motor is simulated. Writing it, which makes the "
-            "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), source=_LIBRARY, trust="memory",
-            group="state", changes="motion", solved=True),
+            "demand jump, is not simulated.", _MOVE.format("POSDEMAND"), group="state", changes="motion", solved=True),
     _reading("VELDEMAND", "", "uu/s", "demand_velocity", "The velocity that the profiler demands.",
              changes="motion", solved=True),
     _reading("ACCELDEMAND", "", "uu/s2", "sensing.acceleration", "The acceleration that the profiler demands."),
@@ -51,28 +49,24 @@ ROWS = (
     _reading("IDLESETTLINGTIME", "", "integer", "sensing.settling_time",
              "How many milliseconds after the end of its move the axis was idle."),
     Keyword("SYSTEMSECONDS", "", "reading", "R", "none", "number", "sensing.seconds",
-            "Seconds since power-up.", "PRINT SYSTEMSECONDS", default=0.0, source=_LIBRARY, trust="code",
-            group="control"),
+            "Seconds since power-up.", "PRINT SYSTEMSECONDS", default=0.0, group="control"),
     Keyword("ENCODER", "", "setting", "RW", "channel", "number", "sensing.encoder",
             "What the encoder of an axis shows, in units of ENCODERSCALE; POS = 0 does not change it.",
-            "ENCODER(0) = 100\nPRINT ENCODER(0)", default=0.0, source=_LIBRARY, trust="code", group="encoders",
-            driven="encoder", solved=True),
+            "ENCODER(0) = 100\nPRINT ENCODER(0)", default=0.0, group="encoders", driven="encoder", solved=True),
     Keyword("ENCODERVEL", "", "reading", "R", "channel", "number", "sensing.encoder_speed",
             "Speed of an encoder, in units of ENCODERSCALE a second.",
-            "JOG(0) = 100\nWAIT = 10\nPRINT ENCODERVEL(0)\nCANCEL(0)", default=0.0, source=_LIBRARY, trust="code",
-            group="encoders"),
+            "JOG(0) = 100\nWAIT = 10\nPRINT ENCODERVEL(0)\nCANCEL(0)", default=0.0, group="encoders"),
     Keyword("ENCODERCOUNT", "", "reading", "R", "channel", "integer", "sensing.encoder_count",
             "Counts of the encoder of an axis since power-up.",
-            "PRINT ENCODERCOUNT(0)", default=0.0, source=_LIBRARY, trust="memory", group="encoders"),
+            "PRINT ENCODERCOUNT(0)", default=0.0, group="encoders"),
     _encoder("ENCODERSCALE", "number", "Counts of an encoder in one of its units.", 1e-6, 1.0),
     _encoder("ENCODERPRESCALE", "integer", "What the counts of an encoder are divided by first.", 1, 1.0),
     _encoder("ENCODERWRAP", "number", "The range in which ENCODER counts, from 0 on; 0 for no end.", 0, 0.0),
     Keyword("POSWRAP", "", "setting", "RW", "axis", "number", "sensing.wrap",
             "The range in which POS counts, from 0 on, in user units; 0 for no end. MOVEA stays within the turn.",
-            "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POS(0)",
-            default=0.0, low=0, high=8388607.0, source=_LIBRARY, trust="memory", group="state"),
+            "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POS(0)", default=0.0, low=0, high=8388607.0, group="state"),
     Keyword("POSROLLOVER", "", "setting", "RW", "axis", "integer", "sensing.turns",
             "How many times POS has wrapped.",
             "POSWRAP(0) = 360\nPOS(0) = 370\nPRINT POSROLLOVER(0)",
-            default=0.0, low=-2147483648.0, high=2147483647.0, source=_LIBRARY, trust="memory", group="state"),
+            default=0.0, low=-2147483648.0, high=2147483647.0, group="state"),
 )  # fmt: skip

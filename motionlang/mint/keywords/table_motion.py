@@ -24,27 +24,26 @@ _SPLINE_BITS = (
 )
 
 
-def _setting(name: str, verb: str, unit: str, help: str, example: str, default: float, low: float, high: float,
-             trust: str = "memory") -> Keyword:  # fmt: skip
-    source = _MN1270 if trust == "manual" else _LIBRARY
+def _setting(
+    name: str, verb: str, unit: str, help: str, example: str, default: float, low: float, high: float
+) -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", unit, verb, help, example, default=default, low=low,
-                   high=high, source=source, trust=trust, group="tables")  # fmt: skip
+                   high=high, group="tables")  # fmt: skip
 
 
 def _index(name: str, help: str, example: str, verb: str) -> Keyword:
-    return Keyword(name, "", "reading", "R", "axis", "integer", verb, help, example, default=0.0, source=_LIBRARY,
-                   trust="memory", group="tables")  # fmt: skip
+    return Keyword(name, "", "reading", "R", "axis", "integer", verb, help, example, default=0.0,
+                   group="tables")  # fmt: skip
 
 
-def _command(name: str, index: str, verb: str, help: str, example: str, trust: str = "memory") -> Keyword:
-    return Keyword(name, "", "command", "C", index, "", verb, help, example,
-                   source=_MN1270 if trust == "manual" else _LIBRARY, trust=trust, group="motion")  # fmt: skip
+def _command(name: str, index: str, verb: str, help: str, example: str) -> Keyword:
+    return Keyword(name, "", "command", "C", index, "", verb, help, example, group="motion")  # fmt: skip
 
 
 ROWS = (
     *(
         Keyword(f"_sp{name}", "", "constant", "R", "none", "integer", str(value), f"SPLINE, and CAM: {help}.",
-                f"PRINT _sp{name}", source=_MN1270, trust="manual", group="constants")
+                f"PRINT _sp{name}", group="constants")
         for name, value, help in _SPLINE_BITS
     ),
     _command("CAMTABLE", "axis, array, array", "table_motion.cams.table",
@@ -53,8 +52,7 @@ ROWS = (
     Keyword("CAM", "", "move", "RW", "axis", "integer", "table_motion.cams.cam",
             "Load a cam over the master; GO begins it where both axes then are. Bits: 0 positions count from its begin "
             "and not from segment to segment, 1 they are those of the axis, 2 again and again.",
-            _CAM.format(""), low=0, high=7, source=_LIBRARY, trust="memory", group="motion",
-            effect="course follows"),
+            _CAM.format(""), low=0, high=7, group="motion", effect="course follows"),
     _setting("CAMSTART", "following.masters.setting", "integer", "The first segment of a cam that is used.",
              _CAM.format("CAMSTART(1) = 2\n"), 1.0, 1, 16777215),
     _setting("CAMEND", "following.masters.setting", "integer",
@@ -75,11 +73,11 @@ ROWS = (
            _CAM.format("") + "\nPRINT CAMPHASESTATUS(1)", "table_motion.cams.phase_status"),
     _command("SPLINETABLE", "axis, array, array, array", "table_motion.splines.table",
              "Attach arrays to a spline: positions, velocities (NULL: chosen) and times of the segments in ms (NULL: "
-             "SPLINETIME). Element 1 is the number of segments.", _SPLINE.format(""), "manual"),
+             "SPLINETIME). Element 1 is the number of segments.", _SPLINE.format("")),
     Keyword("SPLINE", "SPL", "move", "RW", "axis", "integer", "table_motion.splines.spline",
             "Load a spline through the positions of SPLINETABLE; GO begins it. The bits are the _sp constants; "
             "the axis must be idle.",
-            _SPLINE.format(""), low=0, high=15, source=_MN1270, trust="manual", group="motion", effect="course"),
+            _SPLINE.format(""), low=0, high=15, group="motion", effect="course"),
     _setting("SPLINESTART", "table_motion.splines.setting", "integer", "The first segment of a spline that is used.",
              _SPLINE.format("SPLINESTART(0) = 2\n"), 1.0, 1, 16777215),
     _setting("SPLINEEND", "table_motion.splines.setting", "integer",
@@ -87,11 +85,11 @@ ROWS = (
              _SPLINE.format("SPLINEEND(0) = 2\n"), 0.0, 0, 16777215),
     _setting("SPLINETIME", "table_motion.splines.setting", "ms",
              "Milliseconds of each segment of a spline, of which whole steps of 2 count.",
-             _SPLINE.format("SPLINETIME(0) = 250\n"), 100.0, 4, 60000, "manual"),
+             _SPLINE.format("SPLINETIME(0) = 250\n"), 100.0, 4, 60000),
     _setting("SPLINESUSPENDTIME", "table_motion.splines.suspend_time", "ms",
              "Milliseconds in which SUSPEND and STOP bring a spline to rest on its path, and in which it does the rest "
              "of its segment when it goes on.",
-             _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000, "manual"),
+             _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),
     _index("SPLINEINDEX", "The segment of the spline that is executing, 0 without one.",
            _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", "table_motion.splines.index"),
     _command("SPLINESEGMENT", "axis, table, segment, array", "table_motion.splines.segment",

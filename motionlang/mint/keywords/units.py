@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _RPM = "POSSCALEFACTOR(0) = 4000\nVELSCALEFACTOR(0) = 4000 / 60\nACCELSCALEFACTOR(0) = 4000\nPRINT {}(0)"
 
 
 def _factor(name: str, verb: str, help: str, effect: str = "") -> Keyword:
     return Keyword(name, "", "setting", "RW", "axis", "number", f"units.{verb}", help, _RPM.format(name), default=1.0,
-                   low=1e-6, high=1e12, source=_LIBRARY, trust="memory", group="axis", effect=effect)  # fmt: skip
+                   low=1e-6, high=1e12, group="axis", effect=effect)  # fmt: skip
 
 
 ROWS = (

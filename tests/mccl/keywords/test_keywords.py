@@ -42,7 +42,6 @@ def test_a_row_is_filled_in(row: Keyword) -> None:
     assert len(row.name) == 2
     assert row.name.isupper()
     assert row.help.endswith(".")
-    assert row.source
     assert row.group
     assert row.index in ("axes", "axis", "none")
     assert row.access in ("C", "W", "R")
