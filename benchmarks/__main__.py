@@ -82,6 +82,12 @@ BARS: dict[str, Bar] = {
     "quantised-real-time": _least(80.0),
     "both-real-time": _least(80.0),
     "simulate-real-time": _least(1_600.0),
+    # An S-curve from motion against one from rest, and against ruckig where that is installed.
+    "plan.from_velocity_over_rest": _most(3.0),
+    "plan.from_acceleration_over_rest": _most(5.0),
+    "plan.from_rest_over_ruckig": _most(5.0),
+    "plan.from_velocity_over_ruckig": _most(10.0),
+    "plan.from_acceleration_over_ruckig": _most(20.0),
     # Sampling against filling an array, a table of numbers against NumPy's.
     "sample.one_profile_over_fill": _most(5.0),
     "sample.table_of_2000_moves_over_fill": _most(25.0),

@@ -6,7 +6,8 @@ Prints `name value unit`. Every figure is the best of many interleaved rounds wi
 from __future__ import annotations
 
 import gc
-from time import perf_counter
+from random import Random
+from time import process_time
 from typing import TYPE_CHECKING, Any
 
 from motionlang.profile import plan_jerk, plan_parabolic, plan_ratio, plan_sinusoidal, plan_trapezoid
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
 
 CALLS = 2000
 ROUNDS = 60
+# Random states beside a speed of 100, a rate of 500 and a jerk of 5000.
+STATES = 2000
+SPEED, RATE, JERK = 100.0, 500.0, 5000.0
 
 
 def ruckig_call() -> Callable[[float, float], object] | None:
@@ -59,6 +63,74 @@ def jobs() -> dict[str, Callable[[float, float], object]]:
     return {"ruckig": reference, **made} if reference else made
 
 
+def states(velocities: float, accelerations: float) -> list[tuple[float, float, float]]:
+    """Velocity, acceleration and target of random states, in all directions, up to a part of the limits.
+
+    None has an acceleration that carries its velocity beyond the speed before it is gone.
+    """
+    choose, found = Random(1), list[tuple[float, float, float]]()
+    while len(found) < STATES:
+        v0 = choose.uniform(-SPEED, SPEED) * velocities
+        a0 = choose.uniform(-RATE, RATE) * accelerations
+        target = choose.uniform(-SPEED, SPEED)
+        if abs(v0 + 0.5 * a0 * abs(a0) / JERK) <= SPEED:
+            found.append((v0, a0, target))
+    return found
+
+
+def own_states(some: list[tuple[float, float, float]]) -> Callable[[], object]:
+    """All of them planned as S-curves."""
+
+    def call() -> None:
+        for v0, a0, target in some:
+            plan_jerk(0.0, target, SPEED, RATE, RATE, JERK, JERK, v0, a0)
+
+    return call
+
+
+def ruckig_states(some: list[tuple[float, float, float]]) -> Callable[[], object] | None:
+    """The same by ruckig, whose questions are put before; None without it."""
+    try:
+        import ruckig  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    except ImportError:
+        return None
+    generator, answer, questions = ruckig.Ruckig(1), ruckig.Trajectory(1), []
+    for v0, a0, target in some:
+        ask = ruckig.InputParameter(1)
+        ask.max_velocity, ask.max_acceleration, ask.max_jerk = [SPEED], [RATE], [JERK]
+        ask.current_velocity, ask.current_acceleration, ask.target_position = [v0], [a0], [target]
+        questions.append(ask)
+    calculate: Any = generator.calculate
+
+    def call() -> None:
+        for ask in questions:
+            calculate(ask, answer)
+
+    return call
+
+
+def random_states() -> None:
+    """S-curves from rest, from any velocity and from any velocity and acceleration, beside each other and ruckig."""
+    kinds = {"rest": states(0.0, 0.0), "velocity": states(1.0, 0.0), "acceleration": states(1.0, 1.0)}
+    work: dict[str, Callable[[], object]] = {name: own_states(some) for name, some in kinds.items()}
+    for name, some in kinds.items():
+        peer = ruckig_states(some)
+        if peer is not None:
+            work[f"{name} ruckig"] = peer
+    times = dict.fromkeys(work, float("inf"))
+    for _ in range(ROUNDS // 3):
+        for name, job in work.items():
+            begin = process_time()
+            job()
+            times[name] = min(times[name], (process_time() - begin) / STATES)
+    for name in kinds:
+        print(f"plan.from_{name} {times[name] * 1e9:.0f} ns")
+        if name != "rest":
+            print(f"plan.from_{name}_over_rest {times[name] / times['rest']:.2f} x")
+        if f"{name} ruckig" in times:
+            print(f"plan.from_{name}_over_ruckig {times[name] / times[f'{name} ruckig']:.2f} x")
+
+
 def main() -> None:
     """Measure and print."""
     work = jobs()
@@ -66,14 +138,15 @@ def main() -> None:
     gc.disable()
     for _ in range(ROUNDS):
         for name, job in work.items():
-            begin = perf_counter()
+            begin = process_time()
             for _ in range(CALLS):
                 job(0.0, 100.0)
-            times[name] = min(times[name], (perf_counter() - begin) / CALLS)
+            times[name] = min(times[name], (process_time() - begin) / CALLS)
     for name, seconds in times.items():
         print(f"plan.{name} {seconds * 1e9:.0f} ns")
         if "ruckig" in times and name != "ruckig":
             print(f"plan.{name}_over_ruckig {seconds / times['ruckig']:.2f} x")
+    random_states()
 
 
 if __name__ == "__main__":

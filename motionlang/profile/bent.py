@@ -39,8 +39,15 @@ class Bent(Profile):
     def __init__(
         self, start: float, end: float, duration: float, head: Head, tail: Recipe, name: str = ""
     ) -> None:
-        super().__init__("scurve", start, end, duration, (head[0] * head[3], tail[-1]))
-        self._head, self._tail, self._name = head, tail, name
+        # The stores of `Profile`, written out as planning in motion runs inside the program.
+        self.shape = "scurve"
+        self.start = start
+        self.end = end
+        self.duration = duration
+        self._recipe = (head[0] * head[3], tail[-1])
+        self._head = head
+        self._tail = tail
+        self._name = name
 
     @property
     def curve(self) -> Curve:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import copysign, sqrt
 
 from motionlang.profile.fade import eased_speed, fade, fade_distance
 from motionlang.profile.ramps import ramp_distance
@@ -20,13 +20,16 @@ if TYPE_CHECKING:
 
 # What a ramp may be longer than the way it has, as a part of it, and still be said to fit: rounding.
 _SLACK = 1e-12
+# Secants that are tried before halves, and how near to each other, as a part of themselves, they bring two numbers.
+_SECANTS = 30
+_NEAR = 1e-14
 
 
 def entry_speed(ramps: Ramps, length: float, v1: float, most: float) -> float:
     """The highest speed, up to `most`, from which speed v1 can be reached within `length`."""
     if ramps.squares is not None:
         return min(most, sqrt(v1 * v1 + 2.0 * length / ramps.squares[1]))
-    return _farthest(v1, most, lambda u: _ramp_length(ramps, u, v1) <= length) if v1 < most else most
+    return _farthest(v1, most, lambda u: _ramp_length(ramps, u, v1) - length) if v1 < most else most
 
 
 def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -> float | None:
@@ -36,7 +39,7 @@ def exit_speed(ramps: Ramps, length: float, v0: float, a0: float, most: float) -
     low = _eased(ramps, v0, a0)
     if low < 0.0 or _lead_length(ramps, v0, a0, low) > length * (1.0 + _SLACK):
         return None
-    return _farthest(low, most, lambda v: _lead_length(ramps, v0, a0, v) <= length) if low < most else most
+    return _farthest(low, most, lambda v: _lead_length(ramps, v0, a0, v) - length) if low < most else most
 
 
 def reaches(ramps: Ramps, length: float, v0: float, a0: float, v1: float) -> bool:
@@ -73,17 +76,17 @@ def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: fl
         best = sqrt((2.0 * length + up * v0 * v0 + down * v1 * v1) / (up + down))
         return max(min(best, speed), v1)
 
-    def fits(v: float) -> bool:
-        return _lead_length(ramps, v0, a0, v) + _ramp_length(ramps, v, v1) <= length
+    def beyond(v: float) -> float:
+        return _lead_length(ramps, v0, a0, v) + _ramp_length(ramps, v, v1) - length
 
-    if fits(speed):
+    if beyond(speed) <= 0.0:
         return speed
     eased = _eased(ramps, v0, a0)
     crest = max(eased, v1)
-    if fits(crest):
-        return _farthest(crest, speed, fits)
+    if beyond(crest) <= 0.0:
+        return _farthest(crest, speed, beyond)
     # Braking goes on into the last ramp: a speed that is held for a moment on the way down takes the room up.
-    return _farthest(v1, min(eased, speed), fits) if fits(v1) else v1
+    return _farthest(v1, min(eased, speed), beyond) if beyond(v1) <= 0.0 else v1
 
 
 def _lead(ramps: Ramps, v0: float, a0: float, v: float) -> tuple[Steps, float, float]:
@@ -117,12 +120,32 @@ def _fitting(ramp: Ramp, length: float) -> Ramp:
     return (ramp[0], ramp[1] * (length / long), *ramp[2:]) if long else ramp
 
 
-def _farthest(low: float, high: float, fits: Callable[[float], bool]) -> float:
-    """The number farthest from `low`, which fits, on the way to `high`, that fits, by bisection to the last bit."""
-    if fits(high):
+def _farthest(low: float, high: float, beyond: Callable[[float], float]) -> float:
+    """The number farthest from `low`, which fits, on the way to `high`, that fits: whose `beyond` is 0 at most.
+
+    Secants between one that fits and one that does not, of which the end that stays twice counts half (Illinois), until
+    both are a few bits apart; then halves to the last one.
+    """
+    over = beyond(high)
+    if over <= 0.0:
         return high
+    under, stays = beyond(low), 0.0
+    for _ in range(_SECANTS):
+        width = high - low
+        if abs(width) <= _NEAR * abs(low):
+            break
+        x = low - under * (width / (over - under))
+        # A little towards the end that is farther away, so that it follows where the other one has come.
+        x += copysign(0.25 * _NEAR * x, width if -under < over else -width)
+        if not min(low, high) < x < max(low, high):
+            x = 0.5 * (low + high)
+        found = beyond(x)
+        if found <= 0.0:
+            low, under, over, stays = x, found, over * (0.5 if stays > 0.0 else 1.0), 1.0
+        else:
+            high, over, under, stays = x, found, under * (0.5 if stays < 0.0 else 1.0), -1.0
     while True:
         middle = 0.5 * (low + high)
         if middle in (low, high):
             return low
-        low, high = (middle, high) if fits(middle) else (low, middle)
+        low, high = (middle, high) if beyond(middle) <= 0.0 else (low, middle)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Steps = tuple[tuple[float, float], ...]
 
 # A velocity counts as zero that is smaller than this part of the one that a whole ramp passes in easing out.
-_NOTHING = 1e-12
+NOTHING = 1e-12
 
 
 class Bounds:
@@ -44,7 +44,7 @@ def fade(bounds: Bounds, v0: float, a0: float, v1: float) -> tuple[Steps, float]
         return ((-bounds.accel_jerk, a0 / bounds.accel_jerk),), eased
     jerk = bounds.decel_jerk
     eased = v0 - 0.5 * a0 * a0 / jerk
-    if abs(eased - v1) <= _NOTHING * (bounds.decel * bounds.decel / jerk + v0):
+    if abs(eased - v1) <= NOTHING * (bounds.decel * bounds.decel / jerk + v0):
         return ((jerk, -a0 / jerk),), v1
     if v1 < eased:
         return tuple((-j, t) for j, t in _ramp(v0 - v1, -a0, bounds.decel, jerk)), v1

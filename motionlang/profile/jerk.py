@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from math import cbrt, inf, sqrt
 
-from motionlang.profile.approach import Ramps, approach
+from motionlang.profile.approach import Ramps, approach, is_rounding
 from motionlang.profile.bent import Bent, bent_approach
 from motionlang.profile.curve import Profile
-from motionlang.profile.fade import Bounds
-from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
+from motionlang.profile.fade import NOTHING, Bounds
+from motionlang.profile.limits import LARGEST, SMALLEST, STILL, check_finite, check_positive, too_large
 from motionlang.profile.pieces import position_in
 from motionlang.profile.ramps import FALLING, ramp_distance
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.profile.fade import Steps
 
 # How near to its target a plan comes by itself, as a part of the way, to be taken without a search.
 _CLOSE = 1e-11
@@ -74,15 +78,16 @@ def plan_jerk(
             v = speed if distance >= 0.0 else -speed
             recipe = (v0, first, ratio, v, slew, 0.0, v, last, last_ratio, 0.0)
             return Profile("scurve", start, target, duration, recipe)
-    check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
+    if not abs(start) + abs(target) + abs(v0) + abs(a0) <= LARGEST:  # nor numbers at all
+        check_finite(position=start, target=target, start_velocity=v0, start_acceleration=a0)
+    rates = accel, decel, accel_jerk, decel_jerk
+    far_apart = max(rates) > _FAR_APART * min(rates)
+    direct = None if far_apart or not (v0 or a0) else _directly(start, target, speed, rates, v0, a0)
+    if direct is not None:
+        return direct
     if a0 == 0.0:
         # also where a move from rest with figures too large ends: `approach` says so
         return approach(jerk_ramps(accel, decel, accel_jerk, decel_jerk), start, target, speed, v0)
-    rates = accel, decel, accel_jerk, decel_jerk
-    far_apart = max(rates) > _FAR_APART * min(rates)
-    direct = None if far_apart else _directly(start, target, speed, rates, v0, a0)
-    if direct is not None:
-        return direct
     ramps = jerk_ramps(accel, decel, accel_jerk, decel_jerk)
 
     def straight(here: float, velocity: float) -> Profile:
@@ -106,27 +111,31 @@ def _directly(
     v0: float,
     a0: float,
 ) -> Profile | None:
-    """The plan from an acceleration where the target lies ahead and is reached without more than one change of sides.
+    """The plan from motion where it needs no more than one closed form.
 
-    Planning in motion is nearly always that: an acceleration that speeds up is the middle of a ramp that began earlier,
-    and one that slows down is taken back before a ramp up begins. None where it is something else, which the search of
-    `bent_approach` decides.
+    Planning in motion is nearly always that. Where the target lies ahead, an acceleration that speeds up is the middle
+    of a ramp that began earlier, and one that slows down is taken back before a ramp up begins; where it does not, the
+    move stops first and begins anew (`_back`). None where it is something else, which the search of `bent_approach`
+    decides.
     """
     accel, decel, accel_jerk, decel_jerk = rates
     sign = 1.0 if v0 > 0.0 or (v0 == 0.0 and a0 > 0.0) else -1.0
     u, b, size = v0 * sign, a0 * sign, (target - start) * sign
+    if size <= 0.0 or b == 0.0:
+        return _back(start, target, speed, rates, (u, b, sign))
     if b > 0.0:
         time = b / accel_jerk
+        eased = u + 0.5 * b * time
         rest = u - 0.5 * b * time  # where the ramp would have begun
         before = (rest + accel_jerk * time * time / 6.0) * time
-        if b > accel or speed <= u + 0.5 * b * time or size <= 0.0 or size + before <= 0.0:
-            return None
+        if b > accel or speed <= eased or size + before <= 0.0:
+            return _back(start, target, speed, rates, (u, b, sign))
     else:
         time = -b / decel_jerk
-        rest = u + 0.5 * b * time  # where the acceleration is gone
+        eased = rest = u + 0.5 * b * time  # where the acceleration is gone
         before = -(rest + decel_jerk * time * time / 6.0) * time
         if not _MUCH * u < rest < speed or size + before <= _MUCH * size:  # it comes to rest, rather
-            return None
+            return _back(start, target, speed, rates, (u, b, sign))
     room = size + before
     rise, fall = accel / accel_jerk, decel / decel_jerk
     # A plan that comes to its speed asks for no peak.
@@ -136,6 +145,10 @@ def _directly(
     top = speed
     slew = (room - 0.5 * (rest + speed) * first - 0.5 * speed * last) / speed
     if slew < 0.0:
+        # Whether a stop from where the acceleration is gone has the room that it needs: else there is no ramp up.
+        stop = eased / decel + fall if eased >= decel * fall else 2.0 * sqrt(eased / decel_jerk)
+        if 0.5 * eased * stop + (u + b * time / 3.0) * time > size:
+            return _back(start, target, speed, rates, (u, b, sign))
         top = peak_speed(rest, room, (accel, accel_jerk), (decel, decel_jerk))
         gain, slew = top - rest, 0.0
         if gain < 0.0 or top > speed or (b > 0.0 and gain < b * time):
@@ -159,6 +172,67 @@ def _directly(
     head = (u, b, ((decel_jerk, time),), sign)
     tail = (rest * sign, first, up, v, slew, 0.0, v, last, ratio, 0.0)
     return Bent(start, target, time + (first + slew + last), head, tail)
+
+
+def _back(
+    start: float,
+    target: float,
+    speed: float,
+    rates: tuple[float, float, float, float],
+    state: tuple[float, float, float],
+) -> Profile | None:
+    """The plan that stops first, since it runs the wrong way or cannot stop at its target; None where it can.
+
+    `state` is the velocity, the acceleration in its direction, and that direction.
+    """
+    _, decel, accel_jerk, decel_jerk = rates
+    u, b, sign = state
+    steps: Steps = ()
+    after, way, time = u, 0.0, 0.0
+    if b > 0.0:
+        time = b / accel_jerk
+        steps, after, way = ((-accel_jerk, time),), u + 0.5 * b * time, (u + b * time / 3.0) * time
+    elif b < 0.0:
+        time = -b / decel_jerk
+        after, way = u + 0.5 * b * time, (u + b * time / 3.0) * time
+        if abs(after) <= NOTHING * (decel * decel / decel_jerk + u):
+            after = 0.0
+        if after <= 0.0:
+            steps = ((decel_jerk, time),)
+        elif -b > decel:
+            return None
+        else:  # it goes on braking: the ramp is the rest of one that began earlier
+            whole = u - 0.5 * b * time
+            peak = max(-b, min(decel, sqrt(decel_jerk * whole)))
+            flank, held = peak / decel_jerk, max(0.0, (whole - peak * peak / decel_jerk) / peak)
+            way = whole * (0.5 * held + flank) - (whole - decel_jerk * time * time / 6.0) * time
+            steps, after = ((-decel_jerk, flank - time), (0.0, held), (decel_jerk, flank)), 0.0
+            time = 2.0 * flank + held - time
+    elif u < STILL:
+        return None
+    size = (target - start) * sign
+    if after < 0.0:  # it turns round before the acceleration is gone
+        rest = plan_jerk(0.0, (size - way) * sign, speed, *rates, after * sign)
+        recipe, duration = rest._recipe, time + rest.duration
+    else:
+        stopping, stop, kind = way, 0.0, 0.5
+        if after:
+            fall = decel / decel_jerk
+            stop = after / decel + fall if after >= decel * fall else 2.0 * sqrt(after / decel_jerk)
+            kind = fall / stop if after >= decel * fall else 0.5
+            stopping += 0.5 * after * stop
+        beyond = stopping - size
+        if beyond <= 0.0 or is_rounding(beyond, stopping, start, target):
+            return None
+        rest = plan_jerk(0.0, -beyond * sign, speed, *rates)
+        recipe, duration = rest._recipe, time + stop + rest.duration
+        if after:
+            recipe = (after * sign, stop, kind, *recipe)
+    if not duration < inf:
+        return None
+    if not steps:
+        return Profile("scurve", start, target, duration, recipe)
+    return Bent(start, target, duration, (u, b, steps, sign), recipe, "" if after else "stop")
 
 
 def _is_astray(made: Profile) -> bool:
@@ -224,9 +298,13 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
         v = 2.0 * whole / (sqrt(per_speed * per_speed + 4.0 * per_square * whole) + per_speed)
         if v - u >= accel * rise and v >= decel * fall:
             return v
-    # Without a jerk limit the same acceleration gets further: an upper bound.
+    # Without a jerk limit the same acceleration gets further: an upper bound. Ramps at their accelerations are at
+    # least as long as others: a lower one, from which the first step leads above it.
     high = sqrt((size + 0.5 * u * u / accel) / per_square) * (1.0 + 1e-15)
-    x = sqrt(max(high - u, 0.0))
+    low = v - u if whole > 0.0 else 0.0
+    x = ceiling = sqrt(max(high - u, 0.0))
+    if low > 0.05 * (high - u):
+        x, ceiling = sqrt(low), inf
     for _ in range(200):
         gain = x * x
         v = u + gain
@@ -243,9 +321,9 @@ def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float
             last_slope = 2.0 / (decel_jerk * last) if last else 0.0
         slope = x * (first + last + v * last_slope) + 0.5 * (u + v) * first_slope
         following = x - (0.5 * ((u + v) * first + v * last) - size) / slope if slope > 0.0 else x
-        if not 0.0 <= following < x:
+        if not 0.0 <= following < ceiling:
             return v
-        x = following
+        x = ceiling = following
     return u + x * x
 
 
