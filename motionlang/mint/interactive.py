@@ -57,7 +57,6 @@ class MintInteractive(Interactive):
             raise
         self._inputs += 1
         names = self._namespace
-        names.update({f"d{count}": float(count) for count in compiled.costs})
         names.update(zip(compiled.operations, self.environment.make_operations(compiled.specs), strict=True))
         exec(compiled.code, names)
         self.environment.files[file] = compiled.places

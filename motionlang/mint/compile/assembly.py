@@ -34,14 +34,13 @@ class TypedLine:
     `blocks` are the tasks and event handlers by "task blink", "event timer", with their names in the code.
     """
 
-    __slots__ = ("blocks", "code", "costs", "operations", "places", "specs")
+    __slots__ = ("blocks", "code", "operations", "places", "specs")
 
     def __init__(self, whole: Whole, lines: list[Line], file: str) -> None:
         self.places = [0, *(at for _, at in lines)]
         text = "\n".join(line for line, _ in lines)
         self.code = _checked(lambda: compile(text, file, "exec"), self.places, 0, whole.problems)
         self.specs, self.operations = whole.described(), list(whole.spec_names.values())
-        self.costs = sorted(whole.costs)
         self.blocks = _blocks(whole)
 
 
@@ -58,7 +57,7 @@ def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     first = _first_values(whole)
     start = compile(first, FILE, "exec") if first else None
     blocks = {"main": "main", **_blocks(whole)}
-    code = Code(units.made, start, shared, whole.described(), sorted(whole.costs), blocks, units.places)
+    code = Code(units.made, start, shared, whole.described(), blocks, units.places)
     _compile_now(code, whole.problems)
     return code
 

@@ -2,8 +2,8 @@
 
 `t` is the number of the statement at the begin of a basic block, counted from the moment `S.base`, and `H` that of the
 first at which something else wants to happen. Statements count one each; how many is kept in `pending` and written as
-one constant per block, `dN`. What takes note of time runs at `u = t + dN`, after everything that is due until then, at
-the machine time `S.base + u * dt`.
+one constant where somebody asks for the time. What takes note of it runs after everything that is due until then, at
+the machine time `S.base + t * dt`.
 """
 
 from __future__ import annotations
@@ -68,15 +68,13 @@ class Answer(Value):
 class Whole:
     """What all functions of a program share: names, problems, and the run-time objects the text refers to.
 
-    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs); `costs` are the N for
-    which the text uses `dN`.
+    `specs[n]` tells the runtime what `kN` is (`kN` and a suffix where earlier lines have theirs).
     """
 
     __slots__ = (
         "_operations",
         "axes",
         "axis_texts",
-        "costs",
         "guarded",
         "line",
         "names",
@@ -108,7 +106,6 @@ class Whole:
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
         self._operations: dict[tuple[str, Keyword, int | str | None], str] = {}
-        self.costs: set[int] = set()
         # What loops that poll may write over and over.
         self.rewritten: set[Keyword] = set()
         self.parts = self.polls = 0  # how many parts there are, and watches on loops
@@ -234,10 +231,6 @@ class Body:
         self.temps += 1
         return f"w{self.temps}"
 
-    def cost(self, count: int) -> str:
-        self.whole.costs.add(count)
-        return f"d{count}"
-
     # --------------------------------------------------------------------------------------------- time
 
     def begin(self) -> None:
@@ -247,7 +240,7 @@ class Body:
     def flush(self) -> None:
         """Bring `t` up to date."""
         if self.pending:
-            self.emit(f"t += {self.cost(self.pending)}")
+            self.emit(f"t += {self.pending}.0")
             self.pending = 0
 
     def horizon(self, answer: str = "t", then: str = "") -> None:
@@ -255,34 +248,24 @@ class Body:
         self.emit(f"if t >= H: t, H = yield {answer}{then}")
         self.waits = self.noted = True
 
-    def now(self) -> str:
-        """The name that holds the present time after `settle`."""
-        return "u" if self.pending else "t"
-
     def settle(self, tell: bool = True) -> None:
         """Before a statement that takes note of time: let everything happen that is due until then.
 
         `tell`: the clock is told, as what follows reads it.
         """
-        if self.calls:
+        if self.observes or self.calls:
             self.flush()
             self.noted = True
-        if not self.observes:
-            return
-        self.noted = self.waits = True
-        if self.pending:
-            cost = self.cost(self.pending)
-            self.emit(f"if (u := t + {cost}) >= H: u, H = yield u; t = u - {cost}")
-        else:
+        if self.observes:
             self.horizon()
-        if tell:
-            self.emit(f"C.now = S.base + {self.now()} * dt")
+            if tell:
+                self.emit("C.now = S.base + t * dt")
 
     def act(self, text: str) -> None:
         """A statement of one line that may take note of time."""
         if self.observes:
             self.settle(False)
-            self.emit(f"C.now = S.base + {self.now()} * dt; {text}")
+            self.emit(f"C.now = S.base + t * dt; {text}")
         else:
             self.settle()
             self.emit(text)

@@ -5,12 +5,12 @@ reach the horizon at the highest cost a turn can have. Within a chunk nothing is
 in whole statements, and the loop gives way after exactly the turn at which it would have without chunks.
 
     n = (stop - i) // step + 1           turns that are left
-    w = (H - t) / dWorst                 turns that surely fit
+    w = (H - t) / worst                 turns that surely fit
     if n > w: n = int(w) if w > 1.0 else 1
     c = n * statements
     for i in range(i, i + n * step, step): …; c += 1 where a branch costs something
     i += step
-    t += c * dt
+    t += c
     if t >= H: t, H = yield (t, how long the turns that are left will take at least)
 """
 
@@ -178,7 +178,7 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     b.emit(f"while {_continues(counter)}:")
     b.indent += 1
     b.emit(f"{n} = {f'{stop} - {text} + 1' if step == 1 else f'({stop} - {text}) // {step} + 1'}")
-    b.emit(f"{w} = (H - t) / {b.cost(worst)}")
+    b.emit(f"{w} = (H - t) / {worst}.0")
     b.emit(f"if {n} > {w}: {n} = int({w}) if {w} > 1.0 else 1")
     b.emit(f"{c} = {n} * {each}")
     turns = f"{n}" if step == 1 else f"{n} * {step}"
@@ -189,17 +189,17 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     b.emit(f"{text} += {step}")
     b.emit(f"t += {c}")
     left = f"({stop} - {text})" if step == 1 else f"(({stop} - {text}) // {step})"
-    b.horizon(f"(t, {left} * {b.cost(each)})")
+    b.horizon(f"(t, {left} * {each}.0)")
     b.indent -= 1
 
 
-_COST = "t += d"
+_COST = "t += "
 
 
 def _branch_cost(line: Line) -> int:
     """The statements that a line of a body adds to its turn."""
     text = line[0].strip()
-    return int(text[len(_COST) :]) if text.startswith(_COST) else 0
+    return int(float(text[len(_COST) :])) if text.startswith(_COST) else 0
 
 
 def _counted(line: str, counter: str) -> str:

@@ -367,10 +367,8 @@ def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: st
 
 def load(b: Body, row: Keyword, arguments: list[str]) -> None:
     """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
-    now, wait = b.now(), b.whole.use("env", "load")
-    back = f"; t = u - {b.cost(b.pending)}" if b.pending else ""
-    call = f"{b.whole.operation('load', row)}({', '.join([now, 'H', *arguments])})"
-    b.emit(f"if (H := {call}) is None: {now}, H = yield from {wait}({now}){back}")
+    call = f"{b.whole.operation('load', row)}({', '.join(['t', 'H', *arguments])})"
+    b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
 
 
 def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
@@ -378,7 +376,7 @@ def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
     operation = b.whole.operation(how, row)
     if how == "write":
         operation, arguments = b.whole.called(how, row, arguments)
-    b.emit(f"H = {operation}({', '.join([b.now(), 'H', *arguments])})")
+    b.emit(f"H = {operation}({', '.join(['t', 'H', *arguments])})")
 
 
 # ------------------------------------------------------------------------------------------------- commands

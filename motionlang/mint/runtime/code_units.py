@@ -1,10 +1,10 @@
 """The code of a program in units: functions that are compiled together, at the latest when one of them is called.
 
-What functions share lives in cells, made once when the program starts: the time `t`, the horizon `H`, the costs `dN` of
-statements and the variables that more than one function uses. A unit is compiled within a function that has those
+What functions share lives in cells, made once when the program starts: the time `t`, the horizon `H` and the variables
+that more than one function uses. A unit is compiled within a function that has those
 names, and the functions found in it are put together with the cells:
 
-    def _(t, H, d2, v_x):
+    def _(t, H, v_x):
      global s_fill
      def s_fill(p_n):
       nonlocal t, v_x
@@ -91,7 +91,7 @@ def _named(text: str, shared: Collection[str]) -> list[str]:
     if len(shared) > FEW:
         from re import findall
 
-        words = findall(r"\b(?:v_\w|d\d)\w*", text)
+        words = findall(r"\bv_\w+", text)
         return sorted(word for word in set(words) if word in shared)
     return sorted(name for name in shared if name in text and name not in TIME)
 
@@ -107,12 +107,11 @@ def _moved(code: CodeType, lines: int) -> CodeType:
 class Code:
     """All units of a program, and what they stand on.
 
-    `first` gives the cells named in `shared` their first values. `specs` says what the `kN` are, `costs` for which N
-    there is a `dN`; `blocks` are the functions by "main", "task blink", "event timer"; `places[n]` is the place in the
-    program of line n of the code.
+    `first` gives the cells named in `shared` their first values. `specs` says what the `kN` are; `blocks` are the
+    functions by "main", "task blink", "event timer"; `places[n]` is the place in the program of line n of the code.
     """
 
-    __slots__ = ("blocks", "costs", "first", "places", "shared", "specs", "units")
+    __slots__ = ("blocks", "first", "places", "shared", "specs", "units")
 
     def __init__(
         self,
@@ -120,11 +119,10 @@ class Code:
         first: CodeType | None,
         shared: Sequence[str],
         specs: Sequence[tuple[object, ...]],
-        costs: Sequence[int],
         blocks: Mapping[str, str],
         places: Sequence[int],
     ) -> None:
-        self.units, self.first, self.shared, self.specs, self.costs = units, first, shared, specs, costs
+        self.units, self.first, self.shared, self.specs = units, first, shared, specs
         self.blocks, self.places = blocks, places
 
     @property
@@ -145,7 +143,7 @@ class Code:
 
     def cells(self) -> set[str]:
         """The names of all cells."""
-        return {*TIME, *self.shared, *(f"d{n}" for n in self.costs)}
+        return {*TIME, *self.shared}
 
     def payload(self) -> tuple[object, ...]:
         """Everything in a form that `marshal` takes, for `loaded`."""
@@ -153,11 +151,11 @@ class Code:
 
         units = [unit.payload() for unit in self.units]
         places = array("q", self.places).tobytes()
-        return units, self.first, self.shared, self.specs, self.costs, self.blocks, places
+        return units, self.first, self.shared, self.specs, self.blocks, places
 
     def link(self, namespace: dict[str, object]) -> None:
         """Put the functions, or their stand-ins, into a namespace that has everything else."""
-        values: dict[str, object] = {**dict.fromkeys(TIME, 0.0), **{f"d{n}": float(n) for n in self.costs}}
+        values: dict[str, object] = dict.fromkeys(TIME, 0.0)
         if self.first is not None:
             exec(self.first, values)
         cells = {name: _CELL(values.get(name)) for name in self.cells()}
@@ -171,9 +169,9 @@ class Code:
 
 def loaded(payload: tuple[object, ...]) -> Code:
     """The code that `Code.payload` was made of."""
-    units, first, shared, specs, costs, blocks, places = payload
+    units, first, shared, specs, blocks, places = payload
     made = [Unit(*unit) for unit in units]  # type: ignore[attr-defined]
-    return Code(made, first, shared, specs, costs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]
+    return Code(made, first, shared, specs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]
 
 
 def _bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]) -> None:
