@@ -7,6 +7,7 @@ from collections import defaultdict
 from pathlib import Path
 
 import motionlang
+from motionlang.controller.servo import gains
 from motionlang.lang.keyword import ROLES, TRAITS
 from motionlang.mccl.keywords import TABLE
 from motionlang.mint.keywords import table
@@ -30,10 +31,6 @@ NAMED = {
     "views/keywords.py": "RW",
     "views/servo.py": "DAC",
     "views/servo_plot.py": "DAC",
-    # The gains of both languages in the units of one loop.
-    "controller/servo/axis_loop.py": "LOOPTIME",
-    "controller/servo/gains.py": "AG DACLIMITMAX DG FR IL KACCEL KDERIV KINT KINTLIMIT KINTMODE KPROP KVEL KVELFF "
-    "LOOPTIME OB OO PH SD SG SI SQ VG",
     # Which board has which commands, and what a command of another board is called here.
     "mccl/models.py": "AG CA CD CM CP CR CX DG DS EA ER ET GT HS LS MS NS OB OO PP PS RR SN TX UK UO UR US UT UZ VA VD "
     "VG VO VV",
@@ -76,7 +73,7 @@ def test_effects_are_said_in_the_words_for_them() -> None:
         assert set(effects) <= ROLES.keys() | TRAITS.keys(), row.name
         assert len(ROLES.keys() & set(effects)) <= 1, row.name
         assert not (row.role and row.gives), row.name
-        assert row.tunes in ("", "loop", "stage"), row.name
+        assert row.tunes in {"", *gains.MINT, *gains.MCCL}, row.name
         assert row.changes in ("", "motion"), row.name
 
 

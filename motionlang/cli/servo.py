@@ -10,7 +10,7 @@ import sys
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.cli.servo_input import loop_of, machine_of, pairs, plant_of
+from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
 from motionlang.cli.servo_options import (
     SECONDS,
     compare_options,
@@ -165,6 +165,7 @@ def tune(args: argparse.Namespace) -> int:
     from motionlang.controller.servo.response import step_figures, step_response
     from motionlang.controller.servo.settings import SERVO, make_loop
     from motionlang.controller.servo.tuning import suggest
+    from motionlang.lang.gains import spoken
     from motionlang.views import servo as view
 
     plant = plant_of(args)
@@ -172,7 +173,8 @@ def tune(args: argparse.Namespace) -> int:
     made = suggest(plant, args.bandwidth, base, integral=not args.no_integral)
     trace = step_response(made.loop, plant, args.size, max(0.05, 20.0 / args.bandwidth))
     figures = step_figures(trace, args.size)
-    mint, mccl = mint_values(made.loop), mccl_values(made.loop, args.scale)
+    mint = spoken(gains_of("mint"), mint_values(made.loop))
+    mccl = spoken(gains_of("mccl"), mccl_values(made.loop, args.scale))
     if args.report == "json":
         gains = {"loop": _plain(made.loop), "mint": mint, "mccl": mccl, "warnings": list(made.warnings)}
         of = {"linear": _plain(made.figures), "step": _plain(figures)}

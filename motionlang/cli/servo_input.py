@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.gains import MCCL, MINT, MODELS, mccl_loop, mint_loop
+from motionlang.controller.servo.gains import MODELS, mccl_loop, mint_loop
 from motionlang.controller.servo.loop import Loop
 from motionlang.controller.servo.settings import PLANT, SERVO, make_loop, make_plant
+from motionlang.execution import dialect
+from motionlang.lang.gains import gain_words, written
 
 if TYPE_CHECKING:
     import argparse
@@ -49,17 +51,22 @@ def add_loop(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="WORD=VALUE",
-        help=f"a gain as Mint has it: {', '.join(MINT)}",
+        help=f"a gain as Mint has it: {', '.join(gains_of('mint'))}",
     )
     add(
         "--mccl",
         action="append",
         default=[],
         metavar="WORD=VALUE",
-        help=f"a gain as MCCL has it: {', '.join(MCCL)}",
+        help=f"a gain as MCCL has it: {', '.join(gains_of('mccl'))}",
     )
     add("--model", choices=MODELS, default="multiflex", help="whose MCCL gains (multiflex)")
     add("--bandwidth", type=float, metavar="HZ", help="no gains given: tune for this bandwidth (50)")
+
+
+def gains_of(language: str) -> dict[str, str]:
+    """The words of a language that are gains, and which quantity of the loop each sets."""
+    return gain_words(language, dialect(language).table())
 
 
 def plant_of(args: argparse.Namespace) -> Motor | Drive:
@@ -80,9 +87,9 @@ def loop_of(args: argparse.Namespace, plant: Motor | Drive, scale: float = 1.0) 
         raise ValueError("gains are Mint's or MCCL's, not both")
     section = _section(args, "servo") | pairs(args.loop, SERVO)
     if args.mint:
-        return make_loop(section, mint_loop(numbers(args.mint)))
+        return make_loop(section, mint_loop(written(gains_of("mint"), numbers(args.mint))))
     if args.mccl:
-        return make_loop(section, mccl_loop(numbers(args.mccl), args.model, scale))
+        return make_loop(section, mccl_loop(written(gains_of("mccl"), numbers(args.mccl)), args.model, scale))
     loop = make_loop(section)
     if any((loop.proportional, loop.integral, loop.derivative, loop.velocity_feedback)):
         return loop

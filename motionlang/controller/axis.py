@@ -165,7 +165,7 @@ class Axis:
         self.limits: list[Limit] = []
         # Its motor, where one is simulated, and the gains that the program has set, by their words.
         self.feedback: Feedback | None = None
-        self.gains: dict[str, float] = {}
+        self.gains: dict[str, tuple[float, str]] = {}
         # The home switch, and the distance between the encoder's index marks in user units (0: it has none).
         self.home = False
         self.index_every = 0.0

@@ -382,19 +382,16 @@ class Controller(AxisVerbs):
         if feedback is not None:
             feedback.model = model
 
-    def set_gain(self, axis: int, word: str, value: float) -> None:
-        """Set a gain of the servo loop by the word of its language; a simulated motor's loop has it at once."""
-        a = self.axes[axis]
-        if a.feedback is not None:
-            a.feedback.tune({**a.gains, word: value})
-        a.gains[word] = value
+    def set_gain(self, axis: int, quantity: str, value: float, word: str) -> None:
+        """Set a gain of the servo loop, in the unit of a language's word; a simulated motor's loop has it at once."""
+        self.set_gains(axis, {**self.axes[axis].gains, quantity: (value, word)})
 
-    def gain(self, axis: int, word: str, default: float) -> float:
+    def gain(self, axis: int, quantity: str, default: float) -> float:
         """A gain as the program has set it."""
-        return self.axes[axis].gains.get(word, default)
+        return self.axes[axis].gains.get(quantity, (default,))[0]
 
-    def set_gains(self, axis: int, gains: Mapping[str, float]) -> None:
-        """The same for all gains at once: what is not named is as the program found it."""
+    def set_gains(self, axis: int, gains: Mapping[str, tuple[float, str]]) -> None:
+        """The same for all gains at once, values and words: what is not named is as the program found it."""
         a = self.axes[axis]
         if a.feedback is not None:
             a.feedback.tune(gains)

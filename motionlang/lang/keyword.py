@@ -50,7 +50,7 @@ class Keyword:
     `effect`   what writing the word, or carrying it out, does to its axes: words of `ROLES` and `TRAITS`
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the word written last counts
     `changes`  "motion": what is read changes only while the axis moves
-    `tunes`    "loop": a gain of the simulated servo loop; "stage": one that it has without its loop, too
+    `tunes`    the quantity of the servo loop that it sets: one of the gains of its language in `servo.gains`
     `driven`   the section of the machine file that says what is read, such as "input"
     """
 

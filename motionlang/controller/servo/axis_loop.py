@@ -9,13 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.gains import LM628_RATE, MCCL, MINT, mccl_loop, mint_loop
+from motionlang.controller.servo.gains import LM628_RATE, fields, mccl_loop, mint_loop
 from motionlang.controller.servo.loop import GAINS, Loop
 from motionlang.controller.servo.settings import SERVO, make_loop
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from motionlang.controller.servo.gains import Gains
     from motionlang.controller.servo.plant import Drive, Motor
 
 _LEAST_BANDWIDTH = 0.1
@@ -33,26 +34,25 @@ class Chosen:
 
 def axis_loop(
     section: Mapping[str, object],
-    words: Mapping[str, float],
+    gains: Gains,
     plant: Motor | Drive,
     model: str = "",
     scale: float = 1.0,
 ) -> Chosen:
-    """The loop of an axis from its `[axis.N.servo]` section and the words that the program has set.
+    """The loop of an axis from its `[axis.N.servo]` section and the gains that the program has set.
 
     `model` is one of `gains.MODELS` for MCCL, empty for Mint; `scale` is counts per user unit. ValueError names what is
     wrong.
     """
-    table = MCCL if model else MINT
-    set_by_program = {field for word in words for field in table[word].fields.split()}
+    set_by_program = fields("mccl" if model else "mint", gains)
     kept = {name: value for name, value in section.items() if name not in set_by_program}
     if not set_by_program.isdisjoint(GAINS):
-        loop = _language(section, words, model, scale)
+        loop = _language(section, gains, model, scale)
         # The section's integral acts as the section says, not as a language does that was not asked for one.
         return Chosen(
             make_loop(kept, _acting(loop, set_by_program) if "integral" in kept else loop), "program"
         )
-    loop = _language(section, words, "multiflex" if model else "", scale)
+    loop = _language(section, gains, "multiflex" if model else "", scale)
     if model == "dcx":
         loop = replace(loop, servo_rate=LM628_RATE, trajectory_rate=LM628_RATE)
     loop = make_loop(kept, _acting(loop, set_by_program))
@@ -74,17 +74,14 @@ def _acting(loop: Loop, set_by_program: set[str]) -> Loop:
     return replace(loop, **{name: value for name, value in fields.items() if name not in set_by_program})  # type: ignore[arg-type]
 
 
-def _language(section: Mapping[str, object], words: Mapping[str, float], model: str, scale: float) -> Loop:
+def _language(section: Mapping[str, object], gains: Gains, model: str, scale: float) -> Loop:
     """The loop as the language alone has it, at the rate of the section unless the program sets one."""
     rate = section.get("servo_rate")
-    values = dict(words)
-    table = MCCL if model else MINT
-    assert set(values) <= set(table), values
-    if not model:
-        if rate is not None:
-            values.setdefault("LOOPTIME", 1e6 / rate)  # type: ignore[operator]
-        return mint_loop(values)
-    return mccl_loop(values, model, scale)
+    if model:
+        return mccl_loop(gains, model, scale)
+    if rate is not None and "period" not in gains:
+        gains = {**gains, "period": (1e6 / rate, "servo_rate")}  # type: ignore[operator]
+    return mint_loop(gains)
 
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Clock, Event
     from motionlang.controller.core import Core
     from motionlang.controller.servo.axis_loop import Chosen
+    from motionlang.controller.servo.gains import Gains
     from motionlang.controller.servo.loop import Loop
     from motionlang.controller.servo.replay import Change
     from motionlang.controller.servo.servo import Mark
@@ -55,13 +56,13 @@ class Feedback:
         "_clock",
         "_due",
         "_event",
+        "_gains",
         "_long",
         "_mark",
         "_servo",
         "_sight",
         "_size",
         "_stillness",
-        "_words",
         "changes",
         "chosen",
         "closed",
@@ -96,7 +97,7 @@ class Feedback:
             "rest": Window(error=REST_ERROR, hold=REST_TIME, announced=False),
             "program": Window(error=0.5, announced=False),
         }
-        self._words: dict[str, float] = {}
+        self._gains: Gains = {}
         self._servo: Servo | None = None
         self._sight: Sight | None = None
         self._mark: Mark | None = None
@@ -203,9 +204,9 @@ class Feedback:
 
     # -------------------------------------------------------------------------------------- what is done to it
 
-    def tune(self, words: Mapping[str, float]) -> None:
+    def tune(self, gains: Gains) -> None:
         """The program's gains are these now; Refusal where they are none."""
-        self._words = dict(words)
+        self._gains = dict(gains)
         if self._servo is None:
             return
         before = self.chosen
@@ -316,7 +317,7 @@ class Feedback:
 
     def _choose(self) -> Chosen:
         try:
-            return axis_loop(self.section, self._words, self.plant, self.model, self._axis.scale.counts)
+            return axis_loop(self.section, self._gains, self.plant, self.model, self._axis.scale.counts)
         except ValueError as problem:
             raise Refusal("range", f"the servo of axis {self._axis.index}: {problem}") from None
 

@@ -11,9 +11,11 @@ if TYPE_CHECKING:
     from motionlang.mccl.runtime.board import Board
 
 INFINITY = float("inf")
-# The gains of the servo loop by the verbs of their rows; and that of its rate, which three commands set.
-_GAINS = {row.verb: row for row in TABLE if row.tunes}
+# The gains of the servo loop; and that of its rate, which three commands set.
+_GAINS = [row for row in TABLE if row.tunes]
 _RATE = "kept_rate"
+# What an output stage has without its loop.
+_STAGE = ("proportional", "output_limit", "output_deadband", "output_offset", "reversed")
 # Counts of following error beyond which an axis trips while the program says nothing else; SE.
 ERROR_LIMIT = 1024.0
 # A deadband below this, counts, is the one count that an encoder can tell.
@@ -40,13 +42,12 @@ def tune(board: Board, axis: AxisState) -> None:
     kept = {**axis.kept, "kept_torque": _largest_output(axis)}
     if axis.reversed_phase:
         kept["output_phase"] = 1.0
-    gains = [row for row in _GAINS.values() if row.verb in kept]
+    gains = {row.tunes: (kept[row.verb], row.name) for row in _GAINS if row.verb in kept}
     if axis.mode == GAIN:
-        gains = [row for row in gains if row.tunes == "stage"]
-    words = {row.name: kept[row.verb] for row in gains}
+        gains = {quantity: gain for quantity, gain in gains.items() if quantity in _STAGE}
     if _RATE in kept:
-        words["RATE"] = kept[_RATE]
-    controller.set_gains(number, words)
+        gains["rate"] = kept[_RATE], "the rate"
+    controller.set_gains(number, gains)
     if axis.mode == TORQUE:
         drive(board, axis)
 

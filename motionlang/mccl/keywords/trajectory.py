@@ -31,7 +31,7 @@ ROWS = (
     _row("SQ", "setting", "W", "axes", "number", "kept_torque",
          "Set the torque limit, the largest output in volts; kept and told as it is written, though no output exceeds "
          "10.",
-         "1SQ3.5,1TQ", default=10, low=0, tunes="stage"),
+         "1SQ3.5,1TQ", default=10, low=0, tunes="output_limit"),
     _row("VV", "setting", "W", "axis", "uu/s", "vector_velocity",
          "Vector velocity of contour paths, on the controlling axis.", "1VV20000", default=40000, low=0),
     _row("VA", "setting", "W", "axis", "uu/s2", "vector_accel",

@@ -55,7 +55,8 @@ def _not_simulated() -> Iterator[Keyword]:
         sense = "reading" if access == "R" else "setting"
         yield Keyword(name, short, sense, access, index, _UNITS[kind], verb, meaning,
                       group=unsimulated.GROUPS.get(verb, unsimulated.KEPT_GROUP), simulated=False,
-                      effect="switch" if name in no_effect.SWITCHES else "")  # fmt: skip
+                      effect="switch" if name in no_effect.SWITCHES else "",
+                      tunes=no_effect.TUNES.get(name, ""))  # fmt: skip
     for file in ("commands", "commands_v4"):
         for name, short, index, fate, meaning in _lines(file):
             verb = fates[fate]

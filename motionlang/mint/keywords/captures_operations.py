@@ -9,7 +9,7 @@ from math import ceil
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords import captures_quantities as quantities
-from motionlang.mint.keywords.defaults import LOOP_TIME
+from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
 
 TYPE_CHECKING = False
@@ -79,7 +79,7 @@ class Capture:
     def tick(self) -> float:
         """Seconds between two servo ticks."""
         controller = self._environment.controller
-        return controller.gain(next(iter(controller.axes)), "LOOPTIME", LOOP_TIME) * 1e-6
+        return controller.gain(next(iter(controller.axes)), PERIOD, LOOP_TIME) * 1e-6
 
     @property
     def period(self) -> float:

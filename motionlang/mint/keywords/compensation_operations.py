@@ -8,7 +8,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.takeup import Takeup
 from motionlang.mint.keywords.axis_settings import reading
-from motionlang.mint.keywords.defaults import LOOP_TIME
+from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.sensing_operations import Encoders
 from motionlang.mint.keywords.table_motion_cams import elements
 from motionlang.mint.runtime.binding import axis_of, scale_of
@@ -104,7 +104,7 @@ class Compensation:
             raise Refusal("range", f"axis {axis} cannot have two tables and BACKLASHMODE 1",
                           "the tables of both directions hold the play: BACKLASHMODE(axis) = 0")  # fmt: skip
         screws = self._made(axis, mode == DUAL) if mode else None
-        loop = environment.controller.gain(axis, "LOOPTIME", LOOP_TIME)
+        loop = environment.controller.gain(axis, PERIOD, LOOP_TIME)
         takeup.size = scale_of(environment, axis).to_counts(self.setting("BACKLASH", axis))
         takeup.ramp = self.setting("BACKLASHINTERVAL", axis) * loop * 1e-6
         if screws is None:

@@ -16,17 +16,19 @@ MODES = {
 }
 STOP_INPUT_MODE = 3
 IDLE = {"IDLEMODE": 0, "IDLEPOS": 0.0, "IDLEVEL": 0.0, "IDLETIME": 0}
-# The servo loop; a gain of 0 does nothing (`controller.servo.gains` has the same, a test says).
+# The gains of the servo loop by the quantity that they set (`controller.servo.gains` has the same, a test says).
 GAINS = {
-    "KPROP": 0.0,
-    "KINT": 0.0,
-    "KINTLIMIT": 100.0,
-    "KINTMODE": 0.0,
-    "KDERIV": 0.0,
-    "KVEL": 0.0,
-    "KVELFF": 0.0,
-    "KACCEL": 0.0,
+    "proportional": 0.0,
+    "integral": 0.0,
+    "integral_limit": 100.0,
+    "integral_mode": 0.0,
+    "derivative": 0.0,
+    "velocity_feedback": 0.0,
+    "velocity_ff": 0.0,
+    "accel_ff": 0.0,
 }
+# The quantity of LOOPTIME.
+PERIOD = "period"
 LOOP_TIME, FATAL_ERROR = 1000.0, 8388607.0
 HOME_SPEED, HOME_BACKOFF = 4000.0, 10.0
 # HOME: the constant, the direction of the search, what is looked for, whether an index mark follows. From memory; the

@@ -12,6 +12,8 @@ from motionlang.lang.keyword import Keyword
 VERB = "no_effect.value"
 # Those of them that on a controller end what the axis was doing.
 SWITCHES = frozenset(("CONFIG",))
+# Those that set a quantity of the servo loop where `motionlang servo` is given them, and none in a run.
+TUNES = {"DACLIMITMAX": "output_limit"}
 _TYPES = (("OFF", "no axis"), ("SERVO", "a servo"), ("STEPPER", "a stepper"), ("VIRTUAL", "a virtual axis"))
 ROWS = (
     *(

@@ -157,7 +157,9 @@ sensing.wrap sensing.turns
 serial.character serial.waiting serial.forget serial.nothing
 """,
     "servo_operations": """
-servo.gain servo.loop_time servo.fatal_error servo.torque
+servo.gain.proportional servo.gain.integral servo.gain.integral_limit servo.gain.integral_mode
+servo.gain.derivative servo.gain.velocity_feedback servo.gain.velocity_ff servo.gain.accel_ff servo.loop_time
+servo.fatal_error servo.torque
 """,
     "state_operations": """
 is_idle position demand remaining

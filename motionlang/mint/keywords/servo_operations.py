@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME
+from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME, PERIOD
 from motionlang.mint.keywords.torque_operations import TorqueReferences
 from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.mint.runtime.changes import repeatable
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 # Volts of one percent of full scale.
 _PERCENT = 0.1
+# What the verb of a gain begins with; the rest is the quantity that it sets.
+_GAIN = "servo.gain."
 
 
 class Loops:
@@ -42,12 +44,17 @@ def _tell(environment: Environment, row: Row, axes: tuple[int, ...]) -> None:
         environment.machine.without_effect.setdefault(row.name, [])
 
 
+def _quantity(row: Row) -> str:
+    return row.verb.removeprefix(_GAIN)
+
+
 def read_gain(environment: Environment, row: Row) -> Operation:
     """A gain of the axis's servo loop, in the units of its word."""
-    gain, name, whole = environment.controller.gain, row.name, row.unit == "integer"
+    gain, quantity, whole = environment.controller.gain, _quantity(row), row.unit == "integer"
+    default = GAINS[quantity]
 
     def read(axis: int) -> float:
-        value = gain(axis_of(environment, axis), name, GAINS[name])
+        value = gain(axis_of(environment, axis), quantity, default)
         return int(value) if whole else value
 
     return read
@@ -57,11 +64,11 @@ def read_gain(environment: Environment, row: Row) -> Operation:
 def write_gain(environment: Environment, row: Row) -> Operation:
     """A gain of the axis's servo loop; without a motor it has no effect, which the report tells."""
     environment.part(Loops)
-    name = row.name
+    quantity = _quantity(row)
 
     def write(axis: int, value: float) -> None:
         row.check(value)
-        environment.controller.set_gain(axis_of(environment, axis), name, float(value))
+        environment.controller.set_gain(axis_of(environment, axis), quantity, float(value), row.name)
         _tell(environment, row, (axis,))
 
     return write
@@ -69,7 +76,7 @@ def write_gain(environment: Environment, row: Row) -> Operation:
 
 def read_loop_time(environment: Environment, row: Row) -> Operation:
     controller = environment.controller
-    return lambda: int(controller.gain(next(iter(controller.axes)), row.name, LOOP_TIME))
+    return lambda: int(controller.gain(next(iter(controller.axes)), PERIOD, LOOP_TIME))
 
 
 def write_loop_time(environment: Environment, row: Row) -> Operation:
@@ -79,7 +86,7 @@ def write_loop_time(environment: Environment, row: Row) -> Operation:
     def write(value: int) -> None:
         row.check(value)
         for axis in controller.axes:
-            controller.set_gain(axis, row.name, float(value))
+            controller.set_gain(axis, PERIOD, float(value), row.name)
         _tell(environment, row, tuple(controller.axes))
 
     return write
@@ -136,7 +143,7 @@ def write_torque(environment: Environment, row: Row) -> Operation:
 
 
 OPERATIONS = {
-    "servo.gain": {"read": read_gain, "write": write_gain},
+    **{f"{_GAIN}{quantity}": {"read": read_gain, "write": write_gain} for quantity in GAINS},
     "servo.loop_time": {"read": read_loop_time, "write": write_loop_time},
     "servo.fatal_error": {"read": read_fatal_error, "write": write_fatal_error},
     "servo.torque": {"read": read_torque, "write": write_torque},

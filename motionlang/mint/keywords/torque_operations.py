@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget, reading
-from motionlang.mint.keywords.defaults import LOOP_TIME
+from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.runtime.binding import axis_of
@@ -88,7 +88,7 @@ class TorqueReferences:
         self._ramping.discard(axis)
         if not self.has(axis):
             return
-        seconds = self._controller.gain(axis, "LOOPTIME", LOOP_TIME) / 1e6
+        seconds = self._controller.gain(axis, PERIOD, LOOP_TIME) / 1e6
         present, wanted = self._present[axis], self.wanted(axis)
         following = self._next(axis, present, wanted, seconds)
         if following != present:

@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
+
 import pytest
 
-from motionlang.controller.servo import Drive, Loop, Motor, Override, Servo, Track, simulate
-from motionlang.controller.servo.gains import (
-    LM628_RATE,
-    MCCL,
-    MINT,
-    mccl_loop,
-    mccl_values,
-    mint_loop,
-    mint_values,
-)
+from motionlang.controller.servo import Drive, Loop, Motor, Override, Servo, Track, gains, simulate
+from motionlang.controller.servo.gains import LM628_RATE, MCCL, MINT, mccl_values, mint_values
 from motionlang.controller.servo.settings import KEYS, PLANT, SERVO, make_loop, make_plant, problem, section
 from motionlang.controller.servo.tuning import suggest
+from motionlang.execution import dialect
+from motionlang.lang.gains import gain_words, spoken, written
 from motionlang.profile import hold, plan_trapezoid
+
+TABLES = {"mint": MINT, "mccl": MCCL}
+WORDS = {language: gain_words(language, dialect(language).table()) for language in TABLES}
+
+
+def mint_loop(values: dict[str, float]) -> Loop:
+    """The loop of gains by Mint's words."""
+    return gains.mint_loop(written(WORDS["mint"], values))
+
+
+def mccl_loop(values: dict[str, float], model: str = "multiflex", scale: float = 1.0) -> Loop:
+    """The loop of gains by MCCL's commands."""
+    return gains.mccl_loop(written(WORDS["mccl"], values), model, scale)
 
 
 def test_mints_worked_example() -> None:
@@ -80,9 +89,9 @@ def test_a_dcx_module_computes_like_its_chip() -> None:
 
 def test_gains_come_back_as_the_words_they_were() -> None:
     loop = suggest(Motor(), 40.0).loop
-    again = mccl_loop(mccl_values(loop, 100.0), scale=100.0)
+    again = mccl_loop(spoken(WORDS["mccl"], mccl_values(loop, 100.0)), scale=100.0)
     slow = suggest(Motor(), 20.0, Loop(servo_rate=1000.0)).loop
-    mint = mint_loop(mint_values(slow))
+    mint = mint_loop(spoken(WORDS["mint"], mint_values(slow)))
     for name in ("proportional", "integral", "derivative", "velocity_ff", "accel_ff", "decel_ff"):
         assert getattr(again, name) == pytest.approx(getattr(loop, name)), name
         assert getattr(mint, name) == pytest.approx(getattr(slow, name)), name
@@ -154,12 +163,22 @@ def test_a_section_with_an_override() -> None:
     assert loop.override == Override(3, 4, 5e4)
 
 
-def test_every_word_is_documented() -> None:
-    for table in (MINT, MCCL):
-        for word, row in table.items():
-            assert word == row.word
-            assert row.help.endswith(".")
-            assert row.trust in ("manual", "code", "memory")
+@pytest.mark.parametrize("language", TABLES)
+def test_every_gain_is_that_of_one_word(language: str) -> None:
+    assert sorted(WORDS[language].values()) == sorted(TABLES[language])
+
+
+@pytest.mark.parametrize("language", TABLES)
+def test_gains_at_power_up_are_those_of_the_rows(language: str) -> None:
+    """FR is 0 in its row, which is one sample as well."""
+    for row in dialect(language).table():
+        if row.tunes and row.default is not None and row.name != "FR":
+            assert row.default == TABLES[language][row.tunes], row.name
+
+
+def test_what_a_gain_sets_is_a_field_of_the_loop() -> None:
+    for language, table in TABLES.items():
+        assert gains.fields(language, table) <= {each.name for each in fields(Loop)}
 
 
 def test_dotted_settings_fall_into_sections() -> None:

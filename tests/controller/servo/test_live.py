@@ -108,7 +108,7 @@ def test_everything_done_to_a_loop_is_in_its_history() -> None:
     pass_time(0.05)
     controller.define_position(0, 100.0)
     pass_time(0.05)
-    feedback.tune({"KPROP": 2.0, "KDERIV": 60.0})
+    feedback.tune({"proportional": (2.0, "KPROP"), "derivative": (60.0, "KDERIV")})
     pass_time(0.1)
     controller.disable(0)
     pass_time(0.05)
