@@ -10,7 +10,9 @@ import motionlang
 from motionlang.controller.servo import gains
 from motionlang.lang.keyword import ROLES, TRAITS
 from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.models import MODELS
 from motionlang.mint.keywords import table
+from motionlang.mint.models import ABSENT, LARGEST
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = {row.name for row in table()}
@@ -31,17 +33,10 @@ NAMED = {
     "views/keywords.py": "RW",
     "views/servo.py": "DAC",
     "views/servo_plot.py": "DAC",
-    # Which board has which commands, and what a command of another board is called here.
-    "mccl/models.py": "AG CA CD CM CP CR CX DG DS EA ER ET GT HS LS MS NS OB OO PP PS RR SN TX UK UO UR US UT UZ VA VD "
-    "VG VO VV",
-    "mccl/resolve/nearest.py": "AB DS HE MA MF MN MR RP RT SA ST SV TP TS US WS",
-    "mint/models.py": "GEARING OFFSETMODE SPLINE",
     "lang/machine/nonvolatile.py": "NVLONG",
     # Commands that the code around them speaks of to the user, or that open a block.
-    "mccl/lint/check.py": "MD",
     "mccl/motion/gear.py": "SM",
     "mccl/motion/joystick.py": "JN",
-    "mccl/motion/path.py": "CM VA VD VO VV",
     "mint/compile/keyword_use.py": "IDLE VEL",
     "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",
     "mint/lint/motion.py": "POSWRAP SOFTLIMITFORWARD SOFTLIMITMODE SOFTLIMITREVERSE",
@@ -75,6 +70,18 @@ def test_effects_are_said_in_the_words_for_them() -> None:
         assert not (row.role and row.gives), row.name
         assert row.tunes in {"", *gains.MINT, *gains.MCCL}, row.name
         assert row.changes in ("", "motion"), row.name
+
+
+def test_a_family_that_a_controller_lacks_or_limits_is_one_of_the_rows() -> None:
+    families = {row.family for row in TABLE} - {""}
+    assert {family for model in MODELS.values() for family in model.lacks} == families
+    assert {row.family for row in table()} - {""} == ABSENT.keys() | LARGEST.keys()
+
+
+def test_what_people_mean_by_a_word_of_english_is_no_command() -> None:
+    meant = {word for row in TABLE for word in row.meant.split()}
+    assert meant
+    assert not {word for word in meant if TABLE.get(word)} - {"ON"}
 
 
 def test_every_kind_of_effect_is_one_of_some_word() -> None:

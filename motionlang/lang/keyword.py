@@ -51,6 +51,8 @@ class Keyword:
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the word written last counts
     `changes`  "motion": what is read changes only while the axis moves
     `tunes`    the quantity of the servo loop that it sets: one of the gains of its language in `servo.gains`
+    `meant`    what people write for it where they do not know it
+    `family`   the words that a controller lacks or limits together with it; `models.py` of a language says which do
     `driven`   the section of the machine file that says what is read, such as "input"
     """
 
@@ -61,6 +63,7 @@ class Keyword:
         "driven",
         "effect",
         "example",
+        "family",
         "gives",
         "group",
         "help",
@@ -68,6 +71,7 @@ class Keyword:
         "index",
         "kind",
         "low",
+        "meant",
         "name",
         "short",
         "simulated",
@@ -100,13 +104,15 @@ class Keyword:
         changes: str = "",
         tunes: str = "",
         driven: str = "",
+        meant: str = "",
+        family: str = "",
     ) -> None:
         self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
         self.unit, self.verb, self.help, self.example = unit, verb, help, example
         self.default, self.low, self.high = default, low, high
         self.group, self.simulated, self.solved = group, simulated, solved
         self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
-        self.tunes = tunes
+        self.tunes, self.meant, self.family = tunes, meant, family
 
     def does(self, what: str) -> bool:
         """Whether its effect has a word of `ROLES` or `TRAITS`."""
@@ -145,6 +151,10 @@ class Table:
     def get(self, word: str) -> Keyword | None:
         """The row of a word, by its name or its short form, in any case."""
         return self._by_name.get(word.lower())
+
+    def doing(self, verb: str) -> str:
+        """The name of the first word of a verb."""
+        return next(row.name for row in self.rows if row.verb == verb)
 
     def names(self) -> list[str]:
         """Every name, in the order of the table."""

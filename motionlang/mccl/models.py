@@ -8,26 +8,23 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 
-# What boards lack, by family of commands. MCAPI has a flag for each family; which board is without what is remembered,
-# or inferred from the LM628 chip of the basic modules, which has one profile, one rate and no feed-forward.
-_PROFILES = ("PS", "PP")
-_RAMPS = ("DS",)
-_RATES = ("HS", "MS", "LS")
-_FEED_FORWARD = ("VG", "AG", "DG")
-_OUTPUT_CONTROL = ("OB", "OO")
-_TASKS = ("GT", "ET")
-_SCALES = ("US", "UR", "UT", "UK", "UO", "UZ")
-_CONTOURS = ("CM", "CP", "CA", "CR", "EA", "ER", "RR", "CD", "TX", "CX", "VV", "VA", "VD", "VO", "SN", "NS")
-_BASIC = (*_PROFILES, *_RAMPS, *_RATES, *_FEED_FORWARD, *_OUTPUT_CONTROL)
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+
+# What boards lack, by family of commands, a column of their rows. MCAPI has a flag for each; which board is without is
+# remembered, or inferred from the LM628 chip of the basic modules, which has one profile, one rate and no feed-forward.
+_CONTOURS, _TASKS, _SCALES, _OUTPUT_CONTROL = "contours", "tasks", "scales", "output control"
+_BASIC = ("profiles", "deceleration", "rates", "feed-forward", _OUTPUT_CONTROL)
 
 
 class Model:
     """One board.
 
     `prompt`, `echo` and `line_end` are how it talks; `rounds` whether parameters become whole counts before a scale
-    is set; `lacks` the commands that it has not; `macros` the highest macro number; `registers` how many there are;
-    `words` whether TS has its four status words; `at_target` whether status bit 2 means that; `outputs` the channels
-    that are outputs at power-up; `whole_gains` whether gains are integers; `update` the servo period in seconds;
+    is set; `lacks` the families of commands that it has not; `macros` the highest macro number; `registers` how many
+    there are; `words` whether TS has its four status words; `at_target` whether status bit 2 means that; `outputs` the
+    channels that are outputs at power-up; `whole_gains` whether gains are integers; `update` the servo period, s;
     `stepper` velocity, acceleration and minimum velocity of a stepper at power-up.
     """
 
@@ -76,19 +73,19 @@ class Model:
 
     @property
     def separate_decel(self) -> bool:
-        """Whether DS is a setting of its own; without it SA sets both."""
-        return "DS" not in self.lacks
+        """Whether there is a deceleration of its own; without it the acceleration sets both."""
+        return "deceleration" not in self.lacks
 
 
 _MODELS = (
     Model("multiflex", "MultiFlex PCI 1000 series", outputs=range(33, 49), stepper=(10_000.0, 10_000.0, 1000.0)),
-    Model("dcx-pci300", "DCX-PCI300, DSP based modular controller", words=False, lacks=_OUTPUT_CONTROL),
+    Model("dcx-pci300", "DCX-PCI300, DSP based modular controller", words=False, lacks=(_OUTPUT_CONTROL,)),
     Model("dcx-pci100", "DCX-PCI100 modular controller", words=False, at_target=False, whole_gains=True,
           lacks=_BASIC, update=0.000341),
     Model("dcx-at200", "DCX-AT200 advanced modular controller", line_end="\r", words=False,
-          at_target=False, lacks=_OUTPUT_CONTROL, update=0.001),
+          at_target=False, lacks=(_OUTPUT_CONTROL,), update=0.001),
     Model("dcx-pc100", "DCX-PC100 modular controller", prompt="", echo=False, line_end="\r", macros=255, words=False,
-          at_target=False, whole_gains=True, lacks=(*_BASIC, *_TASKS, *_SCALES, *_CONTOURS), update=0.001),
+          at_target=False, whole_gains=True, lacks=(*_BASIC, _TASKS, _SCALES, _CONTOURS), update=0.001),
 )  # fmt: skip
 
 MODELS: dict[str, Model] = {model.name: model for model in _MODELS}
@@ -108,8 +105,8 @@ def written_for(name: str) -> str:
     return _SUFFIXES.get(name.rpartition(".")[2].lower(), DEFAULT)
 
 
-def missing(model: Model, name: str) -> Fault:
+def missing(model: Model, row: Keyword) -> Fault:
     """The answer of a board to a command that it has not."""
-    have = [each.name for each in _MODELS if name not in each.lacks]
+    have = [each.name for each in _MODELS if row.family not in each.lacks]
     hint = f"{', '.join(have)} {'has' if len(have) == 1 else 'have'} it: controller.model in the machine file"
-    return Fault(codes.INVALID, f"the {model.title} has no {name}", hint, "model")
+    return Fault(codes.INVALID, f"the {model.title} has no {row.name}", hint, "model")

@@ -33,14 +33,15 @@ _AGES = {
 # What a product's name may be said without, where it says enough all the same: ESB-2, e150.
 _FAMILIES = ("nextmove", "microflex", "motiflex")
 
-# Words that MN1270 gives to some v4 products only, and the largest value that it gives to some (p. 85, 111, 120).
+# Families of words that MN1270 gives to some v4 products only, and the largest value that it gives to some (p. 85, 111,
+# 120).
 _PROGRAMMED = ("MintDrive", "ServoNode 51")
 _NOT_NEXTMOVE = tuple(name for name in _V4 if not name.startswith("NextMove"))
 ABSENT: dict[str, tuple[str, ...]] = {
-    "OFFSETMODE": tuple(name for name in _V4 if name not in _PROGRAMMED),
-    "SPLINE": _NOT_NEXTMOVE,
+    "offset modes": tuple(name for name in _V4 if name not in _PROGRAMMED),
+    "splines": _NOT_NEXTMOVE,
 }
-LARGEST: dict[str, tuple[float, tuple[str, ...]]] = {"GEARING": (20000.0, _PROGRAMMED)}
+LARGEST: dict[str, tuple[float, tuple[str, ...]]] = {"gearing": (20000.0, _PROGRAMMED)}
 
 
 def named(model: str) -> str | None:

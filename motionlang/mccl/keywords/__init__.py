@@ -24,6 +24,10 @@ from motionlang.mccl.keywords import (
     units,
 )
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
 TABLE = Table(
     row
     for group in (
@@ -43,3 +47,8 @@ TABLE = Table(
     )
     for row in group.ROWS
 )
+
+
+def of_families(families: Collection[str]) -> frozenset[str]:
+    """The commands of some families."""
+    return frozenset(row.name for row in TABLE if row.family in families)

@@ -16,7 +16,9 @@ ROWS = (
          "MD1,AL5,TR0\nMJ1"),
     _row("RM", "command", "C", "none", "", "reset_macros", "Forget all macros.", "RM"),
     _row("GT", "statement", "W", "none", "number", "start_task",
-         "Run macro n as a background task; its number is then in the accumulator.", "MD1,WA0.1\nGT1,TR0"),
-    _row("ET", "statement", "W", "none", "number", "end_task", "End a background task.", "MD1,WA9\nGT1,ET@0", low=0),
+         "Run macro n as a background task; its number is then in the accumulator.", "MD1,WA0.1\nGT1,TR0",
+         family="tasks"),
+    _row("ET", "statement", "W", "none", "number", "end_task", "End a background task.", "MD1,WA9\nGT1,ET@0", low=0,
+         family="tasks"),
     _row("BK", "statement", "C", "none", "", "leave", "Leave the macro, or the line.", "AL5,BK,AL6"),
 )  # fmt: skip

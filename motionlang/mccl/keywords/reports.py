@@ -8,7 +8,7 @@ _G = Group("reports")
 _row, _known = _G.row, _G.known
 
 ROWS = (
-    _row("TP", "reading", "R", "axes", "uu", "tell_position", "Tell the actual position.", "1TP"),
+    _row("TP", "reading", "R", "axes", "uu", "tell_position", "Tell the actual position.", "1TP", meant="POS PRINT"),
     _row("TT", "reading", "R", "axes", "uu", "tell_target", "Tell the target.", "1TT"),
     _row("TO", "reading", "R", "axes", "uu", "tell_optimal", "Tell the optimal position, that of the trajectory.",
          "1TO"),
@@ -16,7 +16,7 @@ ROWS = (
          "1TF"),
     _row("TV", "reading", "R", "axes", "uu/s", "tell_velocity", "Tell the actual velocity.", "1TV"),
     _row("TS", "reading", "R", "axes", "bits", "tell_status",
-         "Tell a status word: 0 status, 1 auxiliary, 2 profile, 3 mode.", "1TS", low=0, high=3),
+         "Tell a status word: 0 status, 1 auxiliary, 2 profile, 3 mode.", "1TS", low=0, high=3, meant="STATUS"),
     _row("TE", "reading", "R", "none", "number", "tell_error", "Tell the last error of the interpreter.", "TE"),
     _row("TG", "reading", "R", "axes", "number", "tell_gain", "Tell the proportional gain.", "1TG"),
     _row("TI", "reading", "R", "axes", "number", "tell_integral", "Tell the integral gain.", "1TI"),
@@ -37,7 +37,7 @@ ROWS = (
     _row("TA", "reading", "R", "none", "number", "tell_analog", "Tell an analogue input, volts.", "TA1",
          low=1, high=255),
     _row("TR", "reading", "R", "none", "number", "tell_register", "Tell a register; 0 is the accumulator.", "AL5,TR0",
-         low=0, high=255),
+         low=0, high=255, meant="PRINT"),
     _row("TM", "reading", "R", "none", "number", "tell_macro", "List a macro; -1 lists all.", "TM-1", low=-1),
     _row("VE", "reading", "R", "none", "text", "tell_version", "Tell the model and the version.", "VE"),
     _row("DO", "reading", "R", "axes", "uu", "tell_recorded_optimal",
@@ -47,5 +47,5 @@ ROWS = (
     _row("DQ", "reading", "R", "axes", "number", "tell_recorded_torque",
          "Tell n recorded outputs in volts, one a line; 0 V without a simulated motor.",
          "1MN,1PR5,1MR50,1WS,1DQ0", low=0),
-    _row("HE", "reading", "R", "none", "text", "tell_help", "List the commands.", "HE"),
+    _row("HE", "reading", "R", "none", "text", "tell_help", "List the commands.", "HE", meant="HELP"),
 )  # fmt: skip

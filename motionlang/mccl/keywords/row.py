@@ -27,6 +27,8 @@ class Group:
         high: float | None = None,
         solved: bool = False,
         tunes: str = "",
+        meant: str = "",
+        family: str = "",
     ) -> Keyword:
         """One simulated command."""
         return Keyword(
@@ -45,6 +47,8 @@ class Group:
             group=self.title,
             solved=solved,
             tunes=tunes,
+            meant=meant,
+            family=family,
         )
 
     def known(self, name: str, kind: str, index: str, help: str) -> Keyword:

@@ -6,6 +6,7 @@ from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords import TABLE
 from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 # Verbs that need a macro to be there.
 _CALLS = frozenset({"call_macro", "jump_macro", "start_task"})
 _JUMPS = frozenset({"jump", "jump_by"})
+_DEFINES = "define_macro"
 
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
@@ -76,7 +78,8 @@ def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagn
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
     """What this board does not have."""
-    return missing(model, command.name) if command.name in model.lacks else None
+    row = command.row
+    return missing(model, row) if row is not None and row.family in model.lacks else None
 
 
 def _no_axis(command: Command, axes: int) -> Fault | None:
@@ -117,8 +120,14 @@ def _wrong_here(line: Line, k: int, command: Command, model: Model) -> Fault | N
     return None
 
 
+def _defines(line: Line) -> bool:
+    """Whether the line is the definition of a macro."""
+    row = line.commands[0].row
+    return row is not None and row.verb == _DEFINES
+
+
 def _jump(line: Line, k: int, verb: str, number: int) -> Fault | None:
-    first = 1 if line.commands[0].name == "MD" else 0
+    first = 1 if _defines(line) else 0
     last = len(line.commands) - first - 1
     target = number if verb == "jump" else k - first + number
     if 0 <= target <= last + 1:
@@ -130,7 +139,7 @@ def _jump(line: Line, k: int, verb: str, number: int) -> Fault | None:
 
 def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
     """Calls of macros that no line of the file defines: they may be in the controller already, so a warning."""
-    defined = {line.commands[0].number for line in lines if line.commands[0].name == "MD"}
+    defined = {line.commands[0].number for line in lines if _defines(line)}
     for line in lines:
         for command, at in zip(line.commands, line.places, strict=True):
             if command.row is None or command.row.verb not in _CALLS or problem(command):
@@ -139,7 +148,10 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
             if number is not None and number not in defined:
                 message = f"no line of this file defines macro {number}"
                 yield _diagnostic(
-                    source, at, Fault(0, message, f"MD{number},... defines it", "unknown-word"), "warning"
+                    source,
+                    at,
+                    Fault(0, message, f"{TABLE.doing(_DEFINES)}{number},... defines it", "unknown-word"),
+                    "warning",
                 )
 
 

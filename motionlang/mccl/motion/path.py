@@ -8,6 +8,7 @@ from motionlang.controller.moves.geometry import Arc, Line
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords import TABLE
 from motionlang.mccl.motion.arcs import angle_to, angle_until, centre_by_radius, end_of, radius_of
 from motionlang.mccl.motion.contour import Vector
 from motionlang.profile.lookahead import Pace
@@ -72,7 +73,7 @@ class Path:
             raise Fault(
                 codes.NOT_ASSIGNED,
                 f"axis {axis.number} is not in contour mode under axis {self._axis.number}",
-                f"{axis.number}CM{self._axis.number} puts it there",
+                f"{axis.number}{TABLE.doing('contour_mode')}{self._axis.number} puts it there",
                 "axis",
             )
 
@@ -133,15 +134,15 @@ class Path:
         """The vector settings of the controlling axis, in its user units."""
         axis, controller = self._axis, task.board.controller
         counts, vector = abs(axis.scale.counts), axis.vector
-        for name, value in (
-            ("VV", vector.velocity),
-            ("VA", vector.accel),
-            ("VD", vector.decel),
-            ("VO", vector.override),
+        for verb, value, code in (
+            ("vector_velocity", vector.velocity, "zero-speed"),
+            ("vector_accel", vector.accel, "zero-acceleration"),
+            ("vector_decel", vector.decel, "zero-acceleration"),
+            ("override", vector.override, "zero-speed"),
         ):
             if value <= 0.0:
-                code = "zero-speed" if name in ("VV", "VO") else "zero-acceleration"
-                raise Fault(codes.PARAMETER, f"a contour path cannot be run: {name} is {value:g}", kind=code)
+                words = f"a contour path cannot be run: {TABLE.doing(verb)} is {value:g}"
+                raise Fault(codes.PARAMETER, words, kind=code)
         shape = str(controller.setting(axis.number, "shape"))
         ramp = float(controller.setting(axis.number, "ramp") or 0.0)
         return Pace(shape, vector.velocity / counts, vector.accel / counts, vector.decel / counts, ramp)

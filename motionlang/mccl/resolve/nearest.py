@@ -4,20 +4,13 @@ from __future__ import annotations
 
 from motionlang.mccl.keywords import TABLE
 
-# Words of English, and of Mint, that people type where MCCL wants two letters.
-_WORDS = {
-    "MOVE": "MA or MR", "MOVEA": "MA", "MOVER": "MR", "SPEED": "SV", "VEL": "SV", "ACCEL": "SA", "DECEL": "DS",
-    "STOP": "ST", "ABORT": "AB", "HOME": "GH, FI or FE", "WAIT": "WA, WS or WT", "SCALE": "US", "ON": "MN",
-    "OFF": "MF", "ENABLE": "MN", "DISABLE": "MF", "POS": "TP", "PRINT": "TP or TR", "REPEAT": "RP", "RESET": "RT",
-    "STATUS": "TS", "HELP": "HE", "IDLE": "WS",
-}  # fmt: skip
-
 
 def hint(word: str) -> str:
     """A sentence that helps, or nothing."""
     upper = word.upper()
-    if upper in _WORDS:
-        return f"did you mean {_WORDS[upper]}?"
+    meant = [row.name for row in TABLE if upper in row.meant.split()]
+    if meant:
+        return f"did you mean {' or '.join(filter(None, (', '.join(meant[:-1]), meant[-1])))}?"
     if len(upper) > 2:
         return "a command is two letters and its parameter; commands are separated by commas"
     swapped = TABLE.get(upper[::-1])

@@ -9,6 +9,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.lang.task import Task
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords import of_families
 from motionlang.mccl.models import missing
 from motionlang.mccl.motion.path import DESCRIBES
 from motionlang.mccl.resolve.command import NONE, REGISTER, TEXT
@@ -74,7 +75,7 @@ class CommandTask(Task):
         super().__init__(name)
         self.board = board
         self.cost = board.cost
-        self.lacks = board.model.lacks
+        self.lacks = of_families(board.model.lacks)
         self.write = board.write
         self.registers: list[float | int] = [0] * PRIVATE
         self.line: Line | None = None
@@ -154,8 +155,8 @@ class CommandTask(Task):
             try:
                 if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
                     self.close_path()
-                if command.name in lacks:
-                    raise missing(board.model, command.name)
+                if command.name in lacks and command.row is not None:
+                    raise missing(board.model, command.row)
                 wait = command.action(self, command)
             except (Fault, Refusal) as trouble:
                 self._refused(trouble)

@@ -16,10 +16,12 @@ _OFFSET = (
 )
 
 
-def _setting(name: str, short: str, unit: str, help: str, default: float, low: float, high: float) -> Keyword:
+def _setting(
+    name: str, short: str, unit: str, help: str, default: float, low: float, high: float, family: str = ""
+) -> Keyword:
     return Keyword(name, short, "setting", "RW", "axis", unit, "following.masters.setting", help,
                    f"{name}(1) = 1\nPRINT {name}(1)", default=default, low=low, high=high,
-                   group="following")  # fmt: skip
+                   group="following", family=family)  # fmt: skip
 
 
 _SOURCES = (
@@ -75,7 +77,7 @@ ROWS = (
             default=1.0, low=1e-9, high=_LARGEST, group="motion"),
     _setting("GEARING", "GR", "%",
              "How much of the slave's lag GEARINGMODE corrects. Without a simulated motor there is no lag to correct.",
-             100.0, -_LARGEST, _LARGEST),
+             100.0, -_LARGEST, _LARGEST, "gearing"),
     _setting("GEARINGMODE", "GRM", "integer", "1: the slave's lag behind its master is corrected, see GEARING.",
              0.0, 0, 1),
     Keyword("FLY", "", "move", "W", "axis", "uu", "following.fly",
@@ -89,7 +91,7 @@ ROWS = (
     Keyword("OFFSETMODE", "", "setting", "RW", "axis", "integer", "following.masters.setting",
             "How OFFSET is done: _ofSTANDARD, _ofSPEED_LIMIT, _ofACCEL_MOD or _ofSPEED_MOD.",
             _OFFSET.format("OFFSETMODE(1) = _ofSPEED_MOD : OFFSETDISTANCE(1) = 50\n"),
-            default=0.0, low=0, high=3, group="following"),
+            default=0.0, low=0, high=3, group="following", family="offset modes"),
     _setting("OFFSETDISTANCE", "", "number",
              "How far the master goes during an OFFSET of mode 2 or 3, in its own units.", 0.0, -_LARGEST, _LARGEST),
     Keyword("OFFSETSTATUS", "OFS", "reading", "R", "axis", "bits", "offset_status",

@@ -77,7 +77,7 @@ ROWS = (
     Keyword("SPLINE", "SPL", "move", "RW", "axis", "integer", "table_motion.splines.spline",
             "Load a spline through the positions of SPLINETABLE; GO begins it. The bits are the _sp constants; "
             "the axis must be idle.",
-            _SPLINE.format(""), low=0, high=15, group="motion", effect="course"),
+            _SPLINE.format(""), low=0, high=15, group="motion", effect="course", family="splines"),
     _setting("SPLINESTART", "table_motion.splines.setting", "integer", "The first segment of a spline that is used.",
              _SPLINE.format("SPLINESTART(0) = 2\n"), 1.0, 1, 16777215),
     _setting("SPLINEEND", "table_motion.splines.setting", "integer",

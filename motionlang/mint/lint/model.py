@@ -99,7 +99,7 @@ def _lacking(module: Module, product: str, table: Table) -> Found:
     """Words and values that the manuals give to other products only."""
     for name in _names(module):
         row = table.get(name.name)
-        if row is not None and product in ABSENT.get(row.name, ()):
+        if row is not None and product in ABSENT.get(row.family, ()):
             yield name.at, f"the {product} has no {row.name}", row.help
     for node in walk(_everything(module)):
         target = node.target if type(node) is nodes.Assign else None
@@ -107,10 +107,10 @@ def _lacking(module: Module, product: str, table: Table) -> Found:
         if (
             row is None
             or type(node) is not nodes.Assign
-            or product not in LARGEST.get(row.name, (0.0, ()))[1]
+            or product not in LARGEST.get(row.family, (0.0, ()))[1]
         ):
             continue
-        largest = LARGEST[row.name][0]
+        largest = LARGEST[row.family][0]
         for value in node.values:
             if type(value) is nodes.Number and value.value > largest:
                 told = f"it takes {-largest:g} to {largest:g} there"

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang import run
 from motionlang.mccl import DIALECT
-from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.keywords import TABLE, of_families
 from motionlang.mccl.models import DEFAULT, MODELS
 from motionlang.source import Source
 from tests.cases import cases
@@ -94,7 +94,7 @@ def test_prompt_echo_and_line_end(model: str, talk: bytes) -> None:
 
 @pytest.mark.parametrize("model", ALL)
 def test_what_a_board_lacks_is_known_before_the_run_and_not_in_its_help(model: str, mccl: Runner) -> None:
-    lacks = MODELS[model].lacks
+    lacks = of_families(MODELS[model].lacks)
     settings = {"controller.model": model}
     helped = {line.split()[0] for line in mccl("HE", machine=settings).output}
     assert helped == {row.name for row in TABLE} - lacks
@@ -129,7 +129,7 @@ def test_a_suffix_of_pmcs_says_which_board_a_file_is_for(name: str, model: str) 
     text = "VE\n1OB1"
     result = run(Source(name, text), dialect="mccl")
     assert result.output[0].startswith(MODELS[model].title)
-    assert bool(DIALECT.check(Source(name, text))) is ("OB" in MODELS[model].lacks)
+    assert bool(DIALECT.check(Source(name, text))) is ("output control" in MODELS[model].lacks)
     other = run(Source(name, text), dialect="mccl", machine={"controller.model": "dcx-at200"})
     assert other.output[0].startswith(MODELS["dcx-at200"].title)
 
