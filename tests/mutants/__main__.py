@@ -1,78 +1,155 @@
-"""`python -m tests.mutants [COUNT] [SEED]`: how many of so many mutants are killed, and which live."""
+"""`python -m tests.mutants [COUNT] [SEED]`: how many of so many mutants are killed, and which live.
+
+`--only TEXT` takes those of them whose names have the text, `--tests PATH` those tests: to see whether a new one kills.
+"""
 
 from __future__ import annotations
 
+import argparse
+import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
-from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen
+from tests.mutants.equivalent import EQUIVALENT
+from tests.mutants.forks import ACTIVE, ALONE, TASKS, TOLD
+from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, woven
 
-# Seconds after which a run of the tests counts as one that does not end, which is a difference, too.
-LONGEST = 300.0
-# Those that change nothing that can be seen, each with the reason.
-EQUIVALENT: dict[str, str] = {}
-# The tests of a place: those of its folder first, then the pages and the gallery, which use everything.
-_ALL = ("tests/spec", "tests/mint/test_spec.py", "tests/golden/test_gallery.py", "tests/mccl/test_spec.py")
-
-
-def runs_of(path: Path) -> list[list[str]]:
-    """Runs of the tests, the nearest first."""
-    parts = path.relative_to(PACKAGE).parts
-    near = [f"tests/{'/'.join(parts[:depth])}" for depth in (2, 1) if len(parts) > depth]
-    stem = path.stem.removesuffix("_operations")
-    named = sorted(str(each.relative_to(ROOT)) for each in (ROOT / "tests").rglob(f"test_{stem}*.py"))
-    groups = [named, near[:1], near[1:], [each for each in _ALL if (ROOT / each).exists()]]
-    if parts[0] == "profile":
-        groups.append(["tests/controller"])
-    return [group for group in groups if group and all((ROOT / each).exists() for each in group)]
-
-
-def is_killed(mutant: Mutant, tree: Path) -> bool:
-    """Whether a test fails in a copy of the project that has the change."""
-    place = tree / mutant.path.relative_to(ROOT)
-    before = place.read_bytes()
-    place.write_text(mutant.text(), encoding="utf-8")
-    try:
-        for group in runs_of(mutant.path):
-            command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *group]
-            environment = os.environ | {"MOTIONLANG_NO_CACHE": "1", "PYTHONDONTWRITEBYTECODE": "1"}
-            try:
-                ran = subprocess.run(
-                    command, cwd=tree, env=environment, capture_output=True, timeout=LONGEST, check=False
-                )
-            except subprocess.TimeoutExpired:
-                return True
-            if ran.returncode not in (0, 5):
-                return True
-    finally:
-        place.write_bytes(before)
-    return False
-
-
-def main(count: int, seed: int) -> int:
-    """Print a line a mutant and the share that was killed; 1 where less than 95 % were."""
-    with tempfile.TemporaryDirectory() as folder:
-        tree = Path(folder) / "motionlang"
-        left_out = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".*_cache", "*.egg-info")
-        shutil.copytree(ROOT, tree, ignore=left_out)
-        lived = []
-        mutants = [each for each in chosen(count, seed) if str(each) not in EQUIVALENT]
-        for number, mutant in enumerate(mutants, 1):
-            killed = is_killed(mutant, tree)
-            print(f"{number} {'killed' if killed else 'LIVED '} {mutant}", flush=True)
-            if not killed:
-                lived.append(mutant)
-    killed_share = 1.0 - len(lived) / max(len(mutants), 1)
-    print(
-        f"{len(mutants)} mutants, seed {seed}: {killed_share:.1%} killed; those that lived:", *lived, sep="\n"
+# All but what starts processes of its own, and what asks about the text of the project.
+TESTS = tuple(
+    f"tests/{name}"
+    for name in (
+        "profile", "controller", "metamorphic", "reference_model", "copley", "mint", "mccl", "spec", "golden",
+        "errors", "lang", "lint", "cycle", "measured", "readings", "diff", "sweeps", "repl", "serve", "views",
+        "fuzz", "test_scenarios.py",
     )
-    return 0 if killed_share >= 0.95 else 1
+)  # fmt: skip
+# Seconds by the clock that a process of its own may take.
+LONGEST = 1800.0
+
+WOVEN = """
+
+def _woven() -> None:
+    import builtins
+    import os
+
+    if not hasattr(builtins, "__mutant__"):
+        builtins.__mutant__ = int(os.environ.get({active!r}, "-1")).__eq__
+        builtins.__seen__ = lambda file: None
+
+
+_woven()
+"""
+
+
+def copied(folder: Path, mutants: list[Mutant]) -> Path:
+    """A copy of the project with the mutants woven into it, by their numbers."""
+    tree = folder / "motionlang"
+    left_out = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".*_cache", "*.egg-info")
+    shutil.copytree(ROOT, tree, ignore=left_out)
+    for path in {mutant.path for mutant in mutants}:
+        numbers = {mutant.place: number for number, mutant in enumerate(mutants) if mutant.path == path}
+        (tree / path.relative_to(ROOT)).write_text(woven(path, numbers), encoding="utf-8")
+    with open(tree / PACKAGE.name / "__init__.py", "a", encoding="utf-8") as package:
+        package.write(WOVEN.format(active=ACTIVE))
+    return tree
+
+
+def pytest(tree: Path, tests: list[str], **environment: str) -> subprocess.Popen[bytes]:
+    """pytest on the copy, with the plugin; what it tells is nobody's business but that of the plugin."""
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-p",
+        "tests.mutants.forks",
+        "-p",
+        "no:cacheprovider",
+        "-p",
+        "no:xdist",
+    ]
+    command += ["-q", "-s", f"--basetemp={tree / 'temporary'}", *tests]
+    given = {
+        "MOTIONLANG_NO_CACHE": "1",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "PYTHONPATH": str(tree),
+        **environment,
+    }
+    with open(tree / "pytest.log", "ab") as log:
+        return subprocess.Popen(command, cwd=tree, env=os.environ | given, stdout=log, stderr=log, stdin=log)
+
+
+def verdicts(tree: Path, mutants: list[Mutant], tests: list[str]) -> Iterator[tuple[Mutant, str]]:
+    """Each mutant, and the test that fails with it; "" where none does."""
+    (tree / TASKS).write_text(
+        json.dumps(
+            [
+                {
+                    "number": number,
+                    "file": mutant.path.relative_to(ROOT).as_posix(),
+                    "imported": mutant.imported,
+                }
+                for number, mutant in enumerate(mutants)
+            ]
+        )
+    )
+    os.mkfifo(tree / TOLD)
+    parent = pytest(tree, tests)
+    alone: list[tuple[Mutant, int, dict[str, float]]] = []
+    with open(tree / TOLD, encoding="utf-8") as told:
+        for line in told:
+            each: dict[str, Any] = json.loads(line)
+            mutant = mutants[each["number"]]
+            if "alone" in each:
+                alone.append((mutant, each["number"], each["alone"]))
+            else:
+                yield mutant, each["by"]
+    if parent.wait():
+        raise SystemExit(
+            f"the tests did not run: {(tree / 'pytest.log').read_text(errors='replace')[-3000:]}"
+        )
+    for mutant, number, durations in alone:
+        (tree / ALONE).write_text(json.dumps(durations))
+        files = sorted({name.partition("::")[0] for name in durations})
+        process = pytest(tree, files, **{ACTIVE: str(number)})
+        try:
+            status = process.wait(LONGEST)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            status = process.wait()
+        yield mutant, f"a process of its own ended with {status}" if status and files else ""
+
+
+def main(count: int, seed: int, only: list[str], tests: list[str]) -> int:
+    """Print a line a mutant and the share that was killed; 1 where less than 95 % were."""
+    mutants = [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
+    known = [each for each in mutants if each.name in EQUIVALENT]
+    mutants = [each for each in mutants if each.name not in EQUIVALENT]
+    lived = []
+    with tempfile.TemporaryDirectory() as folder:
+        tree = copied(Path(folder), mutants)
+        for done, (mutant, by) in enumerate(verdicts(tree, mutants, tests), 1):
+            print(f"{done} {f'killed by {by}' if by else 'LIVED'}: {mutant}", flush=True)
+            if not by:
+                lived.append(mutant)
+    share = 1.0 - len(lived) / max(len(mutants), 1)
+    print(
+        f"{len(mutants)} mutants, seed {seed}, and {len(known)} that change nothing: {share:.1%} killed; lived:"
+    )
+    print(*(mutant.name for mutant in lived), sep="\n", flush=True)
+    return 0 if share >= 0.95 else 1
 
 
 if __name__ == "__main__":
-    numbers = [int(word) for word in sys.argv[1:]]
-    sys.exit(main(*(numbers + [300, 0][len(numbers) :])))
+    parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
+    parser.add_argument("count", type=int, nargs="?", default=300)
+    parser.add_argument("seed", type=int, nargs="?", default=0)
+    parser.add_argument("--only", metavar="TEXT", action="append", default=[])
+    parser.add_argument("--tests", metavar="PATH", action="append", default=[])
+    given = parser.parse_args()
+    sys.exit(main(given.count, given.seed, given.only, given.tests or list(TESTS)))

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from hashlib import sha256
 from pathlib import Path
-from random import Random
+from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "motionlang"
@@ -20,26 +22,22 @@ _WORKED: dict[type[ast.operator], type[ast.operator]] = {
 }  # fmt: skip
 
 
-class Mutant:
-    """One change: the file, the place that it replaces as offsets of its text, what stood there, what stands there."""
+class Mutant(NamedTuple):
+    """One change: the number of the place among those of its file, a name that does not go by lines, and the change.
 
-    def __init__(self, path: Path, begin: int, end: int, before: str, after: str, line: int) -> None:
-        self.path, self.begin, self.end, self.before, self.after, self.line = (
-            path,
-            begin,
-            end,
-            before,
-            after,
-            line,
-        )
+    `imported` is whether the place is passed as its module is imported.
+    """
+
+    path: Path
+    place: int
+    name: str
+    line: int
+    before: str
+    after: str
+    imported: bool
 
     def __str__(self) -> str:
         return f"{self.path.relative_to(ROOT)}:{self.line}: {self.before} -> {self.after}"
-
-    def text(self) -> str:
-        """The whole file with the change."""
-        text = self.path.read_bytes()
-        return (text[: self.begin] + self.after.encode() + text[self.end :]).decode()
 
 
 def files() -> list[Path]:
@@ -52,35 +50,64 @@ def files() -> list[Path]:
 
 def mutants(path: Path) -> Iterator[Mutant]:
     """Every change of a file, in the order of its text; what is for types or for people is left alone."""
-    text = path.read_bytes()
-    starts = [0]
-    for line in text.split(b"\n"):
-        starts.append(starts[-1] + len(line) + 1)
-    for node, after in _changes(ast.parse(text)):
-        assert node.end_lineno is not None
-        assert node.end_col_offset is not None
-        begin = starts[node.lineno - 1] + node.col_offset
-        end = starts[node.end_lineno - 1] + node.end_col_offset
-        yield Mutant(path, begin, end, ast.unparse(node), f"({after})", node.lineno)
+    times: Counter[str] = Counter()
+    for place, (where, node, after) in enumerate(_changes(ast.parse(path.read_bytes()), "")):
+        name = f"{path.relative_to(ROOT)}: {where}{ast.unparse(node)} -> {after}"
+        times[name] += 1
+        name += f" #{times[name]}" if times[name] > 1 else ""
+        imported = not any(part.isidentifier() and part.islower() for part in where.split(": "))
+        yield Mutant(path, place, name, node.lineno, ast.unparse(node), after, imported)
 
 
-def _changes(tree: ast.AST) -> Iterator[tuple[ast.expr, str]]:
+def woven(path: Path, numbers: Mapping[int, int]) -> str:
+    """The text of a file with changes at its places, each made where `__mutant__` says so of its number.
+
+    Every function says `__seen__` of the file as it is called.
+    """
+    tree = ast.parse(path.read_bytes())
+    chosen = {
+        id(node): (numbers[place], after)
+        for place, (_, node, after) in enumerate(_changes(tree, ""))
+        if place in numbers
+    }
+
+    class Weaver(ast.NodeTransformer):
+        def visit(self, node: ast.AST) -> ast.AST:
+            found = chosen.get(id(node))
+            node = self.generic_visit(node)
+            if isinstance(node, ast.FunctionDef):
+                said = ast.get_docstring(node, clean=False) is not None
+                node.body.insert(
+                    int(said), *ast.parse(f"__seen__({path.relative_to(ROOT).as_posix()!r})").body
+                )
+            if found is None:
+                return node
+            assert isinstance(node, ast.expr)
+            asked = ast.parse(f"__mutant__({found[0]})", mode="eval").body
+            return ast.IfExp(asked, ast.parse(found[1], mode="eval").body, node)
+
+    return ast.unparse(ast.fix_missing_locations(Weaver().visit(tree)))
+
+
+def _changes(tree: ast.AST, where: str) -> Iterator[tuple[str, ast.expr, str]]:
+    """Where a place is, its expression, and what may stand there instead."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Assert | ast.Raise) or _is_for_types(node):
             continue
         if isinstance(node, ast.AnnAssign):
-            yield from _changes(ast.Expression(node.value)) if node.value is not None else ()
+            yield from _changes(ast.Expression(node.value), where) if node.value is not None else ()
             continue
         if isinstance(node, ast.JoinedStr) or (
             isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
         ):
             continue
-        yield from _of(node)
+        for changed, after in _of(node):
+            yield where, changed, after
         if isinstance(node, ast.FunctionDef):
             for part in node.body:
-                yield from _changes(ast.Module([part], []))
+                yield from _changes(ast.Module([part], []), f"{where}{node.name}: ")
         else:
-            yield from _changes(node)
+            yield from _changes(node, f"{where}{node.name}: " if isinstance(node, ast.ClassDef) else where)
 
 
 def _is_for_types(node: ast.AST) -> bool:
@@ -114,6 +141,9 @@ def _of(node: ast.AST) -> Iterator[tuple[ast.expr, str]]:
 
 
 def chosen(count: int, seed: int) -> list[Mutant]:
-    """So many changes, each file as likely as it has places; the same for the same text."""
-    every = [mutant for path in files() for mutant in mutants(path)]
-    return Random(f"mutants {seed}").sample(every, min(count, len(every)))
+    """So many changes, each file as likely as it has places; a change elsewhere leaves them what they are."""
+
+    def rank(mutant: Mutant) -> bytes:
+        return sha256(f"{seed} {mutant.name}".encode()).digest()
+
+    return sorted((mutant for path in files() for mutant in mutants(path)), key=rank)[:count]

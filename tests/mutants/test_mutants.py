@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import ast
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import main, runs_of
-from tests.mutants.mutate import chosen, files, mutants
+from tests.mutants.__main__ import TESTS, main
+from tests.mutants.equivalent import EQUIVALENT
+from tests.mutants.mutate import ROOT, chosen, files, mutants, woven
 
 TEXT = '''"""A sentence with 3 numbers."""
 from __future__ import annotations
@@ -18,7 +20,7 @@ LIMIT = 2
 
 def f(a, b):
     """Another 4."""
-    assert a > 1
+    assert a > -9
     if a < b and not b:
         raise ValueError(f"{a + 1}")
     return a + b * -1.5 if a == LIMIT else profiles[-1]
@@ -30,9 +32,15 @@ def spelt(text: str) -> str:
     return ast.unparse(ast.parse(text, mode="eval"))
 
 
-def test_what_is_changed(tmp_path: Path) -> None:
-    path = tmp_path / "a.py"
+def written(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr("tests.mutants.mutate.ROOT", folder)
+    path = folder / "a.py"
     path.write_text(TEXT, encoding="utf-8")
+    return path
+
+
+def test_what_is_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = written(tmp_path, monkeypatch)
     found = {(each.line, each.before, spelt(each.after)) for each in mutants(path)}
     assert found >= {
         (5, "2", "3"),
@@ -43,17 +51,57 @@ def test_what_is_changed(tmp_path: Path) -> None:
         (12, "-1", "1"),
     }
     assert {line for line, _, _ in found} == {5, 10, 12}
-    for each in mutants(path):
-        assert ast.unparse(ast.parse(each.text())) != ast.unparse(ast.parse(TEXT))
+    assert {each.line for each in mutants(path) if each.imported} == {5}
 
 
 def test_the_same_are_chosen_again_from_every_part() -> None:
     once = [str(each) for each in chosen(300, 0)]
     assert once == [str(each) for each in chosen(300, 0)]
     assert {each.split("/")[1] for each in once} == {"profile", "controller", "mint", "mccl"}
-    assert all(runs_of(path) for path in files())
+    assert all((ROOT / path).exists() for path in TESTS)
+
+
+def test_a_change_elsewhere_leaves_the_choice_and_the_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = written(tmp_path, monkeypatch)
+    before = [each.name for each in mutants(path)]
+    assert len(set(before)) == len(before) > 8
+    path.write_text(TEXT.replace("LIMIT = 2", "OTHER = 7\nLIMIT = 2"), encoding="utf-8")
+    assert set(before) < {each.name for each in mutants(path)}
+
+
+def test_each_change_is_made_where_its_number_is_active(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = written(tmp_path, monkeypatch)
+    every = list(mutants(path))
+    code = compile(woven(path, {each.place: 100 + each.place for each in every}), "a.py", "exec")
+
+    def answers(active: int) -> tuple[object, ...]:
+        seen: list[str] = []
+        space: dict[str, Any] = {
+            "__mutant__": active.__eq__, "__seen__": seen.append, "TYPE_CHECKING": False, "profiles": [7, 8, 9],
+        }  # fmt: skip
+        exec(code, space)
+        told: list[object] = [space["LIMIT"]]
+        for a, b in ((2, 3), (2, 2), (3, 0), (-2, 0), (0, 0), (3, 4)):
+            try:
+                told.append(space["f"](a, b))
+            except (ValueError, IndexError) as error:
+                told.append(type(error))
+        assert set(seen) == {"a.py"}
+        return tuple(told)
+
+    plain = answers(-1)
+    assert [each.name for each in every if answers(100 + each.place) == plain] == []
+
+
+def test_what_is_equivalent_stands_in_the_text() -> None:
+    every = {each.name for path in files() for each in mutants(path)}
+    assert [name for name in EQUIVALENT if name not in every] == []
 
 
 @pytest.mark.long
 def test_nineteen_of_twenty_are_killed() -> None:
-    assert main(300, 0) == 0
+    assert main(300, 0, [], list(TESTS)) == 0
