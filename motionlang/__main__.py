@@ -11,7 +11,11 @@ import _signal  # type: ignore[import-not-found]  # signal itself imports enum
 if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
     _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
 
+import os
 import sys
+
+# numpy's matrices are small here, and its other threads would only wait for them, which takes a core.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from motionlang.cli import main
 

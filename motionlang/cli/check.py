@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
-from motionlang.cli.fix import fix
+from motionlang.cli.fix import Fixed, fix
 from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
 from motionlang.cli.parallel import in_parallel
@@ -21,7 +21,7 @@ from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
 from motionlang.views.findings import Found, written
-from motionlang.views.terminal import wants_colour, width_of
+from motionlang.views.terminal import printable, wants_colour, width_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -69,9 +69,8 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         return 1
     document: list[Found] = []
     jobs = 1 if STDIN in found_files else options.jobs
-    work = partial(_fixed if options.fix else _check, options=options)
-    for file, (language, source, settings, diagnostics) in zip(
-        found_files, in_parallel(work, found_files, jobs), strict=True
+    for file, (language, source, settings, diagnostics, fixed) in zip(
+        found_files, in_parallel(partial(_looked_at, options=options), found_files, jobs), strict=True
     ):
         wrong = wrong or any(options.strict or each.severity == "error" for each in diagnostics)
         name = STDIN_NAME if file == STDIN else file
@@ -79,11 +78,16 @@ def check_command(files: Sequence[str], options: CheckOptions) -> int:
         if options.form not in ("text", "json"):
             document.append(Found(name, diagnostics, source, place, options.strict))
             continue
+        if fixed and options.form == "text":
+            sys.stderr.write("".join(f"{printable(f'{name}:{each}')}\n" for each in fixed))
         complain(diagnostics, source, place)
         found = [each.as_dict() for each in diagnostics]
         rows.append({"program": name, "dialect": language, "diagnostics": found})
+        if options.fix:
+            rows[-1]["fixed"] = [each._asdict() for each in fixed]
         if options.form == "text":
-            sys.stdout.write(f"{name}: {tally(diagnostics) or 'no mistakes'}\n")
+            mended = f"{len(fixed)} fixed, " if fixed else ""
+            sys.stdout.write(f"{name}: {mended}{tally(diagnostics) or 'no mistakes'}\n")
         if options.evidence and settings is not None and source is not None:
             _tell_evidence(language, source, settings, rows[-1], options.form == "json")
     if options.form == "json":
@@ -109,18 +113,18 @@ def _tell_evidence(
         sys.stdout.write(listing(found, width=width_of(sys.stdout), colour=wants_colour(sys.stdout)))
 
 
-def _fixed(
+def _looked_at(
     file: str, options: CheckOptions
-) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic]]:
-    """The same as `_check`, of a file in which what is certain has been mended."""
+) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic], list[Fixed]]:
+    """The same as `_check`, and what has been mended before; nothing where that is not asked for."""
     found = _check(file, options)
-    if file == STDIN or found[2] is None:
-        return found
+    if not options.fix or file == STDIN or found[2] is None:
+        return (*found, [])
     try:
-        count = fix(file, found[3])
+        fixed = fix(file, found[3])
     except OSError as error:
-        return (*found[:3], [*found[3], unwritten(file, error)])
-    return _check(file, options) if count else found
+        return (*found[:3], [*found[3], unwritten(file, error)], [])
+    return (*(_check(file, options) if fixed else found), fixed)
 
 
 def _check(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.files import replacing
 
@@ -14,27 +14,43 @@ if TYPE_CHECKING:
 _MARK = "\ufeff"
 
 
-def fix(path: str, found: Sequence[Diagnostic]) -> int:
-    """Write the fixes of some diagnostics into their file; how many. OSError where it cannot be read or written.
+class Fixed(NamedTuple):
+    """One place of a file that was written otherwise: where it stood, and what stood and stands there."""
+
+    line: int
+    column: int
+    code: str
+    before: str
+    after: str
+
+    def __str__(self) -> str:
+        return f"{self.line}:{self.column}: fixed[{self.code}]: {self.before} -> {self.after}"
+
+
+def fix(path: str, found: Sequence[Diagnostic]) -> list[Fixed]:
+    """Write the fixes of some diagnostics into their file, and say which. OSError where it cannot be read or written.
 
     Line ends stay as they are. A file that is not UTF-8 is left alone.
     """
     wanted = [each for each in found if each.fix and each.line and each.column]
     if not wanted:
-        return 0
+        return []
     with open(path, "rb") as file:
         data = file.read()
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError:
-        return 0
+        return []
     mark = _MARK if text.startswith(_MARK) else ""
     lines = text.removeprefix(mark).split("\n")
     if any("\r" in line[:-1] for line in lines):
-        return 0  # lines that end with a lone carriage return are counted otherwise
+        return []  # lines that end with a lone carriage return are counted otherwise
+    made: list[Fixed] = []
     for each in sorted(wanted, key=lambda one: (one.line, one.column), reverse=True):
         line, begin = lines[each.line - 1], each.column - 1
-        lines[each.line - 1] = line[:begin] + each.fix + line[begin + each.length :]
+        end = begin + each.length
+        made.append(Fixed(each.line, each.column, each.code, line[begin:end], each.fix))
+        lines[each.line - 1] = line[:begin] + each.fix + line[end:]
     with replacing(path, only_copy=True) as out:
         out.write((mark + "\n".join(lines)).encode())
-    return len(wanted)
+    return made[::-1]

@@ -115,7 +115,9 @@ def _tell(result: Run, options: Options) -> int:
     if result.diagnostics:
         from motionlang.cli.complaints import complain
 
-        complain(result.diagnostics, result.source, options.file)
+        warned = result.machine.warned
+        left = [each for each in result.diagnostics if not any(each is told for told in warned)]
+        complain(left, result.source, options.file)
     sys.stdout.flush()
     if result.crash is not None:
         return CRASHED
@@ -162,16 +164,27 @@ def _missing_axes(options: Options, settings: dict[str, object]) -> list[Diagnos
 def _run(
     options: Options, source: Source, settings: dict[str, object], outside: Outside | None = None
 ) -> Run:
+    def warn(diagnostic: Diagnostic) -> None:
+        from motionlang.cli.complaints import complain
+
+        complain([diagnostic], source, options.file)
+
     if sys.stderr.isatty():
         from motionlang.cli.run_progress import watched
 
-        return watched(lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun))
+        return watched(
+            lambda show, begun: _run_unwatched(options, source, settings, outside, show, begun), warn
+        )
     show: Callable[[str], object] = sys.stdout.write
     if sys.stdout.isatty():  # else it is what `shower` answers, and a script does not wait for its module
         from motionlang.views.terminal import shower
 
         show = shower(sys.stdout)
-    return _run_unwatched(options, source, settings, outside, show, None)
+
+    def begun(machine: Machine) -> None:
+        machine.warn = warn
+
+    return _run_unwatched(options, source, settings, outside, show, begun)
 
 
 def _run_unwatched(
@@ -180,7 +193,7 @@ def _run_unwatched(
     settings: dict[str, object],
     outside: Outside | None,
     show: Callable[[str], object],
-    begun: Callable[[Machine], None] | None,
+    begun: Callable[[Machine], None],
 ) -> Run:
     return run(
         source,

@@ -12,14 +12,21 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.errors import Diagnostic
     from motionlang.lang.machine.machine import Machine
     from motionlang.result import Run
 
 
-def watched(run: Callable[[Callable[[str], object], Callable[[Machine], None] | None], Run]) -> Run:
-    """The outcome of `run(show, begun)`, looked on at from when the program begins until it ends in whatever way."""
+def watched(
+    run: Callable[[Callable[[str], object], Callable[[Machine], None]], Run],
+    warn: Callable[[Diagnostic], object],
+) -> Run:
+    """The outcome of `run(show, begun)`, looked on at from when the program begins until it ends in whatever way.
+
+    What the machine warns of before the end goes to `warn`, above the line of progress.
+    """
     if not is_shown(sys.stderr):
-        return run(shower(sys.stdout), None)
+        return run(shower(sys.stdout), lambda machine: setattr(machine, "warn", warn))
     write = shower(sys.stdout)
     watcher: Watcher | None = None
 
@@ -33,6 +40,8 @@ def watched(run: Callable[[Callable[[str], object], Callable[[Machine], None] | 
         nonlocal watcher
         watcher = Watcher(sys.stderr, _describer(machine))
         watcher.start()
+        shown = watcher
+        machine.warn = lambda diagnostic: shown.above(lambda _: warn(diagnostic), "\n")
 
     try:
         return run(show, begun)

@@ -11,6 +11,8 @@ from motionlang.cli import main
 # AN00115's ball screw in MCCL: 1200 counts/mm, 250 mm/s, 1250 mm/s², 200 mm.
 BALLSCREW = "1US1200\n1MN,1PM,1PT\n1SV250,1SA1250,1DS1250\n1MR200,1WS0\n1TP\n"
 WRONG = "1MN\n1XX3\n2MR10\n"
+# Seconds by the clock for a process to end: a loaded machine may stand still, and in the good case nobody waits.
+LONGEST = 300
 JOG = "1MN,1VM,1SV100,1GO\n"
 
 

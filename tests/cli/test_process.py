@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.programs import BALLSCREW, Cell
+from tests.cli.programs import BALLSCREW, LONGEST, Cell
 
 COMMAND = [sys.executable, "-m", "motionlang"]
 
@@ -98,7 +98,7 @@ def test_ctrl_c_while_it_waits_for_the_machine(tmp_path: Path) -> None:
         assert process.stdout is not None
         assert process.stdout.readline() == "01 0\n"
         process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=20)
+        out, err = process.communicate(timeout=LONGEST)
     assert process.returncode == 130
     assert " · interrupted at " in out
     assert err.startswith("error[interrupted]: the run was ended from the keyboard\n")
@@ -119,9 +119,53 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
         process.send_signal(signal.SIGINT)
         while b"run was ended from the keyboard" not in shown:
             shown += os.read(main, 4096)
-        process.communicate(timeout=20)
+        process.communicate(timeout=LONGEST)
     os.close(main)
     assert process.returncode == 130
+
+
+HURRY = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
+TOLD = "JOG starts motion after motion and waits for none"
+
+
+def test_a_loop_that_never_waits_is_told_while_it_runs(tmp_path: Path) -> None:
+    """Before the run ends, with its line, and not once more at the end."""
+    program = tmp_path / "hurry.mnt"
+    program.write_text(HURRY)
+    command = [*COMMAND, "run", str(program)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        early = [process.stderr.readline() for _ in range(4)]
+        assert TOLD in early[0]
+        assert early[1].endswith("hurry.mnt:4\n")
+        assert early[3] == "4 |   JOG(0) = k\n"
+        assert process.poll() is None
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=LONGEST)
+    assert process.returncode == 130
+    assert TOLD not in err
+    assert "the run was ended from the keyboard" in err
+
+
+def test_on_a_terminal_it_stands_above_the_line_of_progress(tmp_path: Path) -> None:
+    pty = pytest.importorskip("pty")
+    program = tmp_path / "hurry.mnt"
+    program.write_text(HURRY)
+    main, terminal = pty.openpty()
+    with subprocess.Popen(
+        [*COMMAND, "run", str(program)], stdout=subprocess.PIPE, stderr=terminal
+    ) as process:
+        os.close(terminal)
+        shown = b""
+        while b" of machine time " not in shown:
+            shown += os.read(main, 4096)
+        process.send_signal(signal.SIGINT)
+        while b"run was ended from the keyboard" not in shown:
+            shown += os.read(main, 4096)
+        process.communicate(timeout=LONGEST)
+    os.close(main)
+    assert shown.count(TOLD.encode()) == 1
+    assert shown.index(TOLD.encode()) < shown.index(b" of machine time ")
 
 
 def test_standard_output_may_be_closed(tmp_path: Path) -> None:

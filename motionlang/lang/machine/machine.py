@@ -61,6 +61,8 @@ class Machine:
         "statements",
         "terminal",
         "terminals",
+        "warn",
+        "warned",
         "without_effect",
         "written",
     )
@@ -113,6 +115,9 @@ class Machine:
         # What the program did wrong without ending: MCCL answers with a code and goes on.
         self.diagnostics: list[Diagnostic] = []
         self._told: dict[tuple[object, ...], Diagnostic] = {}
+        # Called with what a person would want to know before the run is over, and what it was called with.
+        self.warn: Callable[[Diagnostic], object] | None = None
+        self.warned: list[Diagnostic] = []
         # Who runs the tasks, so that a program can start further ones; set by whoever starts the program.
         self.scheduler: Scheduler | None = None
         if not _is_plain(self.settings):
@@ -184,7 +189,11 @@ class Machine:
         ):
             message = f"{move.command} sends its axis again and again to where it stands: {count} times in {span:.3g} s"
             hint = "each of them takes no time; let the loop end, or let time pass in it"
-        self.complain(Diagnostic("never-waits", message, move.line, hint=hint, severity="warning"))
+        found = Diagnostic("never-waits", message, move.line, hint=hint, severity="warning")
+        self.complain(found)
+        if self.warn is not None and self.diagnostics[-1] is found:
+            self.warned.append(found)
+            self.warn(found)
 
     def moving(self) -> list[int]:
         """The axes that are not idle."""

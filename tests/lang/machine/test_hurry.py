@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang import Run, run
+from motionlang.lang.machine.machine import Machine
 from motionlang.source import Source
 from tests.cases import cases
 
@@ -38,3 +39,18 @@ def test_a_loop_that_sends_an_axis_to_where_it_stands_is_told_of_that() -> None:
     (found,) = ran("a.mnt", text).diagnostics
     assert (found.code, found.line) == ("never-waits", 2)
     assert found.message.startswith("MOVEA sends its axis again and again to where it stands: ")
+
+
+def test_who_wants_to_know_at_once_is_told_once_of_each() -> None:
+    told: list[tuple[float, int]] = []
+
+    def begun(machine: Machine) -> None:
+        machine.warn = lambda diagnostic: told.append((machine.clock.now, diagnostic.line))
+
+    text = "Dim k As Float\nLoop\n  k = k + 0.001\n  JOG(0) = k\nEnd Loop\n"
+    result = run(Source("a.mnt", text), cache=False, until=3.0, begun=begun)
+    ((time, line),) = told
+    (found,) = result.diagnostics
+    assert (line, time, found.count) == (4, found.first, 3)
+    assert time < 0.1
+    assert result.machine.warned == [found]
