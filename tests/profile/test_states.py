@@ -1,6 +1,7 @@
-"""Plans of single axes from random states, judged by the arithmetic of the proof: bounds, joins, arrival.
+"""Plans of single axes from random states: bounds, joins, arrival.
 
-`MOTIONLANG_LONG=10000000` asks for so many; the worst figures are printed (`pytest -s`).
+Some are judged by the arithmetic of the proof, and many by an integrator of its own (`many.py`).
+`MOTIONLANG_LONG=5000000` asks for so many of each shape; the worst figures are printed (`pytest -s`).
 """
 
 from __future__ import annotations
@@ -9,12 +10,15 @@ import os
 from itertools import pairwise
 from random import Random
 
+import numpy as np
 import pytest
 
 from motionlang.controller.record.spans import spans
 from motionlang.profile import Profile, plan
+from tests.profile.many import BATCH, drawn, integrated
 
-COUNT = int(os.environ.get("MOTIONLANG_LONG", "2000"))
+COUNT = int(os.environ.get("MOTIONLANG_LONG", "20000"))
+SINGLE = 1000
 SHAPES = ("trapezoid", "scurve")
 
 
@@ -84,10 +88,23 @@ class State:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_plans_from_random_states_keep_their_bounds_and_arrive(shape: str) -> None:
     choose, worst = Random(11), dict[str, float]()
-    for number in range(COUNT):
+    for number in range(SINGLE):
         state = State(choose, shape)
         for name, share in state.shares(state.planned()).items():
             worst[name] = max(worst.get(name, 0.0), share)
             most = 1e-9 if name in ("gap", "end") else 1.0 + 1e-9
             assert share <= most, f"{name} {share!r} of number {number}: {vars(state)}"
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_integrated_anew_plans_from_random_states_keep_their_bounds_and_arrive(shape: str) -> None:
+    choose, worst = np.random.default_rng(12), dict[str, float]()
+    for first in range(0, COUNT, BATCH):
+        states = drawn(choose, min(BATCH, COUNT - first), shape)
+        for name, shares in integrated(states, shape).items():
+            which = int(shares.argmax())
+            worst[name] = max(worst.get(name, 0.0), float(shares[which]))
+            most = 1e-9 if name in ("gap", "end", "rest") else 1.0 + 1e-9
+            told = {field: each[..., which].tolist() for field, each in states._asdict().items()}
+            assert shares[which] <= most, f"{name} {shares[which]!r} of number {first + which}: {told}"
     print(shape, COUNT, worst)
