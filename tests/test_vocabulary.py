@@ -35,7 +35,6 @@ NAMED = {
     "views/servo_plot.py": "DAC",
     "lang/machine/nonvolatile.py": "NVLONG",
     # Commands that the code around them speaks of to the user, or that open a block.
-    "mccl/motion/gear.py": "SM",
     "mccl/motion/joystick.py": "JN",
     "mint/compile/keyword_use.py": "IDLE VEL",
     "mint/lint/buffer.py": "MOVEBUFFERSIZE TRIGGERMODE",

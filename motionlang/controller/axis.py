@@ -219,6 +219,12 @@ class Axis:
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
     @property
+    def stands(self) -> bool:
+        """Whether it is idle, or in a motion that rests as long as nobody else moves, such as following."""
+        move = self.move
+        return move is None or (move.action is not None and move.action.resting)
+
+    @property
     def suspended(self) -> bool:
         """Whether there is a reason for it to stand and keep its moves."""
         return self.held != 0

@@ -208,6 +208,12 @@ class Controller(AxisVerbs):
 
         gear(self, self.movable(axis), self._master(master, encoder), ratio, ramp, command, line)
 
+    def leave_master(self, axis: int) -> None:
+        """Follow no master any more: what the axis does it goes on doing to its end."""
+        from motionlang.controller.motion.follow import leave_master
+
+        leave_master(self, self.axes[axis])
+
     def cam(
         self,
         axis: int,

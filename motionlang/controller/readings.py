@@ -59,8 +59,7 @@ class Readings:
         """The axes that are not idle; of those that follow a master only the ones that move."""
         found = []
         for number, axis in self.axes.items():
-            move = axis.move
-            if move is not None and (move.action is None or not move.action.resting):
+            if not axis.stands:
                 found.append(number)
         return found
 
@@ -129,9 +128,9 @@ class Readings:
         return feedback is not None and not feedback.closed
 
     def is_still(self, axis: int) -> bool:
-        """Whether the axis is idle, and its motor, where one is simulated, stands for good."""
+        """Whether the axis stands, and its motor, where one is simulated, for good."""
         a = self.axes[axis]
-        return a.move is None and (a.feedback is None or a.feedback.calm)
+        return a.stands and (a.feedback is None or a.feedback.calm)
 
     def target(self, axis: int) -> float:
         return self.axes[axis].target
@@ -171,6 +170,15 @@ class Readings:
         """The time at which the axis will be idle if nothing else happens; infinite while it jogs."""
         a = self.axes[axis]
         return self.clock.now if a.move is None else a.end_of_motion()
+
+    def stands(self, axis: int) -> bool:
+        """Whether the axis is idle, or follows what stands."""
+        return self.axes[axis].stands
+
+    def standing_time(self, axis: int) -> float:
+        """The time at which the axis will stand, be it idle or not, if nothing else happens."""
+        a = self.axes[axis]
+        return self.clock.now if a.stands else a.end_of_motion()
 
     def crossing_time(self, axis: int, position: float) -> float:
         """The time at which the axis will pass `position`, infinite if the present motion never does.

@@ -109,6 +109,7 @@ VERBS: dict[str, str] = {
     "path_remaining": "The distance along the path still to go.",
     "vector_angle": "The direction in which two axes move in their plane.",
     "gear": "Follow a master, an axis or an encoder channel, at a ratio.",
+    "leave_master": "Follow no master any more, and end what is under way.",
     "cam": "Follow a table of positions over a master's.",
     "cam_index": "The segment of its table that a cam is in.",
     "load_fly": "Put a segment of a flying shear into the move buffer.",
@@ -130,6 +131,8 @@ VERBS: dict[str, str] = {
     "is_idle": "Whether an axis is at rest with nothing left to do.",
     "faults": "The fault bits of an axis.",
     "idle_time": "The time at which an axis will be idle if nothing else happens.",
+    "stands": "Whether an axis is idle, or follows a master that stands.",
+    "standing_time": "The time at which an axis will stand, following or not, if nothing else happens.",
     "crossing_time": "The time at which an axis will pass a position if nothing else happens.",
     "watch": "Be told whenever an axis passes a position, at the exact time.",
     "unwatch": "Be told no longer.",
@@ -163,6 +166,8 @@ class Recorder:
         self.calls: list[tuple[Any, ...]] = []
         self.answers: dict[str, Any] = {
             "is_idle": True,
+            "stands": True,
+            "master_of": None,
             "is_enabled": True,
             "room": 2,
             "moving": [],

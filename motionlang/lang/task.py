@@ -89,13 +89,13 @@ def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait
 
 
 def wait_idle(controller: Controller, since: float, axes: Iterable[int]) -> Wait:
-    """Wait until all of `axes` are at rest with nothing released in their buffers."""
+    """Wait until all of `axes` stand, with nothing released in their buffers; what follows stands with its master."""
     waited = tuple(axes)
     names = ", ".join(str(axis) for axis in waited)
     return Wait(
         since,
-        lambda: all(controller.is_idle(axis) for axis in waited),
-        lambda: max((controller.idle_time(axis) for axis in waited), default=since),
+        lambda: all(controller.stands(axis) for axis in waited),
+        lambda: max((controller.standing_time(axis) for axis in waited), default=since),
         f"for axis {names} to be idle",
         "axis",
         waited,

@@ -9,6 +9,7 @@ from __future__ import annotations
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
+from motionlang.controller.motion.profile_playback import Played
 from motionlang.controller.move import Action, Move
 from motionlang.profile import hold, plan, plan_velocity, rest
 from motionlang.profile.chain import Chain
@@ -361,6 +362,26 @@ def gear(controller: Core, a: Axis, master: Axis, ratio: float, ramp: bool, comm
     move = FollowMove(a.index, command, line, "gear")
     controller.end_move(a, "retarget")
     Gear(controller, a, master, move, ratio, ramp).engage()
+
+
+def leave_master(controller: Core, a: Axis) -> None:
+    """Follow no master any more: what the axis does it goes on doing to its end; at rest it is idle."""
+    tie = tie_of(a)
+    if tie is None:
+        return
+    now = controller.clock.now
+    if tie.resting:
+        controller.end_move(a, "")
+        a.target = a.position(now)
+        controller.extend_track(a, hold(a.target))
+        controller.go_on(a)
+        return
+    tie.leave(controller, a, "")
+    rest_of = a.profiles[-1].after(now - a.starts[-1])
+    tie.move.action = Played()
+    tie.move.add(now, rest_of)
+    a.target = tie.move.target = rest_of.end
+    controller.append_profile(a, rest_of)
 
 
 def tie_of(a: Axis) -> Follow | None:

@@ -83,8 +83,8 @@ class Order(NamedTuple):
 
 
 REST = Order("rest", 0)
-# The corner, degrees, that is none: guided paths join where they go on in the same direction.
-STRAIGHT = 1e-4
+# The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
+STRAIGHT = 0.1
 
 
 class Orders:

@@ -54,7 +54,7 @@ class AxisState:
     """One axis of the board; positions without a unit in their name are counts.
 
     `flags` holds the bits of the status word that only events and commands change; `rested` is when the axis last
-    came to rest, `controlling` the axis whose contour path it belongs to, `master` the axis that it is slaved to.
+    came to rest, `controlling` the axis whose contour path it belongs to.
     """
 
     __slots__ = (
@@ -77,7 +77,6 @@ class AxisState:
         "jogging",
         "kept",
         "limit_mode",
-        "master",
         "minimum",
         "mode",
         "model",
@@ -117,7 +116,6 @@ class AxisState:
         self.breakpoint_reached = False
         self.index_position, self.index_found, self.edge_found = 0.0, False, False
         self.limit_mode, self.soft_high, self.soft_low = 0, 0.0, 0.0
-        self.master: int | None = None
         self.slave_ratio = 1.0
         self.controlling: int | None = None
         self.vector = VectorSettings()

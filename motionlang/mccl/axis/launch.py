@@ -16,8 +16,10 @@ INFINITY = float("inf")
 
 
 def aim(controller: Controller, axis: AxisState) -> float:
-    """The target, counts; where the axis is demanded to be while it runs without one."""
+    """The target, counts, a slave's being where its master's takes it; where the axis is while it runs without one."""
     target = controller.target(axis.number)
+    if abs(target) == INFINITY and controller.master_of(axis.number) is not None:
+        target = controller.axes[axis.number].profiles[-1].end
     return target if abs(target) < INFINITY else controller.demand(axis.number)
 
 

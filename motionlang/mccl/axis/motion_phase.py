@@ -62,8 +62,10 @@ def at_target_time(controller: Controller, axis: AxisState) -> float:
     number = axis.number
     if controller.axes[number].feedback is not None:
         return controller.settled_time(number)
-    if controller.is_idle(number):
-        return axis.rested + axis.deadband_delay
+    if controller.stands(number):
+        # A slave stands since its master does.
+        since = axis.rested if controller.is_idle(number) else controller.axes[number].starts[-1]
+        return since + axis.deadband_delay
     if axis.deadband <= 0.0:
-        return controller.idle_time(number) + axis.deadband_delay
+        return controller.standing_time(number) + axis.deadband_delay
     return band_entry(controller, number, axis.deadband) + axis.deadband_delay

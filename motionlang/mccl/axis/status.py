@@ -62,7 +62,7 @@ def _primary(board: Board, axis: AxisState) -> tuple[int, float]:
         bits |= PHASE
     if axis.breakpoint_reached:
         bits |= REACHED
-    if controller.is_idle(number):
+    if controller.stands(number):
         bits |= TRAJECTORY_COMPLETE
     else:
         until = next_turn(controller, number)
@@ -107,7 +107,7 @@ def _auxiliary(board: Board, axis: AxisState) -> tuple[int, float]:
 def _profile(board: Board, axis: AxisState) -> tuple[int, float]:
     controller, number = board.controller, axis.number
     bits = SHAPES[str(controller.setting(number, "shape"))]
-    if controller.is_idle(number):
+    if controller.stands(number):
         return bits, INFINITY
     name, until = phase(controller, number)
     if name == "accel":
@@ -123,6 +123,6 @@ def _mode(board: Board, axis: AxisState) -> tuple[int, float]:
         bits |= ARC
     elif axis.on_line:
         bits |= LINE
-    if axis.master is not None:
+    if board.controller.master_of(axis.number) is not None:
         bits |= SLAVE
     return bits, INFINITY

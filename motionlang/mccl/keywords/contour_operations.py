@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.modes_gearing import check_unslaved
 from motionlang.mccl.motion.path import Path
 
 TYPE_CHECKING = False
@@ -15,9 +16,10 @@ if TYPE_CHECKING:
 
 
 def contour_mode(task: CommandTask, command: Command) -> None:
-    """CM: the axis joins the contour of axis n. Fault while it moves or belongs to another contour."""
+    """CM: the axis joins the contour of axis n. Fault while it moves, has a master, or belongs to another contour."""
     axis, number = task.axis(command), task.whole(command)
     task.board.axis(number)
+    check_unslaved(task, axis)
     if not task.board.controller.is_idle(axis.number):
         raise Fault(codes.INVALID, f"axis {axis.number} is moving", f"{axis.number}WS waits for it", "moving")
     if axis.mode == CONTOUR and axis.controlling not in (None, number):

@@ -4,50 +4,45 @@ from __future__ import annotations
 
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
-from motionlang.mccl.motion.gear import Gear
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def slave(task: CommandTask, command: Command) -> None:
-    """SM: the axis follows axis n; 0 frees it. Fault where it would follow itself, or is off."""
+    """SM: the axis follows axis n; 0 frees it. Fault where it is off, Refusal where it would follow itself."""
     board, axis, number = task.board, task.axis(command), task.whole(command)
+    controller = board.controller
     if number == 0:
-        board.ungear(axis)
+        controller.leave_master(axis.number)
         return
     master = board.axis(number)
-    if _is_led_by(task, number, axis.number):
-        raise Fault(
-            codes.PARAMETER,
-            f"axis {axis.number} cannot be slaved to axis {number}: it would follow itself",
-            kind="axis",
-        )
-    if not board.controller.is_enabled(axis.number):
+    if not controller.is_enabled(axis.number):
         raise Fault(
             codes.INVALID, f"axis {axis.number} is off", f"{axis.number}MN switches it on", "disabled-axis"
         )
-    board.ungear(axis)
-    board.gears[axis.number] = Gear(board, axis, master.number, task.source_line)
+    axis.running = False
+    controller.gear(axis.number, master.number, axis.slave_ratio, command=task.word, line=task.source_line)
 
 
 def slave_ratio(task: CommandTask, command: Command) -> None:
-    axis = task.axis(command)
+    """SS: counts of a slave a count of its master, from now on."""
+    axis, controller = task.axis(command), task.board.controller
     axis.slave_ratio = float(task.value(command)) if task.given(command) else 1.0
-    gear = task.board.gears.get(axis.number)
-    if gear is not None:
-        gear.couple()
+    master = controller.master_of(axis.number)
+    if master is not None:
+        controller.gear(axis.number, master, axis.slave_ratio)
 
 
-def _is_led_by(task: CommandTask, number: int | None, axis: int) -> bool:
-    """Whether the chain of masters from `number` on reaches `axis`."""
-    while number is not None:
-        if number == axis:
-            return True
-        number = task.board.axes[number].master
-    return False
+def check_unslaved(task: CommandTask, axis: AxisState) -> None:
+    """Fault where the axis has a master: it takes no motion of its own then."""
+    master = task.board.controller.master_of(axis.number)
+    if master is not None:
+        words = f"axis {axis.number} is slaved to axis {master}"
+        raise Fault(codes.INVALID, words, f"{axis.number}SM0 frees it", "moving")
 
 
 ACTIONS: dict[str, Action] = {"slave": slave, "slave_ratio": slave_ratio}

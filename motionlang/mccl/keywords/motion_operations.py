@@ -15,6 +15,7 @@ from motionlang.mccl.axis.axis import CONTOUR, GAIN, POSITION, TORQUE, VELOCITY
 from motionlang.mccl.axis.flags import MOTOR_ERROR
 from motionlang.mccl.axis.launch import aim, launch
 from motionlang.mccl.codes import Fault
+from motionlang.mccl.keywords.modes_gearing import check_unslaved
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -93,7 +94,6 @@ def stop(task: CommandTask, command: Command) -> None:
         if contour is not None:
             contour.stop()
         else:
-            board.ungear(axis)
             board.controller.stop(axis.number)
 
 
@@ -207,9 +207,7 @@ def _check_fit(task: CommandTask, axis: AxisState) -> None:
     number = axis.number
     if axis.flags & MOTOR_ERROR:
         raise Refusal("disabled-axis", f"axis {number} has tripped and takes no motion command")
-    if axis.master is not None:
-        hint = f"{number}SM0 frees it"
-        raise Fault(codes.INVALID, f"axis {number} is slaved to axis {axis.master}", hint, "moving")
+    check_unslaved(task, axis)
     if axis.jogging:
         raise Fault(codes.INVALID, f"axis {number} follows its joystick", f"{number}JF frees it", "moving")
 

@@ -1,1 +1,1 @@
-"""Motion that MCCL builds from more than one verb of the controller: contours, gears, joysticks, searches."""
+"""Motion that MCCL builds from more than one verb of the controller: contours, joysticks, searches."""

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 # How far, as a part of the radius, an arc may miss its end point: more is a mistake in the program.
 _MISS = 1e-3
+# The part of it that is none.
+_EVEN = 1e-13
 # Degrees that are none.
 _NONE = 1e-7
 
@@ -25,11 +27,29 @@ def radius_of(start: Point, centre: Point) -> float:
     return radius
 
 
-def angle_to(start: Point, end: Point, centre: Point, turn: int) -> float:
-    """The angle to an end point; start and end alike is a full circle. ValueError where it misses."""
+def centre_between(start: Point, end: Point, centre: Point, turn: int) -> Point:
+    """The place nearest to a centre from which start and end are equally far, so that one circle has both.
+
+    ValueError where the end misses the circle about the centre by too much, or where it misses it near the start of
+    nearly a whole turn: that would take the circle elsewhere.
+    """
     radius, reach = radius_of(start, centre), hypot(end[0] - centre[0], end[1] - centre[1])
+    distances = f"the end point is {reach:g} from the centre, the starting point {radius:g}"
     if abs(reach - radius) > _MISS * radius:
-        raise ValueError(f"the end point is {reach:g} from the centre, the starting point {radius:g}")
+        raise ValueError(distances)
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    if abs(reach - radius) <= _EVEN * radius:
+        return centre
+    share = 0.5 * (reach - radius) * (reach + radius) / (dx * dx + dy * dy)
+    if abs(angle_to(start, end, centre, turn)) > 180.0 and abs(share) * hypot(dx, dy) > _MISS * radius:
+        raise ValueError(
+            f"{distances}, and on nearly a whole turn that is too much; EA or ER ends it at an angle"
+        )
+    return centre[0] + share * dx, centre[1] + share * dy
+
+
+def angle_to(start: Point, end: Point, centre: Point, turn: int) -> float:
+    """The angle to an end point; start and end alike is a full circle."""
     return _round(_direction(end, centre) - _direction(start, centre), turn)
 
 

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 # Paths that may wait in the queue.
 LONGEST_QUEUE = 1000
-# What the directions of two paths may differ by, in user units per unit of length, and be the same.
-_SAME = 1e-6
+# What the directions of two paths may differ by, in user units per unit of length, and be the same, as ends are whole.
+_SAME = 1e-3
 
 
 class Vector(Guide):

@@ -9,7 +9,14 @@ from motionlang.mccl import codes
 from motionlang.mccl.axis.axis import CONTOUR
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import TABLE
-from motionlang.mccl.motion.arcs import angle_to, angle_until, centre_by_radius, end_of, radius_of
+from motionlang.mccl.motion.arcs import (
+    angle_to,
+    angle_until,
+    centre_between,
+    centre_by_radius,
+    end_of,
+    radius_of,
+)
 from motionlang.mccl.motion.contour import Vector
 from motionlang.profile.lookahead import Pace
 
@@ -169,7 +176,6 @@ class Path:
             centre = centre_by_radius(first, last, self.radius, turn)
         else:
             raise ValueError("an arc needs a centre (CA or CR) or a radius (RR)")
-        length = radius_of(first, centre)
         if self.sweep is not None:
             angle = turn * abs(self.sweep)
             last = end_of(first, centre, angle)
@@ -177,8 +183,9 @@ class Path:
             angle = angle_until(first, centre, self.end_angle, turn)
             last = end_of(first, centre, angle)
         else:
+            centre = centre_between(first, last, centre, turn)
             angle = angle_to(first, last, centre, turn)
-        length *= radians(abs(angle))
+        length = radius_of(first, centre) * radians(abs(angle))
         x, y = (axes[k].scale.position_to_counts for k in plane)
         rest = [end for k, end in enumerate(ends) if k not in plane]
         return Arc((x(centre[0]), y(centre[1])), angle, rest, length, plane, (x(last[0]), y(last[1]))), length

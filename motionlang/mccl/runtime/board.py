@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.mccl.models import Model
     from motionlang.mccl.motion.edge_search import Seek
-    from motionlang.mccl.motion.gear import Gear
     from motionlang.mccl.resolve.line import Line
     from motionlang.mccl.runtime.task import CommandTask
 
@@ -70,7 +69,6 @@ class Board:
         self.records: dict[int, tuple[float, int]] = {}
         self.seeks: dict[int, Seek] = {}
         self.breakpoints: dict[int, Watch] = {}
-        self.gears: dict[int, Gear] = {}
         self.contours: dict[int, Contour] = {}
         self.low_true: set[int] = set()
         self.outputs: set[int] = set()
@@ -151,14 +149,8 @@ class Board:
         self._forget_paths(axis)
         axis.controlling = None
 
-    def ungear(self, axis: AxisState) -> None:
-        """The axis has no master any more."""
-        gear = self.gears.pop(axis.number, None)
-        if gear is not None:
-            gear.release()
-
     def release(self, axis: AxisState, ended: str = "cancel") -> None:
-        """The axis is its own again: no master, no path, no joystick, nothing looked for.
+        """The axis is its own again: no path, no joystick, nothing looked for; what stops it takes its master from it.
 
         A fault that stops smoothly leaves the path to come to rest along itself.
         """
@@ -166,7 +158,6 @@ class Board:
         if seek is not None:
             seek.cancel()
         self.joysticks.switch_off(axis)
-        self.ungear(axis)
         contour = self.contour_of(axis)
         if contour is not None and not (ended == "fault" and contour.stopping):
             contour.abort(ended)

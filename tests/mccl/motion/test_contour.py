@@ -100,6 +100,45 @@ def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
         assert (x + 5000) * vx + y * vy == pytest.approx(0.0, abs=5000 * 20000 * 1e-5)
 
 
+@pytest.mark.parametrize(
+    ("path", "end"),
+    [
+        ("1CP3,1CA0,2CA10000,1MA10009,2MA10000", (10009, 10000)),
+        ("1CP2,1CA5000,2CA0,1MA9996,2MA0", (9996, 0)),
+        ("1CP3,1CA0,2CA10000,1MA10,2MA-5", (10, -5)),  # half a thousandth of the radius, at the very start
+        ("1CP3,1CA-10000,2CA0,1MA-10000,2MA-10003", (-10000, -10003)),  # three quarters of a turn
+    ],
+)
+def test_an_arc_that_misses_its_end_a_little_goes_through_it(
+    path: str, end: tuple[int, int], mccl: Runner
+) -> None:
+    """On one circle, at the vector velocity, without a jump: the proof looks at places, velocities and the end."""
+    result = mccl(f"{HEAD}{path}\n1WS,1TP,2TP", prove=True)
+    assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
+    assert result.proof().violations == []
+    begin = result.controller.log.moves[0].start_time
+    times = [begin + (result.time - begin) * k / 2000 for k in range(2001)]
+    ways = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise([state(result, t) for t in times])]
+    assert max(ways) <= 20000 * (result.time - begin) / 2000 * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("path", ["1CP3,1CA0,2CA10000,1MA10011,2MA10000", "1CP2,1CA5000,2CA0,1MA-1,2MA0"])
+def test_an_arc_that_misses_its_end_by_much_or_after_a_whole_turn_is_refused(path: str, mccl: Runner) -> None:
+    result = mccl(f"{HEAD}{path}\n1TP")
+    assert result.output == ["?-1", "01 0"]
+    assert "from the centre" in result.diagnostics[0].message
+
+
+def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
+    """3001, 997 and its half: a slope that no whole count has twice."""
+    result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
+    assert result.output == ["01 2"]
+    assert result.proof().violations == []
+    first, second = (move for move in result.controller.log.moves if move.axis == 1)
+    assert first.profile is not None
+    assert first.profile.end_velocity > 1000.0
+
+
 def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP1,1MA60000,2MA80000\nWA1,1VO0.5\n1WS,1TP,2TP")
     assert result.output == ["01 60000", "02 80000"]

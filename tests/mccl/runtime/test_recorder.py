@@ -14,7 +14,8 @@ from motionlang.mccl.runtime.program import MacroFile
 from motionlang.source import Source
 
 # Readings, and what the board does at power-up, are not what a test is about.
-QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "following_error", "idle_time"}
+QUIET = {"setting", "is_idle", "is_enabled", "position", "velocity", "target", "following_error", "idle_time",
+         "stands", "standing_time", "master_of"}  # fmt: skip
 
 
 class Written(Recorder):
@@ -71,7 +72,13 @@ def test_a_command_is_its_verbs(text: str, expected: list[tuple[Any, ...]]) -> N
 
 
 def test_a_reversal_is_braked_for_before_the_new_target_is_given() -> None:
-    answers = {"is_idle": False, "velocity": 100.0, "position": 0.0, "setting": "trapezoid", "idle_time": 1.0}
-    answers["setting"] = 100.0
+    answers = {
+        "is_idle": False,
+        "velocity": 100.0,
+        "position": 0.0,
+        "setting": "trapezoid",
+        "standing_time": 1.0,
+    }
+    answers |= {"setting": 100.0, "stands": False}
     # 100 counts/s at 100 counts/s2 come to rest at 50: the target lies behind that.
     assert calls("1MA-500", **answers) == []
