@@ -19,7 +19,7 @@ from rich.table import Table
 FOLDER = Path(__file__).parent
 # Order: what takes seconds first.
 NAMES = ("loop", "mccl", "shift", "start", "compile", "parse", "poll", "sweep", "diff", "plan", "sample", "output",
-         "servo", "serve", "pvt", "watches")  # fmt: skip
+         "servo", "serve", "pvt", "watches", "cycle")  # fmt: skip
 
 
 class Bar(NamedTuple):
@@ -97,6 +97,9 @@ BARS: dict[str, Bar] = {
     "sweep_thousand": _most(1.2),
     "sweep_faster_than_shell": _least(50.0),
     "diff_way_motion": _most(2.0),
+    # What it costs to be told more of a run.
+    "cycle_by_run_and_table": _most(1.1),
+    "cycle_by_run_and_json": _most(1.1),
 }
 
 

@@ -8,22 +8,26 @@ had ended. Whatever is shortened outside of the chain does not make the run shor
 from __future__ import annotations
 
 from bisect import bisect_right
-from operator import attrgetter
+from functools import cached_property
+from operator import sub
 from typing import TYPE_CHECKING, NamedTuple
 
+from motionlang.cycle.motions import Motions
 from motionlang.cycle.places import Place, Places
 from motionlang.cycle.tasks import ended_at, parent_of, waits_of
 
 if TYPE_CHECKING:
-    from motionlang.controller.move import Move
+    from collections.abc import Iterable, Iterator
+
     from motionlang.controller.record.records import Waited
+    from motionlang.cycle.motions import Motion, Phases
     from motionlang.result import Run
+
+    # One of several links that differ in nothing but their times, and how long each of them took.
+    Alike = tuple["Link", list[float]]
 
 # Times of a wait are whole statements behind those of what ends it; nothing else happens within so many.
 STATEMENTS = 2.5
-# Phases of a move, and what a stretch of the chain is called in which one runs.
-PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
-MOVING = (*PHASES.values(), "in motion")
 CAUSES = {
     "time": "dwell",
     "axis": "settling",
@@ -33,6 +37,9 @@ CAUSES = {
     "host": "waiting for a host",
     "condition": "waiting for a condition",
 }
+NOWHERE = Place(0, "", ())
+# When the waits of a task were over, and the waits, of one that has none.
+NO_WAITS: tuple[list[float], list[Waited]] = ([], [])
 
 
 class Link(NamedTuple):
@@ -56,37 +63,70 @@ class Link(NamedTuple):
         return bool(self.axes)
 
 
-class Motion:
-    """A move as the chain sees it: axes that move together are one, and `move` is that of the first."""
+class Strip:
+    """Stretches of one task at one place that differ in nothing but their times, and have the same phases.
 
-    __slots__ = ("axes", "begin", "end", "line", "move")
+    A long run has tens of thousands of stretches, and a few strips.
+    """
 
-    def __init__(self, axes: tuple[int, ...], line: int, begin: float, end: float, move: Move) -> None:
-        self.axes, self.line, self.begin, self.end, self.move = axes, line, begin, end, move
+    __slots__ = ("axes", "begins", "ends", "phases", "place", "task")
+
+    def __init__(self, place: Place, task: str, phases: Phases, axes: tuple[int, ...] = ()) -> None:
+        self.place, self.task, self.phases, self.axes = place, task, phases, axes
+        self.begins: list[float] = []
+        self.ends: list[float] = []
+
+    def add(self, begin: float, end: float) -> None:
+        """One more stretch; the last of its phases lasts up to its end."""
+        self.begins.append(begin)
+        self.ends.append(end)
+
+    def parts(self) -> Iterator[tuple[str, list[float], list[float]]]:
+        """Each phase, and when it began and ended in each stretch."""
+        lows, ends = self.begins, self.ends
+        for name, seconds in self.phases[:-1]:
+            highs = [min(low + seconds, end) for low, end in zip(lows, ends, strict=True)]
+            yield name, lows, highs
+            lows = highs
+        yield self.phases[-1][0], lows, ends
 
 
 class Chain:
-    """The chain of one run: `links` from the begin to the end, without a gap."""
+    """The chain of one run, from its begin to its end without a gap."""
 
     def __init__(self, run: Run, waits: dict[str, list[Waited]] | None = None) -> None:
+        self.motions = Motions(run)
+        self.places = Places(run)
         self._run = run
-        self._places = Places(run)
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
         self._waits = waits_of(run) if waits is None else waits
-        self._untils = {name: [wait.until for wait in waits] for name, waits in self._waits.items()}
-        self._motions = _motions(run)
-        self._ends = [motion.end for motion in self._motions]
+        self._ends = {name: ([wait.until for wait in waits], waits) for name, waits in self._waits.items()}
         self._switched = [change.time for change in run.controller.log.inputs]
-        self.links: list[Link] = []
+        self._strips: dict[object, Strip] = {}
         self._follow()
-        self.links.reverse()
+
+    @cached_property
+    def links(self) -> list[Link]:
+        """Each stretch, a motion by its phases, in the order of time."""
+        return sorted(
+            Link(low, high, name, strip.place, strip.task, strip.axes)
+            for strip in self._strips.values()
+            for name, lows, highs in strip.parts()
+            for low, high in zip(lows, highs, strict=True)
+            if low < high
+        )
+
+    def alike(self) -> list[Alike]:
+        """What a table needs of the links, without making each of them."""
+        found: dict[object, Alike] = {}
+        for strip in self._strips.values():
+            for name, lows, highs in strip.parts():
+                if lows:
+                    link = Link(lows[0], highs[0], name, strip.place, strip.task, strip.axes)
+                    _put(found, link, list(map(sub, highs, lows)))
+        return list(found.values())
 
     # ---------------------------------------------------------------------------------------- from the end
-
-    @property
-    def motions(self) -> list[Motion]:
-        """Every motion of the run by its end."""
-        return self._motions
 
     def _follow(self) -> None:
         """From the end of the run back to its begin."""
@@ -94,6 +134,7 @@ class Chain:
         over = ended_at(self._run)
         if time > over:
             time = self._motion_after(over, time, task)
+        known: dict[object, tuple[Place, Strip, Strip]] = {}
         while time > 0.0:
             wait = self._wait_before(task, time)
             if wait is None:
@@ -101,21 +142,39 @@ class Chain:
                 self._add(starter[1], time, "computing", self._first_place(task), task)
                 task, time = starter
                 continue
-            if wait.until < time:
-                self._add(wait.until, time, "computing", self._places.of(wait), task)
-            task, time = self._through(wait, min(wait.until, time), task)
+            name, at, since, until, cause, _, _, callers = wait
+            kind = at, cause, name, callers
+            if kind not in known:
+                place = self.places.of(wait)
+                own = self._strip("computing", place, task)
+                known[kind] = place, own, self._strip(CAUSES[cause], place, task)
+            place, computing, waiting = known[kind]
+            if until < time:
+                computing.begins.append(until)
+                computing.ends.append(time)
+                time = until
+            if cause in ("axis", "condition"):
+                task, time = self._through(wait, time, task, place)
+            else:
+                waiting.begins.append(since)
+                waiting.ends.append(time)
+                time = since
 
-    def _through(self, wait: Waited, time: float, task: str) -> tuple[str, float]:
-        """Whom to follow, and from when, behind a wait that was over at `time`."""
-        motion = self._that_ended(wait, time) if wait.cause in ("axis", "condition") else None
+    def _through(self, wait: Waited, time: float, task: str, place: Place) -> tuple[str, float]:
+        """Whom to follow, and from when, behind a wait for motion, or for anything, that was over at `time`."""
+        near = self._near
+        if wait.cause == "axis":
+            motion = self.motions.that_ended(wait.since, time, near, wait.what)
+        else:
+            motion = self.motions.that_ended(wait.since, time, near)
         if motion is None:
-            self._add(wait.since, time, self._cause(wait, time), self._places.of(wait), task)
+            self._add(wait.since, time, self._cause(wait, time), place, task)
             return task, wait.since
-        if motion.end < time - self._near:
-            self._add(motion.end, time, "settling", self._places.of(wait), task)
-        elif motion.end < time:
-            self._add(motion.end, time, "computing", self._places.of(wait), task)
-        return self._back(motion, min(motion.end, time), task, self._places.of(wait))
+        end = motion[0]
+        if end < time:
+            self._add(end, time, "settling" if end < time - near else "computing", place, task)
+            time = end
+        return self._back(motion, time, task, place)
 
     def _cause(self, wait: Waited, time: float) -> str:
         """What ended a wait that no move did: of a condition, the input that changed at that moment."""
@@ -128,59 +187,61 @@ class Chain:
     def _back(self, motion: Motion, time: float, task: str, waited: Place) -> tuple[str, float]:
         """Charge a move to its line, and those before it in the buffer that it waited for; `waited` is who did."""
         while True:
-            self._add_motion(motion, time, task, waited)
-            begin = min(motion.begin, time)
-            before = self._before(motion)
-            task = self._who_acted(begin, task)
+            _, begin, _, line, axes, _ = motion
+            self._add_motion(motion, time, task, waited, begin)
+            begin = min(begin, time)
             waiting = self._waiting_at(task, begin)
             if waiting is None:
                 return task, begin
+            other = self._who_acted(begin, task)
+            if other is not None:
+                return other, begin
+            before = self.motions.before(axes, motion[1], self._near)
             if before is None:
                 # Something from outside has started it while everybody waited: the task waited for that.
-                self._add(waiting.since, begin, self._cause(waiting, begin), self._places.of(waiting), task)
+                self._add(waiting.since, begin, self._cause(waiting, begin), self.places.of(waiting), task)
                 return task, waiting.since
-            if before.end < begin:
-                self._add(before.end, begin, "waiting", self._places.at_line(motion.line), task)
-            motion, time = before, min(before.end, begin)
+            end = before[0]
+            if end < begin:
+                self._add(end, begin, "waiting", self.places.at_line(line), task)
+            motion, time = before, min(end, begin)
 
     def _motion_after(self, over: float, time: float, task: str) -> float:
         """What moved on after the program had ended; the time at which it had."""
-        motion = self._last_end(self._motions, time + self._near, over)
+        motion = self.motions.last(over, time + self._near)
         if motion is None:
-            self._add(over, time, "settling", Place(0, "", ()), task)
+            self._add(over, time, "settling", NOWHERE, task)
             return over
-        if motion.end < time:
-            self._add(motion.end, time, "settling", self._places.at_line(motion.line), task)
-        begin = max(motion.begin, over)
-        self._add_motion(motion, motion.end, task, Place(0, "", ()), begin)
-        return begin
+        end, begin, _, line, _, _ = motion
+        if end < time:
+            self._add(end, time, "settling", self.places.at_line(line), task)
+        self._add_motion(motion, end, task, NOWHERE, max(begin, over))
+        return max(begin, over)
 
     # ---------------------------------------------------------------------------------------- what there is
 
     def _wait_before(self, task: str, time: float) -> Waited | None:
         """The last wait of a task that was over at `time`."""
-        waits = self._waits.get(task, [])
-        place = bisect_right(self._untils.get(task, []), time + 1e-12)
+        untils, waits = self._ends.get(task, NO_WAITS)
+        place = bisect_right(untils, time + 1e-12)
         while place and waits[place - 1].since >= time:
             place -= 1
         return waits[place - 1] if place else None
 
     def _waiting_at(self, task: str, time: float) -> Waited | None:
         """The wait that a task is in at `time`, its first and last moment not counted."""
-        waits = self._waits.get(task, [])
-        place = bisect_right(self._untils.get(task, []), time + self._near)
+        untils, waits = self._ends.get(task, NO_WAITS)
+        place = bisect_right(untils, time + self._near)
         if place < len(waits) and waits[place].since < time - self._near:
             return waits[place]
         return None
 
-    def _who_acted(self, time: float, task: str) -> str:
-        """The task that was not waiting at `time`: the one that is followed, if it was not, else another."""
-        if self._waiting_at(task, time) is None:
-            return task
+    def _who_acted(self, time: float, task: str) -> str | None:
+        """Another task than this one, which was not waiting at `time`."""
         for name in self._waits:
             if name != task and self._waiting_at(name, time) is None and self._lives(name, time):
                 return name
-        return task
+        return None
 
     def _lives(self, task: str, time: float) -> bool:
         waits = self._waits[task]
@@ -194,87 +255,62 @@ class Chain:
 
     def _first_place(self, task: str) -> Place:
         waits = self._waits.get(task, [])
-        return self._places.of(waits[0]) if waits else Place(0, "", ())
-
-    def _that_ended(self, wait: Waited, time: float) -> Motion | None:
-        """The move whose end let a wait go on: of those that ended then, the one that began last."""
-        first = bisect_right(self._ends, wait.since)
-        last = bisect_right(self._ends, time + self._near)
-        found = [
-            motion
-            for motion in self._motions[first:last]
-            if not wait.what or wait.cause != "axis" or set(motion.axes) & set(wait.what)
-        ]
-        near = [motion for motion in found if motion.end >= time - self._near]
-        if near:
-            return max(near, key=lambda motion: (motion.begin, motion.end))
-        if wait.cause == "axis" and found:
-            return found[-1]
-        return None
-
-    def _last_end(self, motions: list[Motion], time: float, after: float) -> Motion | None:
-        found = [motion for motion in motions if after < motion.end <= time]
-        return found[-1] if found else None
-
-    def _before(self, motion: Motion) -> Motion | None:
-        """The move of one of the same axes that ended when this one began."""
-        place = bisect_right(self._ends, motion.begin + self._near)
-        while place and self._ends[place - 1] >= motion.begin - self._near:
-            place -= 1
-            other = self._motions[place]
-            if other is not motion and other.begin < motion.begin and set(other.axes) & set(motion.axes):
-                return other
-        return None
+        return self.places.of(waits[0]) if waits else NOWHERE
 
     # ---------------------------------------------------------------------------------------- what is charged
 
-    def _add(
-        self, begin: float, end: float, cause: str, place: Place, task: str, axes: tuple[int, ...] = ()
-    ) -> None:
-        if end > begin:
-            self.links.append(Link(begin, end, cause, place, task, axes))
+    def _strip(self, cause: str, place: Place, task: str) -> Strip:
+        """The strip of what takes one phase; there is one `Place` of each place, its identity says which it is."""
+        key = id(place), cause, task
+        if key not in self._strips:
+            self._strips[key] = Strip(place, task, ((cause, 0.0),))
+        return self._strips[key]
 
-    def _add_motion(
-        self, motion: Motion, time: float, task: str, waited: Place, begin: float | None = None
-    ) -> None:
-        """The phases of a move up to `time`, the last one first.
+    def _add(self, begin: float, end: float, cause: str, place: Place, task: str) -> None:
+        if end > begin:
+            self._strip(cause, place, task).add(begin, end)
+
+    def _add_motion(self, motion: Motion, time: float, task: str, waited: Place, begin: float) -> None:
+        """A move from `begin` up to `time`.
 
         Nobody has written down who called the line that ordered it; where its sub waited for it, it is who called that.
         """
-        first = motion.begin if begin is None else begin
-        place, edge = self._places.at_line(motion.line), motion.begin
-        if place.sub == waited.sub and waited.callers:
-            place = self._places.called(place.line, waited.callers)
-        edges = []
-        profile = motion.move.profile
-        for phase in profile.phases if profile is not None else ():
-            edges.append((edge, PHASES.get(phase.name, "in motion")))
-            edge += phase.duration
-        end = time
-        for low, cause in reversed(edges):
-            low = max(low, first)
-            if low < end:
-                self._add(low, end, cause, place, task, motion.axes)
-                end = low
-        self._add(first, end, "in motion", place, task, motion.axes)
+        if time <= begin:
+            return
+        _, began, _, line, axes, profile = motion
+        place = self.places.at_line(line)
+        if waited.callers and place.sub == waited.sub:
+            place = self.places.called(place.line, waited.callers)
+        phases = self.motions.phases(profile)
+        if begin > began:
+            phases = _behind(phases, begin - began)
+        key = id(place), id(phases), axes, task
+        strip = self._strips.get(key)
+        if strip is None:
+            strip = self._strips[key] = Strip(place, task, phases, axes)
+        strip.add(begin, time)
 
 
-def _motions(run: Run) -> list[Motion]:
-    """Every move by its end; axes that begin and end together on one line are one."""
-    found: list[Motion] = []
-    same: Motion | None = None
-    over = run.time
-    for move in run.controller.log.moves:
-        profile, begin, line = move.profile, move.start_time, move.line
-        if profile is None:
-            continue
-        end = begin + profile.duration
-        if end > over:
-            end = over
-        if same is not None and same.end == end and same.begin == begin and same.line == line:
-            same.axes += (move.axis,)
-        else:
-            same = Motion((move.axis,), line, begin, end, move)
-            found.append(same)
-    found.sort(key=attrgetter("end", "begin"))
-    return found
+def _behind(phases: Phases, seconds: float) -> Phases:
+    """What is left of phases after some seconds."""
+    for number, (name, duration) in enumerate(phases[:-1]):
+        if seconds < duration:
+            return (name, duration - seconds), *phases[number + 1 :]
+        seconds -= duration
+    return phases[-1:]
+
+
+def _put(found: dict[object, Alike], link: Link, times: list[float]) -> None:
+    key = id(link.place), link.cause, link.axes
+    if key in found:
+        found[key][1].extend(times)
+    else:
+        found[key] = link, times
+
+
+def alike(links: Iterable[Link]) -> list[Alike]:
+    """Some links by place, cause and axes."""
+    found: dict[object, Alike] = {}
+    for link in links:
+        _put(found, link, [link.duration])
+    return list(found.values())

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from math import fsum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from motionlang.cycle.chain import Chain, Link, Motion
-from motionlang.cycle.places import Places
+from motionlang.cycle.chain import Chain, Link, alike
 from motionlang.cycle.tasks import TaskTime, task_times, waits_of
+from motionlang.profile.total import exact_terms
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from motionlang.cycle.motions import Motion
     from motionlang.result import Run
 
 SCHEMA = "motionlang.cycle/1"
@@ -44,16 +46,19 @@ class TimeProfile:
         self.run = run
         self._waits = waits_of(run)
         self.tasks: list[TaskTime] = task_times(run, self._waits)
-        chain = Chain(run, self._waits)
-        self.links: list[Link] = chain.links
-        self._motions = chain.motions
-        self._alike = _alike(self.links)
-        self._places = Places(run)
+        self._chain = Chain(run, self._waits)
+        self._places = self._chain.places
+        self._alike = _summed(self._chain.alike())
+
+    @property
+    def links(self) -> list[Link]:
+        """The stretches of the chain, from the begin of the run to its end."""
+        return self._chain.links
 
     @property
     def seconds(self) -> float:
         """What the chain adds up to: the run's time."""
-        return fsum(link.duration for link in self.links)
+        return fsum(term for _, terms in self._alike for term in terms)
 
     def lines(self) -> list[Share]:
         """The chain by the lines of the program, the longest first."""
@@ -85,18 +90,21 @@ class TimeProfile:
 
     def slacks(self) -> list[Slack]:
         """Who stood and waited for whom, where a task waited for several axes that had begun together."""
-        found: dict[tuple[int, int], list[float]] = {}
-        groups: dict[tuple[int, float], list[Motion]] = {}
-        for motion in self._motions:
-            groups.setdefault((motion.line, motion.begin), []).append(motion)
-        waits = [wait for waits in self._waits.values() for wait in waits if wait.cause != "time"]
+        found: dict[tuple[int, int], list[float]] = defaultdict(list)
+        groups: dict[tuple[int, float], list[Motion]] = defaultdict(list)
+        for motion in self._chain.motions:
+            groups[motion[3], motion[1]].append(motion)
+        waits = (wait for waits in self._waits.values() for wait in waits if wait.cause != "time")
         ends = {_millis(wait.until) for wait in waits}
+        near = ends | {end - 1 for end in ends}
         for group in groups.values():
-            last = group[-1]  # they are in the order of their ends
-            if len(group) > 1 and not ends.isdisjoint((_millis(last.end), _millis(last.end) + 1)):
-                for motion in group[:-1]:
-                    for axis in motion.axes:
-                        found.setdefault((axis, last.axes[0]), []).append(last.end - motion.end)
+            last = group[-1][0]  # they are in the order of their ends
+            if group[0][0] < last and int(last * 1000.0) in near:
+                (other,) = next(motion[4] for motion in group if motion[0] == last)
+                for end, _, _, _, (axis,), _ in group:
+                    if end == last:
+                        break
+                    found[axis, other].append(last - end)
         rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items()]
         return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))
 
@@ -144,20 +152,20 @@ class TimeProfile:
         mine: dict[str, dict[str, list[float]]] = {}
         totals: dict[str, list[float]] = {}
         lines: dict[str, int] = {}
-        for link, times in self._alike.values() if links is None else _alike(links).values():
+        for link, terms in self._alike if links is None else _summed(alike(links)):
             for k, (name, line) in enumerate(dict.fromkeys(names(link))):
                 lines[name] = line
                 causes = mine.setdefault(name, {})
                 if k == 0:
-                    causes.setdefault(link.cause, []).extend(times)
-                totals.setdefault(name, []).extend(times)
+                    causes.setdefault(link.cause, []).extend(terms)
+                totals.setdefault(name, []).extend(terms)
         shares = [
             Share(
                 name,
                 lines[name],
-                fsum(time for times in causes.values() for time in times),
+                fsum(term for terms in causes.values() for term in terms),
                 fsum(totals[name]),
-                {cause: fsum(times) for cause, times in causes.items()},
+                {cause: fsum(terms) for cause, terms in causes.items()},
             )
             for name, causes in mine.items()
         ]
@@ -166,21 +174,9 @@ class TimeProfile:
         )
 
 
-def _alike(links: Iterable[Link]) -> dict[object, tuple[Link, list[float]]]:
-    """Links that differ in nothing but their times: one of them, and how long each of them took.
-
-    There is one `Place` of each place, so that its identity says which it is.
-    """
-    found: dict[object, tuple[Link, list[float]]] = {}
-    for link in links:
-        begin, end, cause, place, _, axes = link
-        key = id(place), cause, axes
-        known = found.get(key)
-        if known is None:
-            found[key] = link, [end - begin]
-        else:
-            known[1].append(end - begin)
-    return found
+def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[float]]]:
+    """Links with a few terms in place of their many durations, which add up to the very same."""
+    return [(link, exact_terms(times)) for link, times in links]
 
 
 def _millis(time: float) -> int:

@@ -7,7 +7,9 @@ change nothing were skipped.
 
 from __future__ import annotations
 
+from itertools import groupby
 from math import fsum
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.controller.record.records import Waited
@@ -35,8 +37,8 @@ class TaskTime(NamedTuple):
 def waits_of(run: Run) -> dict[str, list[Waited]]:
     """The waits of each task in the order of time, those too that were under way when the run ended."""
     found: dict[str, list[Waited]] = {}
-    for wait in run.machine.log.waits:
-        found.setdefault(wait.task, []).append(wait)
+    for name, waits in groupby(run.machine.log.waits, attrgetter("task")):
+        found.setdefault(name, []).extend(waits)
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
         under_way, mine = task.wait, found.setdefault(task.name, [])
@@ -75,8 +77,8 @@ def task_times(run: Run, waits: dict[str, list[Waited]]) -> list[TaskTime]:
         begin = 0.0 if name == parent else min(first.get(name, over), mine[0].since if mine else over)
         end = over if name == parent else max(last.get(name, begin), mine[-1].until if mine else begin)
         waiting: dict[str, list[float]] = {}
-        for wait in mine:
-            waiting.setdefault(wait.cause, []).append(min(wait.until, end) - wait.since)
+        for _, _, since, until, cause, *_ in mine:
+            waiting.setdefault(cause, []).append((until if until < end else end) - since)
         causes = {cause: fsum(times) for cause, times in waiting.items()}
         rest = fsum((end, -begin, *(-time for time in causes.values())))
         computing = fsum(computed[name]) if name in computed and len(first) > 1 else rest

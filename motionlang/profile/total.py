@@ -19,3 +19,13 @@ def total(values: Iterable[float]) -> float:
         for term in terms:
             beyond += term
         return beyond
+
+
+def exact_terms(values: Iterable[float]) -> list[float]:
+    """A few floats that add up to exactly what all of these do: their sum, what it lacks, what that lacks."""
+    rest = list(values)
+    terms: list[float] = []
+    while term := fsum(rest):
+        terms.append(term)
+        rest.append(-term)
+    return terms

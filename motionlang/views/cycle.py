@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import fsum
 from typing import TYPE_CHECKING
 
-from motionlang.cycle.chain import MOVING
+from motionlang.cycle.motions import MOVING
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time
