@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from re import findall
-
 from motionlang.mint.compile import jumps
 from motionlang.mint.compile.expressions import counted
-from motionlang.mint.compile.splitting import SIZE, Part
+from motionlang.mint.compile.lines import Line, names_in, text_of
+from motionlang.mint.compile.splitting import SIZE
 from motionlang.mint.compile.statements import fresh
 from motionlang.mint.resolve.handlers import label_handlers
 from motionlang.mint.resolve.symbols import FLOAT, Function, Symbol
-from motionlang.mint.runtime.code_units import ALL, FILE, TIME, Code, Unit
+from motionlang.mint.runtime.code_units import FILE, TIME, Code, Unit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
-    from motionlang.mint.compile.body import Body, Line, Whole
+    from motionlang.mint.compile.body import Body, Whole
+    from motionlang.mint.compile.splitting import Part
     from motionlang.mint.resolve.problems import Problems
 
     Made = TypeVar("Made")
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 # A program of so many lines of Python is compiled at once, a longer one as it is called.
 SHORT = 1000
 # What CPython might refuse, for the depth of its blocks or of its brackets, is compiled at once.
-DEEP, LONG = "\n" + " " * 15, 400
+DEEP, LONG = 15, 400
 
 
 class TypedLine:
@@ -37,9 +37,8 @@ class TypedLine:
     __slots__ = ("blocks", "code", "operations", "places", "specs")
 
     def __init__(self, whole: Whole, lines: list[Line], file: str) -> None:
-        self.places = [0, *(at for _, at in lines)]
-        text = "\n".join(line for line, _ in lines)
-        self.code = _checked(lambda: compile(text, file, "exec"), self.places, 0, whole.problems)
+        self.places = [0, *(line.at for line in lines)]
+        self.code = _checked(lambda: compile(text_of(lines), file, "exec"), self.places, 0, whole.problems)
         self.specs, self.operations = whole.described(), list(whole.spec_names.values())
         self.blocks = _blocks(whole)
 
@@ -47,7 +46,7 @@ class TypedLine:
 def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     """The code of a program."""
     shared = _shared(whole, bodies)
-    units = _Units()
+    units = _Units(shared)
     for function, b in bodies.items():
         units.add(function.python, _head(whole, b) + _dispatched(whole, b))
         for part in b.parts:
@@ -58,16 +57,15 @@ def assemble(whole: Whole, bodies: dict[Function, Body]) -> Code:
     start = compile(first, FILE, "exec") if first else None
     blocks = {"main": "main", **_blocks(whole)}
     code = Code(units.made, start, shared, whole.described(), blocks, units.places)
-    _compile_now(code, whole.problems)
+    _compile_now(code, units.risky, whole.problems)
     return code
 
 
-def _compile_now(code: Code, problems: Problems) -> None:
+def _compile_now(code: Code, risky: set[Unit], problems: Problems) -> None:
     """Compile what is called at once, and what CPython may refuse."""
-    cells = code.cells()
     for number, unit in enumerate(code.units):
-        if number == 0 or len(code.places) <= SHORT or _may_be_refused(unit.text):
-            _checked(lambda unit=unit: unit.compile(cells), code.places, unit.before, problems)  # type: ignore[misc]
+        if number == 0 or len(code.places) <= SHORT or unit in risky:
+            _checked(unit.compile, code.places, unit.before, problems)
 
 
 def _blocks(whole: Whole) -> dict[str, str]:
@@ -106,10 +104,15 @@ def _first_values(whole: Whole) -> str:
 
 
 class _Units:
-    """The units being made; `places[n]` is the place in the program of line n of all their lines."""
+    """The units being made; `places[n]` is the place in the program of line n of all their lines.
 
-    def __init__(self) -> None:
+    `shared` are the names of all cells; `risky` are units that CPython may refuse.
+    """
+
+    def __init__(self, shared: Sequence[str]) -> None:
+        self.shared = frozenset(shared)
         self.made: list[Unit] = []
+        self.risky: set[Unit] = set()
         self.places = [0]
         self._names: list[str] = []
         self._lines: list[Line] = []
@@ -124,23 +127,23 @@ class _Units:
     def add_part(self, part: Part) -> None:
         """A part of the function before it."""
         self.close()
-        self._names, self._lines = [part.name], part.written(ALL, 0)
-        self.close(is_part=True)
+        self._names = [part.name]
+        self._lines = part.written({*TIME, *(part.names & self.shared)}, 0)
+        self.close()
 
-    def close(self, is_part: bool = False) -> None:
+    def close(self) -> None:
         """The next function begins a unit of its own."""
         if not self._lines:
             return
-        before, at = len(self.places) - 1, self._lines[0][1]
-        self.places += [at, at]
-        self.places += [at for _, at in self._lines]
-        text = "\n".join([line for line, _ in self._lines])
-        self.made.append(Unit(tuple(self._names), text, before, is_part))
+        lines, before = self._lines, len(self.places) - 1
+        self.places += [lines[0].at] * 2
+        self.places += [line.at for line in lines]
+        cells = tuple(sorted(names_in(lines) & self.shared))
+        unit = Unit(tuple(self._names), text_of(lines), before, cells)
+        if any(line.indent >= DEEP or len(line.text) > LONG for line in lines):
+            self.risky.add(unit)
+        self.made.append(unit)
         self._names, self._lines = [], []
-
-
-def _may_be_refused(text: str) -> bool:
-    return DEEP in text or max(map(len, text.split("\n"))) > LONG
 
 
 def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
@@ -165,7 +168,7 @@ def assemble_line(
     lines: list[Line] = []
     for key, symbol in whole.names.module.names.items():
         if symbol.kind == "variable" and known_before.get(key) is not symbol:
-            lines.append((f"{symbol.python} = {_first(symbol, False)}", symbol.at))
+            lines.append(Line(0, f"{symbol.python} = {_first(symbol, False)}", symbol.at))
     for b in bodies.values():
         lines += _head(whole, b) + _dispatched(whole, b)
     return TypedLine(whole, lines, file)
@@ -178,30 +181,22 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     """The lines of a function: those of its dispatcher inside it, where it has labels."""
     if not b.function.jumps:
         return b.lines
-    function, indent = b.function, " " * b.indent
+    function = b.function
     word = "global" if whole.typed else "nonlocal"
     own = {symbol.python for symbol in _own(function) if b.keeps(symbol)} & b.outside
     name = jumps.dispatcher(function)
-    lines = [
-        f"{indent}def {name}(pc):",
-        f"{indent} {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}",
-    ]
+    texts = [f"def {name}(pc):", f" {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}"]
     if own:
-        lines.append(f"{indent} nonlocal {', '.join(sorted(own))}")
-    out = [(line, function.at) for line in lines] + b.lines
+        texts.append(f" nonlocal {', '.join(sorted(own))}")
+    out = [Line(b.indent, text, function.at, names=b.outside) for text in texts] + b.lines
+    texts = []
     handlers = label_handlers(function)
     for number, (label, _) in enumerate(b.stretches()):
         if label in handlers:
-            out += [(indent + line, function.at) for line in _label_handler(whole, function, label, number)]
-    out.append((f"{indent}yield from {name}(0)", function.at))
-    last = (
-        f"return {function.result.python}"
-        if function.result
-        else "return"
-        if function.kind == "sub"
-        else "return t"
-    )
-    return [*out, (indent + last, function.at)]
+            texts += _label_handler(whole, function, label, number)
+    last = "t" if function.kind != "sub" else function.result.python if function.result else ""
+    texts += [f"yield from {name}(0)", f"return {last}".rstrip()]
+    return out + [Line(b.indent, text, function.at) for text in texts]
 
 
 def _label_handler(whole: Whole, function: Function, label: str, number: int) -> list[str]:
@@ -226,7 +221,6 @@ def _own(function: Function) -> list[Symbol]:
 def _head(whole: Whole, b: Body) -> list[Line]:
     """The line `def …` and what must be done on entry."""
     function = b.function
-    indent = " " * (b.indent - 1)
     # A sub runs on its caller's time, which therefore lives in cells that all functions share.
     is_unit = bool(b.parts) and function.kind != "sub"
     shared_time = function.kind == "sub" or bool(function.calls) or function.jumps or is_unit
@@ -237,31 +231,31 @@ def _head(whole: Whole, b: Body) -> list[Line]:
         outside.add("t")
         if not function.plain:
             outside.add("H")
-    lines = [f"{indent}def {function.python}({_parameters(function, shared_time)}):"]
+    texts = []
     if outside:
-        word = "global" if whole.typed else "nonlocal"
-        lines.append(f"{indent} {word} {', '.join(sorted(outside))}")
+        texts.append(f"{'global' if whole.typed else 'nonlocal'} {', '.join(sorted(outside))}")
     if function.kind != "sub" and shared_time:
-        lines.append(f"{indent} t = t_; H = H_")
+        texts.append("t = t_; H = H_")
     if not (whole.typed and function is whole.names.main):
-        lines += [f"{indent} {line}" for line in _own_variables(function, b)]
-    out = [(line, function.at) for line in lines]
+        texts += _own_variables(function, b)
+    out = [Line(b.indent - 1, f"def {function.python}({_parameters(function, shared_time)}):", function.at)]
+    out += [Line(b.indent, text, function.at, names=outside) for text in texts]
     for part in b.parts:
         if part.inside:
             out += part.written(_shared_by(part, function), b.indent - 1)
     return out
 
 
-def _shared_by(part: Part, function: Function) -> str:
-    """How a part that stands in its sub says what it shares."""
-    known = {*(TIME if not function.plain else "t")}
+def _shared_by(part: Part, function: Function) -> set[str]:
+    """What a part that stands in its sub shares with it."""
+    time = set(TIME if not function.plain else "t")
+    known: set[str] = set()
     known.update(name for symbol in _own(function) for name in _spellings(symbol))
     scope = function.scope.outer
     while scope is not None:
         known.update(symbol.python for symbol in scope.names.values() if symbol.shared)
         scope = scope.outer
-    words = findall(r"\b(?:[vpr]_\w+|[tH]|w\d+)\b", "\n".join(line for line, _ in part.lines))
-    return f"nonlocal {', '.join(sorted(known & {*words, 't'}))}"
+    return time | (known & part.names)
 
 
 def _parameters(function: Function, shared_time: bool) -> str:

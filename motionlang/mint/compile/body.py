@@ -9,6 +9,7 @@ the machine time `S.base + t * dt`.
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
+from motionlang.mint.compile.lines import PLAIN, YIELDS, Line
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
 
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
 Spec = tuple[object, ...]
 # In the place of an axis: whichever one the program names.
 EACH = "each"
-Line = tuple[str, int]
 
 
 class Value:
@@ -172,6 +172,7 @@ class Body:
         "levels",
         "lines",
         "loops",
+        "names",
         "noted",
         "observes",
         "outside",
@@ -192,6 +193,8 @@ class Body:
     def __init__(self, whole: Whole, function: Function, indent: int) -> None:
         self.whole, self.function, self.scope = whole, function, function.scope
         self.lines: list[Line] = []
+        # What the next line has of variables.
+        self.names: set[str] = set()
         self.indent = indent
         self.at = function.at
         self.pending = 0
@@ -224,8 +227,21 @@ class Body:
 
     # -------------------------------------------------------------------------------------------- lines
 
-    def emit(self, text: str) -> None:
-        self.lines.append((" " * self.indent + text, self.at))
+    def emit(self, text: str, kind: str = PLAIN, cost: int = 0) -> None:
+        names = self.names
+        self.lines.append(Line(self.indent, text, self.at, kind, names, cost))
+        if names:
+            self.names = set()
+
+    def spelt(self, symbol: Symbol) -> str:
+        """A variable in the text of the next line."""
+        self.names.add(symbol.python)
+        return symbol.python
+
+    def gives_way(self) -> None:
+        """The next line holds a `yield`."""
+        self.names.add(YIELDS)
+        self.waits = True
 
     def temp(self) -> str:
         self.temps += 1
@@ -240,13 +256,14 @@ class Body:
     def flush(self) -> None:
         """Bring `t` up to date."""
         if self.pending:
-            self.emit(f"t += {self.pending}.0")
+            self.emit(f"t += {self.pending}.0", cost=self.pending)
             self.pending = 0
 
     def horizon(self, answer: str = "t", then: str = "") -> None:
         """Let others run when their time has come, `then` look again; `t` is up to date."""
+        self.gives_way()
         self.emit(f"if t >= H: t, H = yield {answer}{then}")
-        self.waits = self.noted = True
+        self.noted = True
 
     def settle(self, tell: bool = True) -> None:
         """Before a statement that takes note of time: let everything happen that is due until then.
@@ -274,8 +291,9 @@ class Body:
     def wait(self, expression: str, at_once: str = "") -> None:
         """Give way until a `Wait` is over; `at_once or` says when it was over before anything could happen."""
         self.flush()
+        self.gives_way()
         self.emit(f"t, H = {at_once}(yield {expression})" if at_once else f"t, H = yield {expression}")
-        self.waits = self.noted = True
+        self.noted = True
 
     # ------------------------------------------------------------------------------------------- labels
 

@@ -31,7 +31,7 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
     text = f"{symbol.python}({', '.join(texts)})"
     b.calls = True
     if not callee.plain:
-        b.waits = True
+        b.gives_way()
         text = f"(yield from {text})"
     known = intervals.INTEGER if symbol.type.name == INTEGER else intervals.FLOAT
     return Value(text, str(symbol.type), known)
@@ -71,7 +71,7 @@ def array(b: Body, node: nodes.Expr) -> tuple[str, Type, tuple[int, ...]] | None
     if type(node) is nodes.Name and node.args is None:
         symbol = node.symbol
         if symbol is not None and symbol.is_array:
-            return symbol.python, symbol.type, symbol.dimensions
+            return b.spelt(symbol), symbol.type, symbol.dimensions
     if type(node) is nodes.Member and node.args is None:
         owner = member(b, node)
         if owner is not None and owner[2]:

@@ -102,6 +102,8 @@ def _name(b: Body, node: nodes.Name) -> Value:
     if node.args is None:
         found = b.values.get(node.name)
         if found is not None:
+            assert node.symbol is not None
+            b.names.add(node.symbol.python)
             return found
     symbol, row = node.symbol, node.row
     result = b.function.result
@@ -162,13 +164,13 @@ def place(b: Body, node: nodes.Name | nodes.Member) -> tuple[str, Type, Symbol |
     if not symbol.is_array:
         if node.args is not None:
             b.problem("type", f"{symbol.name} is not an array", node)
-        text = symbol.python
+        text = b.spelt(symbol)
         if symbol.by_ref:
             text = f"{text}[{text}_k]"
         elif symbol.boxed:
             text = f"{text}[0]"
         return text, symbol.type, symbol
-    return element(b, node, symbol.python, symbol.name, symbol.dimensions, node.args), symbol.type, None
+    return element(b, node, b.spelt(symbol), symbol.name, symbol.dimensions, node.args), symbol.type, None
 
 
 def element(
@@ -220,7 +222,7 @@ def load(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
         b.problem("index", f"{symbol.name} is an array and needs a subscript", node)
         return NOTHING
     text, type, scalar = (
-        place(b, node) if symbol is not b.function.result else (symbol.python, symbol.type, symbol)
+        place(b, node) if symbol is not b.function.result else (b.spelt(symbol), symbol.type, symbol)
     )
     return _loaded(b, text, type, b.range_of(scalar, node) if scalar is not None else None)
 

@@ -20,6 +20,7 @@ from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.conversions import as_float, as_integer, converted, literal
 from motionlang.mint.compile.expressions import number, place
+from motionlang.mint.compile.lines import LOOP, moved
 from motionlang.mint.compile.loops import body_of, flag_for, go_on_leaving, turn
 from motionlang.mint.compile.operators import arithmetic
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, Symbol
@@ -28,7 +29,8 @@ from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body, Line
+    from motionlang.mint.compile.body import Body
+    from motionlang.mint.compile.lines import Line
 
 
 class Counter:
@@ -99,7 +101,7 @@ def _kept(b: Body, found: Value) -> Value:
 
 def _plain(b: Body, node: nodes.For, counter: Counter, body: list[Line]) -> None:
     b.noted = True
-    b.emit(f"while {_continues(counter)}:")
+    b.emit(f"while {_continues(counter)}:", LOOP)
     b.lines += body
     b.indent += 1
     _next(b, counter, _known(b, node, counter))
@@ -171,19 +173,22 @@ def _changes(b: Body, node: nodes.For, symbol: Symbol) -> bool:
 
 def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     each, b.pending = b.pending + 1, 0
-    worst = each + sum(map(_branch_cost, body))
+    worst = each + sum([line.cost for line in body])
     text, stop, step = counter.text, counter.stop.text, counter.step.const
     n, w, c = b.temp(), b.temp(), b.temp()
     b.noted = True
-    b.emit(f"while {_continues(counter)}:")
+    b.emit(f"while {_continues(counter)}:", LOOP)
     b.indent += 1
     b.emit(f"{n} = {f'{stop} - {text} + 1' if step == 1 else f'({stop} - {text}) // {step} + 1'}")
     b.emit(f"{w} = (H - t) / {worst}.0")
     b.emit(f"if {n} > {w}: {n} = int({w}) if {w} > 1.0 else 1")
     b.emit(f"{c} = {n} * {each}")
     turns = f"{n}" if step == 1 else f"{n} * {step}"
-    b.emit(f"for {text} in range({text}, {text} + {turns}{'' if step == 1 else f', {step}'}):")
-    b.lines += [(f" {_counted(line, c)}", at) for line, at in body]
+    b.emit(f"for {text} in range({text}, {text} + {turns}{'' if step == 1 else f', {step}'}):", LOOP)
+    for line in moved(body, 1):
+        if line.cost:
+            line.text = f"{c} += {line.cost}"
+        b.lines.append(line)
     if not body:
         b.emit(" pass")
     b.emit(f"{text} += {step}")
@@ -191,17 +196,3 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     left = f"({stop} - {text})" if step == 1 else f"(({stop} - {text}) // {step})"
     b.horizon(f"(t, {left} * {each}.0)")
     b.indent -= 1
-
-
-_COST = "t += "
-
-
-def _branch_cost(line: Line) -> int:
-    """The statements that a line of a body adds to its turn."""
-    text = line[0].strip()
-    return int(float(text[len(_COST) :])) if text.startswith(_COST) else 0
-
-
-def _counted(line: str, counter: str) -> str:
-    """A line of a body with its cost counted in statements."""
-    return line.replace(_COST, f"{counter} += ") if line.lstrip().startswith(_COST) else line

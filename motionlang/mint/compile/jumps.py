@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from motionlang.mint.compile import polling
 from motionlang.mint.compile.expressions import condition
+from motionlang.mint.compile.lines import LEAVES, Line
 from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -65,8 +66,7 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     _end(b)
     b.indent -= 2
     b.emit(f" except {b.whole.use('env', 'Jump')} as jump: pc = jump.args[0]")
-    head = " " * b.indent
-    b.lines[first:first] = [(head + poll.first, b.function.at) for poll in b.polls]
+    b.lines[first:first] = [Line(b.indent, poll.first, b.function.at) for poll in b.polls]
 
 
 def _end(b: Body) -> None:
@@ -114,11 +114,12 @@ def jump(b: Body, node: nodes.Jump) -> None:
         polling.turn(b, poll)
     unless = _unless(b, node)
     if node.kind == "gosub":
-        b.emit(f"yield from {dispatcher(b.function)}({number})")
+        b.gives_way()
+        b.emit(f"yield from {dispatcher(b.function)}({number})", LEAVES)
     elif leaves_loops:
         b.emit(f"{unless}raise {b.whole.use('env', 'Jump')}({number})")
     else:
-        b.emit(f"{unless}pc = {number}; continue")
+        b.emit(f"{unless}pc = {number}; continue", LEAVES)
 
 
 def _unless(b: Body, node: nodes.Jump) -> str:
@@ -205,7 +206,7 @@ def return_(b: Body, node: nodes.Return) -> None:
     b.pending += 1
     b.flush()
     b.noted = True
-    b.emit("return")
+    b.emit("return", LEAVES)
 
 
 def label(b: Body, node: nodes.Label) -> None:

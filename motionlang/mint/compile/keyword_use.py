@@ -12,6 +12,7 @@ from motionlang.mint.compile import intervals, unsimulated_use
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.conversions import as_float, as_integer, literal
 from motionlang.mint.compile.expressions import condition, number, value
+from motionlang.mint.compile.lines import LOOP
 from motionlang.mint.compile.terminal_use import line
 from motionlang.mint.resolve.folding import constant
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
@@ -285,7 +286,7 @@ def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword) -> None:
     _settle_for(b, row)
     axis, text = b.temp(), b.temp()
     pairs = b.whole.use("env", "pairs")
-    b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):")
+    b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):", LOOP)
     b.indent += 1
     if OMITTED in texts:
         b.emit(f"if {text} is {OMITTED}: continue")
@@ -368,6 +369,7 @@ def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: st
 def load(b: Body, row: Keyword, arguments: list[str]) -> None:
     """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
     call = f"{b.whole.operation('load', row)}({', '.join(['t', 'H', *arguments])})"
+    b.gives_way()
     b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
 
 

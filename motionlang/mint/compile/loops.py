@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from motionlang.mint.compile import polling
 from motionlang.mint.compile.expressions import condition
+from motionlang.mint.compile.lines import BREAK, LOOP
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
@@ -51,7 +52,7 @@ def go_on_leaving(b: Body) -> None:
     """After a loop: an Exit may have meant a loop further out."""
     for _, flag in b.loops:
         if flag:
-            b.emit(f"if {flag}: break")
+            b.emit(f"if {flag}: break", BREAK)
 
 
 def while_(b: Body, node: nodes.While) -> None:
@@ -64,12 +65,12 @@ def while_(b: Body, node: nodes.While) -> None:
     b.noted = True
     poll = polling.watched(b, node.body, node.condition)
     if observes or calls:
-        b.emit("while True:")
+        b.emit("while True:", LOOP)
         b.indent += 1
         b.settle()
-        b.emit(f"if not {test}: break")
+        b.emit(f"if not {test}: break", BREAK)
     else:
-        b.emit(f"while {test}:")
+        b.emit(f"while {test}:", LOOP)
         b.indent += 1
     at = b.at
     body_of(b, "while", node.body, flag)
@@ -85,7 +86,7 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
     flag = flag_for(b, "repeat", node.body)
     b.noted = True
     poll = polling.watched(b, node.body, node.condition)
-    b.emit("while True:")
+    b.emit("while True:", LOOP)
     b.indent += 1
     body_of(b, "repeat", node.body, flag)
     b.at = node.condition.at
@@ -94,7 +95,7 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
     b.settle()
     b.pending += 1
     b.flush()
-    b.emit(f"if {test}: break")
+    b.emit(f"if {test}: break", BREAK)
     turn(b, poll, 0)
     b.indent -= 1
     go_on_leaving(b)
@@ -106,7 +107,7 @@ def endless(b: Body, node: nodes.Loop) -> None:
     flag = flag_for(b, "loop", node.body)
     b.noted = True
     poll = polling.watched(b, node.body)
-    b.emit("while True:")
+    b.emit("while True:", LOOP)
     b.indent += 1
     at = b.at
     body_of(b, "loop", node.body, flag)
@@ -138,7 +139,7 @@ def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
     if innermost != kind:
         flag = next(flag for k, flag in reversed(around) if k == kind)
         b.emit(f"{flag} = True")
-    b.emit("break")
+    b.emit("break", BREAK)
 
 
 def leaves(body: list[nodes.Stmt], kind: str, inside: bool = False) -> bool:

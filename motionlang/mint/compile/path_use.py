@@ -73,4 +73,4 @@ def _array(b: Body, node: nodes.Expr, row: Keyword) -> str:
         b.problem("type", f"{row.name} needs an array of numbers with one subscript here", node,
                   "NULL stands for a table that is not given")  # fmt: skip
         return "None"
-    return symbol.python
+    return b.spelt(symbol)

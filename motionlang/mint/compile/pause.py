@@ -20,11 +20,12 @@ def pause(b: Body, node: nodes.Pause) -> None:
     b.calls = False
     b.flush()
     b.settle()
+    b.gives_way()
     if calls:  # a condition that calls a sub is tested at every tick
         b.emit(f"while not {test}: t, H = yield {b.whole.use('env', 'tick')}(t)")
     else:
         why = f"until {shown(node.condition)}"
         pause = f"{b.whole.use('env', 'pause')}(t, lambda: {test}, {why!r}, {b.at})"
         b.emit(f"if not {test}: t, H = {pause} or (yield E.wait)")
-    b.waits = b.noted = True
+    b.noted = True
     b.pending += 1

@@ -101,6 +101,7 @@ class Look:
         self.computes = self.computes or not values or any(_names(each) for each in values)
         if symbol.home is self.b.function or symbol.home.kind != "sub":
             text = _text(symbol)
+            self.b.spelt(symbol)
             self.acts = self.acts or not text
             self.assigned.add(text)
         return more

@@ -13,9 +13,13 @@ program, and their parts units of their own; a sub may be called again before it
 
 from __future__ import annotations
 
+from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, YIELDS, Line, moved, names_in
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.compile.body import Body, Line
+    from collections.abc import Iterable
+
+    from motionlang.mint.compile.body import Body
 
 # A block with more lines than LONGEST is cut into parts of about SIZE lines.
 LONGEST = 600
@@ -25,28 +29,26 @@ SIZE = 200
 DEEPEST = 60
 MOST_LOOPS = 8
 
-# What leaves a part, or calls what only the function around it knows.
-_LEAVES = ("return", "pc = ", "yield from j_")
-
 
 class Part:
     """A part by its name; its lines are indented for the body of a function in the outermost place.
 
-    `inside`: it stands in its function.
+    `names` are the variables in it; `inside`: it stands in its function.
     """
 
-    __slots__ = ("inside", "lines", "name", "waits")
+    __slots__ = ("inside", "lines", "name", "names", "waits")
 
-    def __init__(self, name: str, lines: list[Line], waits: bool, inside: bool) -> None:
-        self.name, self.lines, self.waits, self.inside = name, lines, waits, inside
+    def __init__(self, name: str, lines: list[Line], inside: bool) -> None:
+        self.name, self.lines, self.inside = name, lines, inside
+        self.names = names_in(lines)
+        self.waits = YIELDS in self.names
 
-    def written(self, names: str, indent: int) -> list[Line]:
-        """The whole function; `names` are those it shares."""
-        at, more = self.lines[0][1], " " * indent
-        head = [f" def {self.name}():", f"  {names}"]
-        end = ["  if 0: yield"] if self.waits else []  # it is a generator wherever the yields in its text are
-        lines = [*((line, at) for line in head), *self.lines, *((line, at) for line in end)]
-        return [(more + line, where) for line, where in lines] if indent else lines
+    def written(self, shared: Iterable[str], indent: int) -> list[Line]:
+        """The whole function; `shared` are the names that are not its own."""
+        at = self.lines[0].at
+        head = [Line(1, f"def {self.name}():", at), Line(2, f"nonlocal {', '.join(sorted(shared))}", at)]
+        end = [Line(2, "if 0: yield", at)] if self.waits else []  # a generator wherever its yields are
+        return moved([*head, *self.lines, *end], indent)
 
 
 def cut(b: Body, first: int, ends: list[int]) -> None:
@@ -92,16 +94,13 @@ def _shortened(b: Body, statements: list[list[Line]]) -> list[list[Line]]:
 def _is_left(statement: list[Line]) -> bool:
     """Whether some way leads out of the statement to another place than behind it."""
     loops: list[int] = []
-    for line, _ in statement:
-        text = line.lstrip(" ")
-        depth = len(line) - len(text)
-        while loops and depth <= loops[-1]:
+    for line in statement:
+        while loops and line.indent <= loops[-1]:
             loops.pop()
-        breaks = text == "break" or (text.startswith("if ") and text.endswith(": break"))
-        if text.startswith(_LEAVES) or text.endswith("; continue") or (breaks and not loops):
+        if line.kind == LEAVES or (line.kind == BREAK and not loops):
             return True
-        if text.startswith(("while ", "for ")) and text.endswith(":"):
-            loops.append(depth)
+        if line.kind == LOOP:
+            loops.append(line.indent)
     return False
 
 
@@ -114,9 +113,8 @@ def _moved(b: Body, run: list[list[Line]], length: int) -> list[list[Line]]:
 
 def _part(b: Body, lines: list[Line]) -> list[Line]:
     """Move lines into a part; the call of it."""
-    waits = any("yield " in line for line, _ in lines)
     b.whole.parts += 1
-    name = f"q{b.whole.parts}"
-    moved = [(line[b.indent - 2 :], at) for line, at in lines]
-    b.parts.append(Part(name, moved, waits, b.function.kind == "sub"))
-    return [(f"{' ' * b.indent}{'yield from ' if waits else ''}{name}()", lines[0][1])]
+    part = Part(f"q{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
+    b.parts.append(part)
+    call, names = (f"yield from {part.name}()", {YIELDS}) if part.waits else (f"{part.name}()", set())
+    return [Line(b.indent, call, lines[0].at, names=names)]

@@ -7,6 +7,7 @@ from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.calls import call
 from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import condition, place, unknown, value
+from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant
@@ -61,8 +62,8 @@ def _guard(b: Body, node: nodes.Stmt) -> None:
     b.noted = True
     b.emit(f"except {b.whole.use('env', 'TROUBLE')} as x:")
     b.emit(f" t = H = {b.whole.use('env', 'failed')}(x, t, {b.whole.line(node.at)})")
+    b.gives_way()
     b.emit(" t, H = yield t")  # ONERROR comes before the next statement, also before one that only computes
-    b.waits = True
 
 
 def inner(b: Body, body: list[nodes.Stmt]) -> None:
@@ -84,14 +85,16 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
 def _assign(b: Body, node: nodes.Assign) -> None:
     target = meant(node.target)
     if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:
-        _give(b, node, *b.targets[target.name])
+        text, kind, scalar = b.targets[target.name]
+        b.spelt(scalar)
+        _give(b, node, text, kind, scalar)
         return
     if type(target) is nodes.Name:
         symbol = target.symbol
         result = b.function.result
         if result is not None and target.args is None and target.name.lower() == result.name.lower():
             b.use_outside(result)
-            _give(b, node, result.python, result.type, result)
+            _give(b, node, b.spelt(result), result.type, result)
             return
         if symbol is None:
             _assign_keyword(b, node, target)
@@ -163,6 +166,7 @@ def _take_or_give(b: Body, text: str, wanted: str) -> None:
     b.flush()
     b.settle()
     take, wait = b.whole.use("env", "take"), b.whole.use("env", "wait_for_semaphore")
+    b.gives_way()
     b.emit(f"while not {take}({text}, {wanted}): t, H = yield {wait}(t, {text})")
     b.emit("H = t")
     b.pending += 1
@@ -195,7 +199,7 @@ def _dim(b: Body, node: nodes.Dim) -> None:
             symbol = variable.symbol
             if symbol is not None and symbol.kind == "variable":
                 where = "" if b.function.kind == "main" else f"{b.function.name.lower()}."
-                b.emit(f"{b.whole.use('env', 'keep')}({where + symbol.name.lower()!r}, {symbol.python})")
+                b.emit(f"{b.whole.use('env', 'keep')}({where + symbol.name.lower()!r}, {b.spelt(symbol)})")
 
 
 def _initialise(b: Body, node: nodes.Dim) -> None:
@@ -232,7 +236,7 @@ def _fill(b: Body, variable: nodes.Variable, symbol: Symbol) -> None:
         return
     texts = [converted(b, value(b, each), symbol.type, each) for each in variable.values]
     b.settle()
-    b.emit(f"{symbol.python}[1:{len(texts) + 1}] = [{', '.join(texts)}]")
+    b.emit(f"{b.spelt(symbol)}[1:{len(texts) + 1}] = [{', '.join(texts)}]")
 
 
 def _nothing(b: Body, node: nodes.Stmt) -> None:
@@ -341,13 +345,13 @@ def _select(b: Body, node: nodes.Select) -> None:
     b.emit(f"{name} = {subject.text}")
     once = loops.is_loop(node)
     if once:
-        b.emit("while True:")
+        b.emit("while True:", LOOP)
         b.indent += 1
     b.loops.append(("select" if once else "", ""))
     _cases(b, node, tests)
     b.loops.pop()
     if once:
-        b.emit("break")
+        b.emit("break", BREAK)
         b.indent -= 1
         loops.go_on_leaving(b)
 
@@ -362,7 +366,7 @@ def _cases(b: Body, node: nodes.Select, tests: list[str]) -> None:
             b.emit("if True:")
         inner(b, case.body)
         if many:
-            b.emit(" break")
+            b.emit(" break", BREAK)
         else:
             word = "elif"
         if not case.tests:
@@ -404,7 +408,7 @@ def _end(b: Body, node: nodes.End) -> None:
     b.noted = True
     hear_of_errors(b)
     if b.function.kind == "main" and not b.function.jumps:
-        b.emit("return t")
+        b.emit("return t", LEAVES)
     else:
         b.emit(f"{b.whole.use('env', 'end_main')}(t)")
 
@@ -415,11 +419,11 @@ def leave(b: Body) -> None:
     b.noted = True
     result = b.function.result
     if b.function.jumps:
-        b.emit("return")
+        b.emit("return", LEAVES)
     elif b.function.kind == "sub":
-        b.emit(f"return {result.python}" if result is not None else "return")
+        b.emit(f"return {b.spelt(result)}" if result is not None else "return", LEAVES)
     else:
-        b.emit("return t")
+        b.emit("return t", LEAVES)
 
 
 def _exit(b: Body, node: nodes.Exit) -> None:

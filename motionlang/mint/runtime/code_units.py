@@ -18,18 +18,14 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from types import CellType, CodeType
     from typing import Any
 
 # The file name of generated code, by which tracebacks are told from our own.
 FILE = "<mint>"
-# So many names are looked for one by one; for more a pattern is quicker, which costs start-up time.
-FEW = 50
 # What functions always share.
 TIME = ("t", "H")
-# What the head of a part says instead of the names it shares.
-ALL = "nonlocal *"
 
 
 def given_name(name: str) -> str:
@@ -52,28 +48,26 @@ class Unit:
     """Functions by their `names`, as text until somebody wants their code.
 
     The text begins with the third line of what is compiled; line n of that is line `before` + n of the whole program.
-    `is_part`: one function that is a part of another one, whose variables it shares.
+    `cells` are the shared variables in it.
     """
 
-    __slots__ = ("before", "codes", "is_part", "names", "text")
+    __slots__ = ("before", "cells", "codes", "names", "text")
 
     def __init__(
         self,
         names: tuple[str, ...],
         text: str,
         before: int,
-        is_part: bool = False,
+        cells: tuple[str, ...],
         codes: tuple[CodeType, ...] = (),
     ) -> None:
-        self.names, self.text, self.before, self.is_part, self.codes = names, text, before, is_part, codes
+        self.names, self.text, self.before, self.cells, self.codes = names, text, before, cells, codes
 
-    def compile(self, shared: Collection[str]) -> tuple[CodeType, ...]:
-        """The code of the functions; `shared` are the names of all cells."""
+    def compile(self) -> tuple[CodeType, ...]:
+        """The code of the functions."""
         if not self.codes:
-            used = ", ".join([*TIME, *_named(self.text, shared)])
-            text = f"def _({used}):\n global {', '.join(self.names)}\n{self.text}"
-            if self.is_part:
-                text = text.replace(ALL, f"nonlocal {used}", 1)
+            head = f"def _({', '.join([*TIME, *self.cells])}):\n global {', '.join(self.names)}"
+            text = f"{head}\n{self.text}"
             module = compile(text, FILE, "exec")
             around = next(each for each in module.co_consts if each.__class__ is _CODE)
             self.codes = tuple(
@@ -83,17 +77,7 @@ class Unit:
 
     def payload(self) -> tuple[object, ...]:
         """What `Unit` needs to make it again."""
-        return self.names, "" if self.codes else self.text, self.before, self.is_part, self.codes
-
-
-def _named(text: str, shared: Collection[str]) -> list[str]:
-    """Those of the shared names that a text may use, in order."""
-    if len(shared) > FEW:
-        from re import findall
-
-        words = findall(r"\bv_\w+", text)
-        return sorted(word for word in set(words) if word in shared)
-    return sorted(name for name in shared if name in text and name not in TIME)
+        return self.names, "" if self.codes else self.text, self.before, self.cells, self.codes
 
 
 def _moved(code: CodeType, lines: int) -> CodeType:
@@ -137,13 +121,8 @@ class Code:
 
     def compile_all(self) -> None:
         """Compile the units that are still text."""
-        shared = self.cells()
         for unit in self.units:
-            unit.compile(shared)
-
-    def cells(self) -> set[str]:
-        """The names of all cells."""
-        return {*TIME, *self.shared}
+            unit.compile()
 
     def payload(self) -> tuple[object, ...]:
         """Everything in a form that `marshal` takes, for `loaded`."""
@@ -158,7 +137,7 @@ class Code:
         values: dict[str, object] = dict.fromkeys(TIME, 0.0)
         if self.first is not None:
             exec(self.first, values)
-        cells = {name: _CELL(values.get(name)) for name in self.cells()}
+        cells = {name: _CELL(values.get(name)) for name in (*TIME, *self.shared)}
         for unit in self.units:
             if unit.codes:
                 _bind(unit, namespace, cells)
@@ -175,7 +154,7 @@ def loaded(payload: tuple[object, ...]) -> Code:
 
 
 def _bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]) -> None:
-    for code in unit.compile(cells):
+    for code in unit.compile():
         closure = tuple(cells[name] for name in code.co_freevars)
         namespace[code.co_name] = _FUNCTION(code, namespace, code.co_name, None, closure)
 

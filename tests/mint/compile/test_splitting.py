@@ -7,14 +7,16 @@ reports are the same to the last digit of every time.
 from __future__ import annotations
 
 from pathlib import Path
+from types import CodeType
 
 import pytest
 
 from motionlang import run
+from motionlang.errors import ProgramError
 from motionlang.lang.machine.file import read_machine
 from motionlang.mint import DIALECT
 from motionlang.mint.compile import assembly, loops, splitting
-from motionlang.mint.program import MintProgram, load
+from motionlang.mint.program import MintProgram, compile_source, load
 from motionlang.source import Source
 
 ROOT = Path(__file__).parents[3]
@@ -56,6 +58,24 @@ def test_parts_change_nothing(path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     whole = run(path, machine=settings, cache=False).report
     short_parts(monkeypatch)
     assert run(path, machine=settings, cache=False).report == whole
+
+
+@pytest.mark.parametrize("cut", [False, True], ids=["whole", "in parts"])
+def test_every_line_names_the_variables_that_are_shared(cut: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that a line does not name would be a global of the generated code, and another variable."""
+    if cut:
+        short_parts(monkeypatch)
+    for path in PROGRAMS:
+        try:
+            code = compile_source(Source.read(path), machine_of(path)).code
+        except ProgramError:
+            continue
+        for unit in code.units:
+            inner = list(unit.compile())
+            while inner:
+                each = inner.pop()
+                assert not {*code.shared, "t", "H"} & {*each.co_names}, (path, each.co_name)
+                inner += [const for const in each.co_consts if isinstance(const, CodeType)]
 
 
 def program(text: str) -> MintProgram:

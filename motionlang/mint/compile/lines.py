@@ -1,0 +1,51 @@
+"""The lines of Python that a program becomes, as records: what comes after them asks for fields, never for the text."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from collections.abc import Set as AbstractSet
+
+# Kinds: LOOP is the head of a loop, BREAK leaves the innermost one, LEAVES the function or the stretch between labels.
+PLAIN, LOOP, BREAK, LEAVES = "", "loop", "break", "leaves"
+# Among the names of a line: it holds a `yield`.
+YIELDS = "yield"
+NONE: AbstractSet[str] = frozenset()
+
+
+class Line:
+    """`text` stands `indent` blanks from the left; `at` is its place in the program.
+
+    `kind` is one of those above; `names` are the variables in it, and `YIELDS`; `cost` is how many statements it pays
+    for, where it does nothing else.
+    """
+
+    __slots__ = ("at", "cost", "indent", "kind", "names", "text")
+
+    def __init__(
+        self,
+        indent: int,
+        text: str,
+        at: int,
+        kind: str = PLAIN,
+        names: AbstractSet[str] = NONE,
+        cost: int = 0,
+    ) -> None:
+        self.indent, self.text, self.at = indent, text, at
+        self.kind, self.names, self.cost = kind, names, cost
+
+
+def moved(found: Iterable[Line], by: int) -> list[Line]:
+    """The lines so many blanks further in."""
+    return [Line(line.indent + by, line.text, line.at, line.kind, line.names, line.cost) for line in found]
+
+
+def names_in(found: Iterable[Line]) -> set[str]:
+    """All names of some lines."""
+    return set().union(*[line.names for line in found])
+
+
+def text_of(found: Iterable[Line]) -> str:
+    """The lines as text."""
+    return "\n".join([" " * line.indent + line.text for line in found])
