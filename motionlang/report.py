@@ -25,6 +25,9 @@ SCHEMA = "motionlang.report/1"
 END_OF_RUN = "end-of-run"
 # What an axis's position comes from: without a simulated motor feedback equals demand.
 DEMAND, MOTOR = "demand", "simulated motor"
+# The fields before the moves and the events, and these.
+_FIRST = ("schema", "program", "dialect", "status", "time", "output")
+_LISTS = ("moves", "events")
 # Moves that are written in one piece.
 AT_ONCE = 1000
 
@@ -53,6 +56,18 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     if whole:
         tail["readings"] = readings(run)
     return _document(_head(run), {"moves": moves(run), "events": events(run)}, tail)
+
+
+def rendered(document: Row) -> str:
+    """A report that is there as data, in the same form."""
+    head = {name: value for name, value in document.items() if name in _FIRST}
+    lists: dict[str, Iterator[Row]] = {
+        name: iter(document.get(name, ()))  # type: ignore[call-overload]
+        for name in _LISTS
+        if name in document
+    }
+    tail = {name: value for name, value in document.items() if name not in (*_FIRST, *_LISTS)}
+    return "".join(_document(head, lists, tail))
 
 
 def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:

@@ -1,13 +1,14 @@
 """What the documents show is what the program does: their code blocks are run.
 
 ` ```console ` blocks hold `$ motionlang …` lines, each followed by its exact output; `…` alone on a line stands for
-lines left out. `$ cat FILE` shows a file, and makes one that is not there. ` ```mint ` and ` ```mccl ` blocks are
-programs that run without a complaint, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed. Blocks
-of other kinds (`sh` for set-up) are for reading.
+lines left out. `$ cat FILE` shows a file, and makes one that is not there; `< FILE` is standard input. ` ```mint ` and
+` ```mccl ` blocks are programs that run without a complaint, ` ```toml ` blocks are machine files, ` ```python `
+blocks are executed. Blocks of other kinds (`sh` for set-up) are for reading.
 """
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import shlex
@@ -64,12 +65,17 @@ def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("at_root")
 @pytest.mark.parametrize(("kind", "text"), blocks("console"))
-def test_console(kind: str, text: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_console(
+    kind: str, text: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     for command, shown in commands(text):
         words = shlex.split(command, comments=True)
         if words[0] == "cat" and not Path(words[1]).exists():
             Path(words[1]).parent.mkdir(exist_ok=True)
             Path(words[1]).write_text(shown, encoding="utf-8")
+        if "<" in words:
+            *words, _, given = words
+            monkeypatch.setattr("sys.stdin", io.StringIO(Path(given).read_text(encoding="utf-8")))
         output = answer(words, capsys)
         assert matches(shown, output), f"$ {command}\n{output}"
 

@@ -273,7 +273,7 @@ def _add_verify(commands: Commands) -> None:
     )
     parser.add_argument("--update", action="store_true", help="write the golden files anew")
     parser.add_argument(
-        "--review", action="store_true", help="ask of each program that differs whether that is accepted"
+        "--review", action="store_true", help="ask of each change of each program whether it is accepted"
     )
     _add_form(parser)
     add_jobs(parser)
@@ -282,8 +282,8 @@ def _add_verify(commands: Commands) -> None:
 def _verify(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     from motionlang.cli.verify import verify_command
 
-    if arguments.review and (arguments.update or not sys.stdin.isatty() or arguments.format != "text"):
-        parser.error("--review asks at a terminal; --update accepts everything")
+    if arguments.review and (arguments.update or arguments.format != "text"):
+        parser.error("--review asks, and goes with neither --update, which accepts everything, nor --format")
     return verify_command(
         arguments.paths, arguments.update, arguments.format, arguments.jobs, arguments.review
     )

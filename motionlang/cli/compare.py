@@ -51,6 +51,27 @@ def add_parser(commands: Commands) -> None:
         "recording", metavar="CSV", help="what was recorded, in columns; - reads standard input"
     )
     add_machine(parser)
+    add_mapping(parser)
+    parser.add_argument(
+        "--tolerance",
+        action="append",
+        default=[],
+        type=_tolerance,
+        metavar="[WHAT=]X",
+        help="the largest residual allowed in user units: of every position, of position.0 …; may be repeated",
+    )
+    parser.add_argument(
+        "--until", type=machine_time, metavar="S", help="end the run after S seconds of machine time"
+    )
+    parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page to look around in")
+    parser.add_argument(
+        "--all", action="store_true", help="every move with its phases, however many there are"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+
+
+def add_mapping(parser: argparse.ArgumentParser) -> None:
+    """What a recording's columns are, and how late it is."""
     parser.add_argument(
         "--map",
         action="append",
@@ -61,27 +82,11 @@ def add_parser(commands: Commands) -> None:
         "repeated",
     )
     parser.add_argument(
-        "--tolerance",
-        action="append",
-        default=[],
-        type=_tolerance,
-        metavar="[WHAT=]X",
-        help="the largest residual allowed in user units: of every position, of position.0 …; may be repeated",
-    )
-    parser.add_argument(
         "--delay",
         type=_seconds,
         metavar="S",
         help="seconds that the recording is later than the run; found without it",
     )
-    parser.add_argument(
-        "--until", type=machine_time, metavar="S", help="end the run after S seconds of machine time"
-    )
-    parser.add_argument("--plot", metavar="PAGE", help="draw both into an .html page to look around in")
-    parser.add_argument(
-        "--all", action="store_true", help="every move with its phases, however many there are"
-    )
-    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
 def _mapped(text: str) -> Mapped:
@@ -124,20 +129,26 @@ def _command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> 
     result = _ran(arguments, parser)
     if result is None:
         return 1
+    return hold_against(result, arguments.recording, dict(arguments.tolerance), arguments)
+
+
+def hold_against(result: Run, path: str, tolerances: dict[str, float], arguments: argparse.Namespace) -> int:
+    """Hold a recording against a run and tell; answers with the exit status.
+
+    The other arguments are `map`, `delay`, `plot`, `all` and `json`, as `compare` and `diff` have them.
+    """
     try:
-        recording = read_source(arguments.recording)
+        recording = read_source(path)
     except OSError as error:
-        complain([unreadable(arguments.recording, error)], None, arguments.recording)
+        complain([unreadable(path, error)], None, path)
         return 1
     try:
-        made = compare(
-            result, recording, arguments.map, tolerances=dict(arguments.tolerance), delay=arguments.delay
-        )
+        made = compare(result, recording, arguments.map, tolerances=tolerances, delay=arguments.delay)
     except ProgramError as error:
-        complain(error.diagnostics, recording, arguments.recording)
+        complain(error.diagnostics, recording, path)
         return 1
     _show(made, arguments)
-    complain(made.remarks, recording, arguments.recording)
+    complain(made.remarks, recording, path)
     status = _plot(made, arguments.plot) if arguments.plot is not None else 0
     return 1 if made.is_within is False else status
 

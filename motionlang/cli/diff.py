@@ -1,4 +1,4 @@
-"""`motionlang diff A [B]`: two programs, two machines, two variants, or a program and its golden files."""
+"""`motionlang diff A [B]`: two programs, machines or variants, or a program and its golden files or a recording."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
+from motionlang.cli.compare import add_mapping, hold_against
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
@@ -26,11 +27,12 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.result import Run
 
-SUMMARY = "tell what a change did: two programs, machines or variants, or a program and its golden files"
+SUMMARY = "tell what is otherwise: two programs, machines or variants, or a program and its golden files or a recording"
 EPILOG = """\
-A and B are programs, or reports as `run --report json` writes them. Without B, A is compared with its golden files, or,
-where --set-b or --machine-b says what is otherwise, with itself. Moves and prints are aligned by what they are, not by
-their numbers: a line that is put in somewhere is no difference.
+A and B are programs, or reports as `run --report json` writes them; B may also be what a real controller recorded, in
+columns, which is held against the run of A as `compare` does. Without B, A is compared with its golden files, or, where
+--set-b, --machine-b or --variant-b says what is otherwise, with itself. Moves, prints and events are aligned by what
+they are, not by their numbers: a line that is put in somewhere is no difference.
 
 exit status: 0 nothing is otherwise; 1 something is; 2 the command line is wrong
 
@@ -39,7 +41,11 @@ examples:
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
   motionlang diff pick.mnt --set-b rate=2000              one variant beside another
   motionlang diff pick.mnt --machine-b worn.machine.toml
+  motionlang diff pick.mnt --variant-a 0 --variant-b 12   two variants of pick.sweep.toml
+  motionlang diff pick.mnt drive.csv --map position.0=PosAct --tolerance position=0.05uu
 """
+# What a recording is called; anything else is a program or a report.
+RECORDED = (".csv", ".tsv", ".dat")
 
 
 def add_parser(commands: Commands) -> None:
@@ -65,6 +71,13 @@ def add_parser(commands: Commands) -> None:
             metavar="NAME=VALUE",
             help=f"as --set of run, for {side.upper()}",
         )
+        add(
+            f"--variant-{side}",
+            type=int,
+            metavar="N",
+            help=f"{side.upper()} is variant N of the sweep beside the program",
+        )
+    add_mapping(parser)
     add("--tolerance", action="append", default=[], metavar="WHAT=SIZE",
         help="time=1ms, position=0.01uu, speed=2%%: what differs by less is the same; may be repeated")  # fmt: skip
     add("--until", type=machine_time, metavar="S", help="end the runs after S seconds of machine time")
@@ -83,8 +96,12 @@ def diff_command(arguments: argparse.Namespace) -> int:
     if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
         parser.error("--plot draws .html pages here")
     other = arguments.b
-    if other is None and (arguments.set_b or arguments.machine_b):
+    if other is None and (arguments.set_b or arguments.machine_b or arguments.variant_b is not None):
         other = arguments.a
+    if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
+        return _recorded(arguments, other, tolerance)
+    if arguments.map or arguments.delay is not None:
+        parser.error(f"--map and --delay go with a recording as B: {', '.join(RECORDED)}")
     if other is None and arguments.a.lower().endswith(".json"):
         parser.error("a report is compared with another one: give B")
     golden = other is None
@@ -109,6 +126,17 @@ def diff_command(arguments: argparse.Namespace) -> int:
     if arguments.plot is not None:
         status = max(status, _plot(old_run, new_run, arguments.plot, parser))
     return status
+
+
+def _recorded(arguments: argparse.Namespace, path: str, tolerance: Tolerance) -> int:
+    """A run held against a recording; answers with the exit status."""
+    if arguments.a.lower().endswith(".json"):
+        arguments.parser.error("a recording is held against a program, and A is a report")
+    read = _side(arguments, "a", arguments.a)
+    if read is None or read[1] is None:
+        return 1
+    sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
+    return hold_against(read[1], path, {name: size for name, size in sizes.items() if size}, arguments)
 
 
 def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.ArgumentParser) -> int:
@@ -143,6 +171,9 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
             except ProgramError as error:
                 complain(error.diagnostics, Source.read(machine), machine)
                 return None
+        variant = getattr(arguments, f"variant_{side}")
+        if variant is not None:
+            settings, overrides = _variant(path, variant, settings, overrides)
         result = run(
             path, dialect=arguments.dialect, machine=settings, until=arguments.until, overrides=overrides
         )
@@ -153,7 +184,36 @@ def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str
         complain([unreadable(str(error.filename or path), error)], None, path)
     except ProgramError as error:
         complain(error.diagnostics, None, path)
+    except ValueError as error:
+        sys.stderr.write(f"{path}: {error}\n")
     return None
+
+
+def _variant(
+    program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
+) -> tuple[dict[str, object], dict[str, float | str]]:
+    """Settings and overrides of a variant of the sweep that lies beside a program; ValueError where there is none."""
+    from motionlang.sweeps import Sweep
+    from motionlang.sweeps.description import SUFFIX, read_description
+
+    path = os.path.splitext(program)[0] + SUFFIX
+    if not os.path.isfile(path):
+        raise ValueError(f"there is no {os.path.basename(path)} beside it of which this could be a variant")
+    wishes = read_description(path)
+    worlds = wishes.worlds()
+    made = Sweep(
+        program,
+        wishes.space(worlds),
+        machine=settings,
+        overrides=overrides,
+        worlds=worlds,
+        until=wishes.until,
+    )
+    if not 0 <= number < len(made.space):
+        raise ValueError(
+            f"there is no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}"
+        )
+    return made.job.of(made.space[number])
 
 
 def _golden(program: str) -> tuple[dict[str, Any], Run | None] | None:
@@ -194,6 +254,7 @@ def _data(found: Any, parted: Any) -> dict[str, Any]:
         "gone": found.gone,
         "new": found.new,
         "prints": [dict(zip(("old", "new", "was", "is"), each, strict=True)) for each in found.prints],
+        "events": [dict(zip(("was", "is", "later"), each, strict=True)) for each in found.events],
         "errors": [{"how": how, "what": what} for how, what in found.errors],
         "others": found.others,
         "parting": None if parted is None else {name: getattr(parted, name) for name in parted.__slots__},

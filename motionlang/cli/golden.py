@@ -54,7 +54,7 @@ def differences(program: str, result: Run) -> list[str]:
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read()
-        if lines != _printed(result) and expected.get("output") == result.output:
+        if lines != _lines(result.output) and expected.get("output") == result.output:
             found.append(f"the printed output is not that of {os.path.basename(printed)}")
     return found
 
@@ -66,22 +66,26 @@ def update(program: str, result: Run) -> bool:
             return False
     except (OSError, ValueError):
         pass  # one is missing, or is no JSON
-    report, printed = golden_files(program)
-    _write(report, text(result, whole=False))
-    if result.output:
-        _write(printed, _printed(result))
-    elif os.path.exists(printed):
-        os.remove(printed)
+    write(program, text(result, whole=False), result.output)
     return True
 
 
-def _printed(result: Run) -> str:
-    return "".join(line + "\n" for line in result.output)
-
-
-def _write(path: str, content: str) -> None:
+def write(program: str, report: str, output: Sequence[str]) -> None:
+    """Write both golden files of a program, or neither. OSError names the file."""
+    path, printed = golden_files(program)
     with replacing(path, only_copy=True) as file:
-        file.write(content.encode())
+        file.write(report.encode())
+        file.flush()  # the disk has it before the other one is there
+        os.fsync(file.fileno())
+        if output:
+            with replacing(printed, only_copy=True) as other:
+                other.write(_lines(output).encode())
+        elif os.path.exists(printed):
+            os.remove(printed)
+
+
+def _lines(output: Sequence[str]) -> str:
+    return "".join(line + "\n" for line in output)
 
 
 def same(expected: object, found: object) -> bool:

@@ -12,10 +12,12 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritte
 from motionlang.cli.crash import crash
 from motionlang.cli.golden import differences, golden_files, programs, update
 from motionlang.cli.parallel import in_parallel
+from motionlang.cli.review import NobodyAnswers, Quit, ask, review
 from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_besides import besides, expectations
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
+from motionlang.scenarios import Scenario, unmet
 from motionlang.source import Source
 
 if TYPE_CHECKING:
@@ -24,10 +26,14 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
 SCHEMA = "motionlang.verify/1"
+NOBODY = """\
+--review asks of each change, and nobody answers: standard input is at its end. Run it in a terminal, pipe the answers,
+a line each, or accept everything with --update. The golden files of this program are as they were.
+"""
 
 
 def verify_command(
-    paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0, review: bool = False
+    paths: Sequence[str], rewrite: bool, form: str = "text", jobs: int = 0, asks: bool = False
 ) -> int:
     """Verify programs, or write their golden files anew; 1 where one differs, cannot be read or has none."""
     found = programs(paths)
@@ -35,6 +41,7 @@ def verify_command(
         sys.stderr.write(f"no programs in {', '.join(paths)}\n")
         return 1
     verdicts: list[Verdict] = []
+    quits = False
     for each in in_parallel(partial(_judged, rewrite), found, jobs):
         for verdict in each:
             verdicts.append(verdict)
@@ -42,8 +49,14 @@ def verify_command(
                 complain(verdict.diagnostics, verdict.source, verdict.place)
             if form == "text":
                 sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
-            if review and verdict.failed and verdict.lines:
-                _review(each[0].name, verdict)
+            if asks and verdict.failed and verdict.lines and not quits:
+                try:
+                    _review(each[0].name, verdict)
+                except Quit:
+                    quits = True
+                except NobodyAnswers:
+                    sys.stderr.write(NOBODY)
+                    return 2
     if form == "text":
         good = f"{_count(verdicts, 'program')}{_besides(verdicts)}"
         sys.stdout.write(f"{good} {'have their golden files' if rewrite else 'as their golden files say'}\n")
@@ -60,20 +73,32 @@ def verify_command(
 
 
 def _review(program: str, verdict: Verdict) -> None:
-    """Ask whether what is otherwise is accepted; if so the golden files are written anew, and nothing failed."""
+    """Ask of each change whether it is accepted; what golden files have no say in stays as it failed."""
     sys.stdout.flush()
-    answer = input(f"{verdict.name}: accept? [y]es, [n]o, [q]uit: ").strip().lower()[:1]
+    try:
+        if verdict.kind == "sweep":
+            _review_rows(program, verdict)
+        elif verdict.kind == "program":
+            result = run(program, cache=False)
+            as_golden = review(program, result)
+            verdict.failed = not as_golden or bool(expectations(result))
+        elif os.path.exists(golden_files(verdict.name)[0]):
+            scenario = Scenario(program, verdict.name)
+            result = scenario.run()
+            as_golden = review(verdict.name, result)
+            verdict.failed = not as_golden or bool(unmet(result, scenario.expected))
+    except (OSError, ValueError, ProgramError) as error:
+        sys.stderr.write(f"{verdict.name}: nothing is written: {error}\n")
+
+
+def _review_rows(program: str, verdict: Verdict) -> None:
+    answer = ask(f"{verdict.name}: accept these rows?", "ynq")
     if answer == "q":
-        raise KeyboardInterrupt
-    if answer != "y":
-        return
-    again = Verdict(verdict.name, verdict.kind)
-    if verdict.kind == "program":
-        _update(again)
-    else:
+        raise Quit
+    if answer == "y":
         (again,) = besides(program, True, verdict.name)
-    verdict.failed = again.failed
-    complain(again.diagnostics, again.source, again.place)
+        verdict.failed = again.failed
+        complain(again.diagnostics, again.source, again.place)
 
 
 def _count(verdicts: Sequence[Verdict], kind: str) -> str:

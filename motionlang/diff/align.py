@@ -25,7 +25,22 @@ def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
         return None
     pairs = [(n, n) for n in range(first)]
     pairs += [(first + i, first + j) for i, j in middle]
-    return pairs + [(len(a) - n, len(b) - n) for n in range(last, 0, -1)]
+    pairs += [(len(a) - n, len(b) - n) for n in range(last, 0, -1)]
+    return _latest(pairs, a, b)
+
+
+def _latest(pairs: Pairs, a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs:
+    """The same with what was put in or taken out as late as it can be: of a loop that runs on, the last turns."""
+    made: Pairs = []
+    i_last = j_last = -1
+    for i, j in pairs:
+        if i == i_last + 1 and b[j_last + 1] == a[i]:
+            j = j_last + 1
+        elif j == j_last + 1 and a[i_last + 1] == b[j]:
+            i = i_last + 1
+        made.append((i, j))
+        i_last, j_last = i, j
+    return made
 
 
 def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:

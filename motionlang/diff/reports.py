@@ -7,26 +7,32 @@ is compared.
 
 from __future__ import annotations
 
-import heapq
 import json
 import re
+from bisect import bisect_right
+from math import inf
 from typing import Any
 
-from motionlang.diff.align import aligned
+from motionlang.diff.align import aligned, common
+from motionlang.diff.timeline import Timeline
 from motionlang.diff.tolerance import EXACT, Tolerance
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping
 
     Report = Mapping[str, Any]
     Move = dict[str, Any]
+    # Places in the old and the new list, and the number of what is otherwise there; None where nothing is.
+    Pair = tuple[int | None, int | None, int | None]
 
 _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")
 # The fields that are compared by themselves, and those that say where something stands and not what it is.
-OWN = ("schema", "program", "time", "status", "moves", "output", "diagnostics", "readings")
+OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "readings")
 PLACES = ("line", "column")
+# Events whose figures are positions; those of the others are speeds.
+PLACED = ("limit", "soft limit", "following error")
 
 
 class LineChange:
@@ -46,9 +52,14 @@ class LineChange:
 
 
 class Difference:
-    """How one report differs from another; `same` where it does not."""
+    """How one report differs from another; `same` where it does not.
 
-    __slots__ = ("errors", "gone", "lines", "moved", "moves", "new", "others", "prints", "status", "time")
+    `pairs` has every move of both beside its other one, and the `LineChange` that tells of them; `hunks` by such places
+    which moves were put in or taken out together; `printed`, `happened` and `told` the same of prints, events, errors.
+    """
+
+    __slots__ = ("errors", "events", "fields", "gone", "happened", "hunks", "later", "lines", "moved", "moves", "new",
+                 "pairs", "printed", "prints", "status", "tail", "time", "told")  # fmt: skip
 
     def __init__(self) -> None:
         self.time: tuple[float, float] | None = None
@@ -59,9 +70,26 @@ class Difference:
         self.new: list[Move] = []
         # Lines that have become other ones, which is no difference.
         self.moved: dict[int, int] = {}
+        # How much later the run ends after its last motion.
+        self.tail = 0.0
         self.prints: list[tuple[int | None, int | None, str, str]] = []
+        # What was and what is; None where it is gone or new. Of those that come later by themselves: by how much.
+        self.events: list[tuple[Move | None, Move | None, float]] = []
         self.errors: list[tuple[str, str]] = []
-        self.others: list[str] = []
+        # What else is otherwise, by the field of the report.
+        self.fields: dict[str, list[str]] = {}
+        self.pairs: list[tuple[int | None, int | None, LineChange | None]] = []
+        self.hunks: dict[tuple[int | None, int | None], int] = {}
+        # When moves began and ended, on which axis, and how much later that is.
+        self.later: list[tuple[float, int, float]] = []
+        self.printed: list[Pair] = []
+        self.happened: list[Pair] = []
+        self.told: list[Pair] = []
+
+    @property
+    def others(self) -> list[str]:
+        """What else is otherwise, of all fields."""
+        return [line for lines in self.fields.values() for line in lines]
 
     @property
     def same(self) -> bool:
@@ -72,9 +100,11 @@ class Difference:
             or self.lines
             or self.gone
             or self.new
+            or self.tail
             or self.prints
+            or self.events
             or self.errors
-            or self.others
+            or self.fields
         )
 
     @property
@@ -89,13 +119,21 @@ class Difference:
 _NEEDED = {"axis": int, "command": str, "line": int, "start_time": float, "phases": list}
 
 
+def end_of(report: Report) -> Move:
+    """The end of a run, as a move that begins there."""
+    return {"start_time": report.get("time", 0.0), "duration": None}
+
+
 def check(report: object) -> None:
     """ValueError where something is no report of a run, or has lost a part."""
     if not isinstance(report, dict) or not str(report.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is no report of a run")
-    for name in ("moves", "output", "diagnostics"):
+    for name in ("moves", "output", "events", "diagnostics"):
         if not isinstance(report.get(name, []), list):
             raise ValueError(f"its {name} are no list")
+    for number, event in enumerate(report.get("events", [])):
+        if not isinstance(event, dict) or not {"kind", "time"} <= event.keys():
+            raise ValueError(f"its event {number} has no kind or time")
     for number, move in enumerate(report.get("moves", [])):
         lacks = [
             name
@@ -119,16 +157,25 @@ def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Differ
         found.time = old.get("time", 0.0), new.get("time", 0.0)
     if old.get("status") != new.get("status"):
         found.status = str(old.get("status")), str(new.get("status"))
-    _moves(found, old.get("moves", []), new.get("moves", []), tolerance)
+    line = Timeline()
+    _moves(found, old.get("moves", []), new.get("moves", []), tolerance, line)
+    tail, _ = line.pair(end_of(old), end_of(new))
+    if found.time is not None and not tolerance.same(found.time[0] + tail, found.time[0], "time"):
+        found.tail = tail
     _prints(found, old.get("output", []), new.get("output", []))
+    _events(found, old.get("events", []), new.get("events", []), tolerance)
     _errors(found, old.get("diagnostics", []), new.get("diagnostics", []))
     for name in sorted(old.keys() | new.keys()):
-        if name not in OWN:
-            found.others += _others(name, old.get(name), new.get(name), tolerance)
+        if name not in OWN and (lines := list(_others(name, old.get(name), new.get(name), tolerance))):
+            found.fields[name] = lines
     return found
 
 
 # ------------------------------------------------------------------------------------------------------ moves
+
+
+def _by_figures(move: Any) -> tuple[object, ...]:
+    return *_by_content(move), _rounded(move["duration"]), _rounded(move.get("peak_speed"))
 
 
 def _by_content(move: Any) -> tuple[object, ...]:
@@ -139,33 +186,70 @@ def _by_kind(move: Any) -> tuple[object, ...]:
     return move["axis"], move["command"]
 
 
+def _at_lines(old: list[Move], new: list[Move], content: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Besides by what a move is, by the line that ordered it: as it is in the new program, where that is plain.
+
+    Reports have no text; a line is known again by the moves that it orders, in the order of the lines.
+    """
+    here = [_lines_of(moves) for moves in (old, new)]
+    pairs = common([kinds for _, kinds in here[0]], [kinds for _, kinds in here[1]]) or []
+    now = {here[0][i][0]: here[1][j][0] for i, j in pairs}
+    known, olds = set(now.values()), {id(move) for move in old}
+
+    def key(move: Any) -> tuple[object, ...]:
+        line = move["line"]
+        if id(move) in olds:
+            return now.get(line, -line), *content(move)
+        return line if line in known else None, *content(move)
+
+    return key
+
+
+def _lines_of(moves: list[Move]) -> list[tuple[int, frozenset[object]]]:
+    found: dict[int, set[object]] = {}
+    for move in moves:
+        found.setdefault(move["line"], set()).add((move["axis"], move["command"]))
+    return [(line, frozenset(found[line])) for line in sorted(found)]
+
+
 def _rounded(value: object) -> object:
     return round(value, 6) + 0.0 if isinstance(value, float) else value
 
 
-def _moves(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance) -> None:
+def _moves(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance, line: Timeline) -> None:
     found.moves = len(old), len(new)
     changes: dict[tuple[int, int, int, str], LineChange] = {}
     lines: dict[int, set[int]] = {}
-    gaps = _Gaps()
-    for i, j in aligned(old, new, _by_content, _by_kind):
+    hunk, last = 0, True
+    exact = _at_lines(old, new, _by_figures)
+    for i, j in aligned(old, new, exact, _by_figures, _by_content, _by_kind):
         if i is None or j is None:
+            hunk += last
+            last = False
+            found.hunks[i, j] = hunk
+            found.pairs.append((i, j, None))
             if j is None and i is not None:
                 found.gone.append(old[i])
+                line.alone(old[i], 0, False)
             elif j is not None:
                 found.new.append(new[j])
+                line.alone(new[j], 1, True)
             continue
+        last = True
         a, b = old[i], new[j]
         lines.setdefault(a["line"], set()).add(b["line"])
-        wait = gaps.between(a, b)
+        wait, _ = line.pair(a, b)
+        found.later += _moments(a, b)
         figures = {name: pair for name, *pair in _figures(a, b, tolerance)}
         later = not tolerance.same(a["start_time"] + wait, a["start_time"], "start_time") and abs(wait) > 1e-9
         if not figures and not later:
+            found.pairs.append((i, j, None))
             continue
         key = a["line"], b["line"], a["axis"], a["command"]
         change = changes.get(key)
         if change is None:
             change = changes[key] = LineChange(*key, b["start_time"])
+        found.pairs.append((i, j, change))
         change.count += 1
         change.duration += (b["duration"] or 0.0) - (a["duration"] or 0.0) if "duration" in figures else 0.0
         change.wait += wait if later else 0.0
@@ -175,29 +259,19 @@ def _moves(found: Difference, old: list[Move], new: list[Move], tolerance: Toler
     found.moved = {was: next(iter(now)) for was, now in lines.items() if len(now) == 1 and now != {was}}
 
 
-class _Gaps:
-    """How much later a move begins after the last that was over before it, than it did: not its own, but a wait's."""
-
-    __slots__ = ("_ends", "_last")
-
-    def __init__(self) -> None:
-        self._ends: list[tuple[float, float]] = []
-        self._last = (0.0, 0.0)
-
-    def between(self, a: Move, b: Move) -> float:
-        start: float = a["start_time"]
-        while self._ends and self._ends[0][0] <= start + 1e-9:
-            self._last = max(self._last, heapq.heappop(self._ends))
-        shift = b["start_time"] - start
-        wait: float = shift - self._last[1]
-        if a["duration"] is not None and b["duration"] is not None:
-            heapq.heappush(self._ends, (start + a["duration"], shift + b["duration"] - a["duration"]))
-        return wait
+def _moments(a: Move, b: Move) -> list[tuple[float, int, float]]:
+    begin, shift = a["start_time"], b["start_time"] - a["start_time"]
+    if a["duration"] is None or b["duration"] is None:
+        return [(begin, a["axis"], shift)]
+    return [
+        (begin, a["axis"], shift),
+        (begin + a["duration"], a["axis"], shift + b["duration"] - a["duration"]),
+    ]
 
 
 def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
     """The fields in which two moves differ, with both values."""
-    for name in ("duration", "distance", "start", "end", "peak_speed", "profile", "ended"):
+    for name in ("duration", "distance", "start", "end", "peak_speed", "asked_speed", "profile", "ended"):
         if not tolerance.same(a.get(name), b.get(name), name):
             yield name, a.get(name), b.get(name)
     one, other = a.get("phases", []), b.get("phases", [])
@@ -222,8 +296,57 @@ def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any,
 def _prints(found: Difference, old: list[str], new: list[str]) -> None:
     for i, j in aligned(old, new, str, lambda text: _FIGURES.sub("", str(text))):
         was, is_ = "" if i is None else old[i], "" if j is None else new[j]
-        if i is None or j is None or was != is_:
+        otherwise = i is None or j is None or was != is_
+        found.printed.append((i, j, len(found.prints) if otherwise else None))
+        if otherwise:
             found.prints.append((None if i is None else i + 1, None if j is None else j + 1, was, is_))
+
+
+def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance) -> None:
+    """Events by what happened where; one that comes later as the motion does is none that is otherwise."""
+    shifts = sorted(found.later)
+    for i, j in aligned(old, new, _by_happening, _by_axis):
+        was, is_ = None if i is None else old[i], None if j is None else new[j]
+        later = 0.0
+        otherwise = was is None or is_ is None
+        if was is not None and is_ is not None:
+            kind = "position" if was["kind"] in PLACED else "peak_speed"
+            otherwise = was.get("text") != is_.get("text") or not all(
+                tolerance.same(was.get(name), is_.get(name), kind) for name in ("value", "limit")
+            )
+            shift = is_["time"] - was["time"]
+            if not any(
+                tolerance.same(was["time"] + each, is_["time"], "time") for each in _later(shifts, was)
+            ):
+                later, otherwise = shift, True
+        found.happened.append((i, j, len(found.events) if otherwise else None))
+        if otherwise:
+            found.events.append((was, is_, later))
+
+
+def _later(shifts: list[tuple[float, int, float]], event: Move) -> list[float]:
+    """By how much an event may come later: not at all, as the last motion, or as the last one of its axis."""
+    found = [0.0]
+    place = bisect_right(shifts, (event["time"] + 1e-9, inf)) - 1
+    if place >= 0:
+        found.append(shifts[place][2])
+    while place >= 0 and shifts[place][1] != event.get("axis"):
+        place -= 1
+    return [*found, shifts[place][2]] if place >= 0 else found
+
+
+def _by_happening(event: Any) -> tuple[object, ...]:
+    return (
+        event["kind"],
+        event.get("axis"),
+        _rounded(event.get("value")),
+        _rounded(event.get("limit")),
+        event.get("text"),
+    )
+
+
+def _by_axis(event: Any) -> tuple[object, ...]:
+    return event["kind"], event.get("axis")
 
 
 def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
@@ -231,6 +354,7 @@ def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
     told = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
     tells = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
     for i, j in aligned(told, tells, str):
+        found.told.append((i, j, len(found.errors) if i is None or j is None else None))
         if j is None and i is not None:
             found.errors.append(("gone", told[i]))
         elif i is None and j is not None:

@@ -8,10 +8,13 @@ from motionlang.diff.tolerance import FIELDS
 from motionlang.views.terminal import printable, styled
 
 if TYPE_CHECKING:
+    from motionlang.diff.accept import Change
     from motionlang.diff.motion import Parting
     from motionlang.diff.reports import Difference, LineChange
 
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
+# Figures of a motor that no tube is about.
+MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
 # Entries of a kind that are told one by one.
 MOST = 12
 
@@ -31,10 +34,10 @@ def diff_lines(
     out += _first([_line(each) for each in by_time], most, "lines")
     out += _first([f"no more: {_move(each)}" for each in found.gone], most, "moves that are gone")
     out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
+    out += [_tail(found.tail)] if found.tail else []
     out += _first([_print(*each) for each in found.prints], most, "printed lines")
-    out += _first(
-        [f"{'no more' if how == 'gone' else 'new'}: {what}" for how, what in found.errors], most, "errors"
-    )
+    out += _first([_event(*each) for each in found.events], most, "events")
+    out += _first([_error(*each) for each in found.errors], most, "errors")
     out += _first(found.others, most, "others")
     if parted is not None:
         out.append(
@@ -65,8 +68,10 @@ def _line(change: LineChange) -> str:
 
 
 def _figure(name: str, was: Any, is_: Any) -> str:
-    kind = FIELDS.get(name, "" if name.endswith("distance") else "time" if isinstance(was, float) else "")
-    unit = UNITS.get(kind, "uu" if name.endswith("distance") else "")
+    if name in MOTOR_UNITS or name.endswith("distance"):
+        unit = MOTOR_UNITS.get(name, "uu")
+    else:
+        unit = UNITS.get(FIELDS.get(name, "time" if isinstance(was, float) else ""), "")
     one, other = _value(was), _value(is_)
     if one == other and isinstance(was, float) and isinstance(is_, float):
         one, other = f"{was:.12g}", f"{is_:.12g}"
@@ -82,6 +87,62 @@ def _move(move: dict[str, Any]) -> str:
         f"line {move['line']}: {move['command']} of axis {move['axis']} by {_value(move['distance'])} uu "
         f"at {move['start_time']:.6f} s"
     )
+
+
+def change_lines(found: Difference, change: Change) -> list[str]:
+    """One change by itself, as it is asked about."""
+    kind, what = change.kind, change.what
+    if kind == "status":
+        return diff_lines(found, most=0)[:1]
+    if kind == "line":
+        return [_line(what)]
+    if kind == "moves":
+        gone, new = iter(found.gone), iter(found.new)
+        told = []
+        for (i, _), number in found.hunks.items():
+            move = next(gone if i is not None else new)
+            if number == what:
+                told.append(f"{'new' if i is None else 'no more'}: {_move(move)}")
+        return _first(told, MOST, "such moves")
+    if kind == "field":
+        return _first(found.fields[what], MOST, "others")
+    if kind == "end":
+        return [_tail(found.tail)]
+    if kind == "print":
+        return [_print(*found.prints[what])]
+    return [_event(*found.events[what])] if kind == "event" else [_error(*found.errors[what])]
+
+
+def _tail(seconds: float) -> str:
+    return f"the run ends {seconds:+.6f} s after its last motion"
+
+
+def _error(how: str, what: str) -> str:
+    return f"{'no more' if how == 'gone' else 'new'}: {printable(what)}"
+
+
+def _event(was: Any, is_: Any, later: float) -> str:
+    if was is None or is_ is None:
+        return f"{'no more' if is_ is None else 'new'}: {_happened(was if is_ is None else is_)}"
+    told = [
+        f"{name} {_value(was.get(name))} → {_value(is_.get(name))}"
+        for name in ("value", "limit", "text")
+        if was.get(name) != is_.get(name)
+    ]
+    if later:
+        told.append(f"{later:+.6f} s")
+    return f"{_happened(was)}: {', '.join(told)}"
+
+
+def _happened(event: Any) -> str:
+    about = f"event {event['kind']}"
+    if event.get("axis") is not None:
+        about += f" of axis {event['axis']}"
+    if event.get("line"):
+        about += f", line {event['line']}"
+    if event.get("text"):
+        about += f", {printable(event['text'])}"
+    return f"{about}, at {event['time']:.6f} s"
 
 
 def _print(old: int | None, new: int | None, was: str, is_: str) -> str:

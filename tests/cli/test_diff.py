@@ -66,3 +66,38 @@ def test_what_cannot_be_compared_is_said(cell: Cell) -> None:
         ran = cell("diff", *words)
         assert ran.status == status, (words, ran)
         assert told in ran.err, (words, ran)
+
+
+def test_a_run_against_a_recording(cell: Cell) -> None:
+    cell.write(
+        "pick.mnt",
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n",
+    )
+    assert cell("run", "pick.mnt", "--report", "none", "--trace", "drive.csv").status == 0
+    ran = cell("diff", "pick.mnt", "drive.csv", "--tolerance", "position=0.01uu")
+    assert (ran.status, ran.out.splitlines()[-1]) == (0, "every residual keeps its tolerance")
+    ran = cell(
+        "diff",
+        "pick.mnt",
+        "drive.csv",
+        "--tolerance",
+        "position=0.01uu",
+        "--set-a",
+        "controller.instruction_time=0.1",
+    )
+    assert ran.status == 0  # later as a whole, which is found
+    assert cell("diff", "pick.mnt", "none.csv").status == 1
+    assert cell("diff", "pick.json", "drive.csv").status == 2
+    assert cell("diff", "pick.mnt", "pick.mnt", "--map", "position.0=1").status == 2
+
+
+def test_two_variants_of_a_sweep(cell: Cell) -> None:
+    cell.write("pick.mnt", "Const rate = 1000\nACCEL(0) = rate : MOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n")
+    cell.write("pick.sweep.toml", "[vary]\nrate = [1000, 2000, 1000]\n")
+    assert cell("diff", "pick.mnt", "--variant-a", "0", "--variant-b", "2").out == "nothing is otherwise\n"
+    ran = cell("diff", "pick.mnt", "--variant-b", "1")
+    assert (ran.status, "line 2: MOVEA of axis 0, 1 move: duration " in ran.out) == (1, True)
+    ran = cell("diff", "pick.mnt", "--variant-b", "3")
+    assert (ran.status, ran.err) == (1, "pick.mnt: there is no variant 3: pick.sweep.toml has 0 to 2\n")
+    cell.write("other.mnt", "WAIT(1)\n")
+    assert "there is no other.sweep.toml beside it" in cell("diff", "other.mnt", "--variant-b", "1").err

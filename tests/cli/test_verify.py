@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import subprocess
 import sys
@@ -63,29 +64,82 @@ def test_a_line_that_is_put_in_is_no_difference_and_a_mistake_is_shown(cell: Cel
     assert "pick.mnt:1:18" in ran.err
 
 
-def test_a_change_is_accepted_program_by_program(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+def answers(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO(text))
+
+
+def golden(cell: Cell, name: str) -> str:
+    return "".join((cell.folder / f"{name}.golden.{kind}").read_text() for kind in ("json", "txt"))
+
+
+@pytest.fixture
+def changed(cell: Cell) -> Cell:
+    """Three programs; since their golden files were written, each goes slower and prints something more."""
     for name in ("wrong.mcl", "jog.mcl", "ballscrew.mcl"):
         (cell.folder / name).unlink()
     for name in ("a.mnt", "b.mnt", "c.mnt"):
-        cell.write(name, PICK)
+        cell.write(name, PICK.replace("PRINT TIME", 'PRINT "there"'))
     cell("verify", ".", "--update")
     for name in ("a.mnt", "b.mnt", "c.mnt"):
-        cell.write(name, PICK.replace("= 200", "= 150"))
-    assert cell("verify", ".", "--review").status == 2  # nobody is there to be asked
-    monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
-    answers = iter("yn")
-    asked: list[str] = []
+        program = PICK.replace("PRINT TIME", 'PRINT "there" : PRINT "at last"')
+        cell.write(name, program.replace("= 200", "= 150"))
+    return cell
 
-    def answer(text: str) -> str:
-        asked.append(text)
-        return next(answers, "q")
 
-    monkeypatch.setattr("builtins.input", answer)
-    assert cell("verify", ".", "--review").status == 130
-    assert [text[:7] for text in asked] == ["./a.mnt", "./b.mnt", "./c.mnt"]
-    ran = cell("verify", ".")
-    assert "a.mnt" not in ran.out
-    assert "./b.mnt: differs\n  time: " in ran.out
+def test_changes_are_accepted_one_by_one(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the first program the move, of the second the line that is printed, of the third both."""
+    before = golden(changed, "c")
+    answers(monkeypatch, "y\nn\nn\nx\nn\ny\ny\na\n")
+    ran = changed("verify", ".", "--review", "--jobs", "1")
+    assert ran.status == 1
+    assert ran.out.count("accept change 1 of 3?") == 4  # x is no answer: that is told, and asked again
+    assert "y  accept this change" in ran.out
+    ran = changed("verify", ".")
+    first, _, second = ran.out.partition("./b.mnt: differs\n  time: ")
+    # A statement more takes its 10 us: that is a change of its own, which was refused as well.
+    assert "the run ends +0.000010 s after its last motion\n  new: printed line 2, 'at last'\n" in first
+    assert "MOVEA" not in first
+    assert "line 2: MOVEA of axis 0, 1 move: duration 0.7" in second
+    assert "printed" not in second
+    assert ran.out.endswith("1 of 3 programs as their golden files say\n")
+    assert golden(changed, "c") != before
+    assert (changed.folder / "b.golden.txt").read_text() == "there\nat last\n"
+    assert (changed.folder / "a.golden.txt").read_text() == "there\n"
+
+
+def test_whoever_quits_has_what_was_accepted(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = golden(changed, "c")
+    answers(monkeypatch, "d\ny\nq\n")
+    assert changed("verify", ".", "--review", "--jobs", "1").status == 1
+    ran = changed("verify", ".")
+    assert "./a.mnt: differs\n  time: " in ran.out
+    assert "MOVEA" not in ran.out.partition("b.mnt")[2].partition("c.mnt")[0]
+    assert golden(changed, "c") == before
+
+
+@pytest.mark.parametrize("given", ["", "y\n"])
+def test_where_nobody_answers_nothing_is_written(
+    given: str, changed: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = golden(changed, "a")
+    answers(monkeypatch, given)
+    ran = changed("verify", ".", "--review", "--jobs", "1")
+    assert ran.status == 2
+    assert "nobody answers: standard input is at its end" in ran.err
+    assert golden(changed, "a") == before
+    assert changed("verify", ".", "--review", "--update").status == 2
+    assert golden(changed, "a") == before
+
+
+def test_new_golden_files_are_asked_for(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    answers(monkeypatch, "n\ny\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 1
+    assert cell("verify", "ballscrew.mcl", "--review").status == 0
+    assert cell("verify", "ballscrew.mcl").status == 0
+    (cell.folder / "ballscrew.golden.txt").write_text("01 199.000000\n")
+    answers(monkeypatch, "y\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 0
+    assert cell("verify", "ballscrew.mcl").status == 0
 
 
 def test_what_has_no_golden_file_or_no_file_at_all(cell: Cell) -> None:

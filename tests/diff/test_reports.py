@@ -89,6 +89,44 @@ def test_a_turn_more_is_moves_and_prints_that_are_new() -> None:
     )
 
 
+def test_what_was_taken_out_is_told_at_its_place() -> None:
+    """Two loops alike on two lines, the first with a turn less; and a turn that was slower than the others."""
+    loop = "For n = 1 To 3\n  MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\n  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\nNext\n"
+    head = "Dim n\nSPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+    less = loop.replace("To 3", "To 2")
+    was, is_ = (build(ran(head + first + "WAIT(100)\n" + loop)) for first in (loop, less))
+    found = difference(was, is_)
+    assert [(each["line"], each["start_time"] < 5.0) for each in found.gone] == [(4, True), (5, True)]
+    assert (found.lines, found.new) == ([], [])
+    slow = "SPEED(0) = 50\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\nMOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\n"
+    old = head + less + slow + "SPEED(0) = 200\n" + less
+    was, is_ = (build(ran(text)) for text in (old, old.replace(slow, "")))
+    found = difference(was, is_)
+    assert [each["peak_speed"] for each in found.gone] == [50.0, 50.0]
+    assert all(not each.figures for each in found.lines)
+
+
+def test_events_are_aligned_by_what_happened() -> None:
+    """One stop more, one at another speed, and one that comes later because the motion before it does."""
+    text = (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 20 : GO(0) : PAUSE IDLE(0)\n"
+        "JOG(0) = 50 : WAIT(500) : STOP(0) : PAUSE IDLE(0)\n"
+    )
+    stop = "JOG(0) = 80 : WAIT(500) : STOP(0) : PAUSE IDLE(0)\n"
+    found = difference(build(ran(text)), build(ran(text + stop)))
+    ((was, is_, _),) = found.events
+    assert (was, is_ and is_["kind"]) == (None, "stop")
+    found = difference(build(ran(text)), build(ran(text.replace("= 50 :", "= 60 :"))))
+    ((was, is_, later),) = found.events
+    assert (was and was["value"], is_ and is_["value"], later) == (50.0, 60.0, 0.0)
+    found = difference(build(ran(text)), build(ran(text.replace("MOVEA(0) = 20", "MOVEA(0) = 30"))))
+    assert (len(found.lines) > 0, found.events) == (True, [])
+    found = difference(build(ran(text)), build(ran(text.replace("WAIT(500)", "WAIT(600)"))))
+    ((_, _, later),) = found.events
+    assert later == pytest.approx(0.1)
+    assert "event stop of axis 0, line 3, at 0.8" in "\n".join(diff_lines(found))
+
+
 def test_another_way_and_another_word() -> None:
     found, lines, _, _ = changed(("MOVEA(1) = 50", "MOVEA(1) = 60"), ('"turn "', '"part "'))
     assert {(each.old, each.axis) for each in found.lines} == {(8, 1), (9, 1)}

@@ -1,0 +1,80 @@
+"""Two runs side by side, move by move: what lies between a move and what was over before it, and where a third stands.
+
+A move that comes later because one before it takes longer waits no longer. Which one that is, is the last that was over
+before it began; where moves were put in or taken out just before, each run has its own.
+"""
+
+from __future__ import annotations
+
+import heapq
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    Move = dict[str, Any]
+    # When a move was over in its run, how much later it is in the new one (None where only one has it), and when it is
+    # over in the run that is made of both (None where that has it not).
+    End = tuple[float, int, float | None, float | None]
+
+_BEGIN: End = (0.0, 0, 0.0, 0.0)
+# Times that differ by less are one.
+NEAR = 1e-9
+
+
+class Timeline:
+    """Moves of an old and a new run, given in the order in which they are aligned."""
+
+    __slots__ = ("_ends", "_lasts", "_made", "_number")
+
+    def __init__(self) -> None:
+        self._ends: tuple[list[End], list[End]] = ([], [])
+        self._lasts = [_BEGIN, _BEGIN]
+        self._number = 0
+        self._made = 0.0
+
+    def pair(self, a: Move, b: Move, old: Move | None = None, accepted: bool = True) -> tuple[float, float]:
+        """How much longer `b` waited than `a`, and when it begins in the run that is made of both.
+
+        There it waits as `b` does where that is accepted, and `old` says which of the two it moves as (`b`).
+        """
+        start, other = a["start_time"], b["start_time"]
+        was, is_ = self._before(0, start), self._before(1, other)
+        if was[2] is None or is_[2] is None:
+            gaps = start - was[0], other - is_[0]
+            wait = gaps[1] - gaps[0]
+            over = [each[3] for each in (was, is_) if each[3] is not None]
+            begin = max(over, default=self._made) + (gaps[1] if accepted else gaps[0])
+        else:
+            wait = other - start - was[2]
+            begin = start + ((was[3] or 0.0) - was[0]) + (wait if accepted else 0.0)
+        if a["duration"] is not None and b["duration"] is not None:
+            ends = start + a["duration"], other + b["duration"]
+            made = begin + (b if old is None else old)["duration"]
+            self._put(0, ends[0], ends[1] - ends[0], made)
+            self._put(1, ends[1], ends[1] - ends[0], made)
+        return wait, begin
+
+    def alone(self, move: Move, side: int, kept: bool) -> float:
+        """When a move that only the old (0) or the new (1) run has begins in that of both, if it is `kept` there."""
+        start: float = move["start_time"]
+        last = self._before(side, start)
+        begin = start + (last[3] - last[0] if last[3] is not None else 0.0)
+        if move["duration"] is not None:
+            self._put(side, start + move["duration"], None, begin + move["duration"] if kept else None)
+        return begin
+
+    def _put(self, side: int, end: float, shift: float | None, made: float | None) -> None:
+        self._number += 1
+        heapq.heappush(self._ends[side], (end, self._number, shift, made))
+        if made is not None:
+            self._made = made
+
+    def _before(self, side: int, start: float) -> End:
+        """The last move of a run that was over at a time."""
+        ends = self._ends[side]
+        while ends and ends[0][0] <= start + NEAR:
+            last = heapq.heappop(ends)
+            if last[0] >= self._lasts[side][0]:
+                self._lasts[side] = last
+        return self._lasts[side]
