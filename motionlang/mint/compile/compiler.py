@@ -28,6 +28,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.assembly import TypedLine
     from motionlang.mint.resolve.symbols import Function, Scope
     from motionlang.mint.runtime.code_units import Code
@@ -38,12 +39,12 @@ DEFAULT_AXES = 8
 
 
 class Compiled:
-    """A program's code, and what there is to say about the program."""
+    """A program's code, its names, and what there is to say about the program."""
 
-    __slots__ = ("code", "problems")
+    __slots__ = ("code", "names", "problems")
 
-    def __init__(self, code: Code, problems: Problems) -> None:
-        self.code, self.problems = code, problems
+    def __init__(self, code: Code, names: Names, problems: Problems) -> None:
+        self.code, self.names, self.problems = code, names, problems
 
 
 def compile_module(module: Module, settings: dict[str, object] | None = None) -> Compiled:
@@ -57,7 +58,7 @@ def compile_module(module: Module, settings: dict[str, object] | None = None) ->
     bodies = {function: _function(whole, function) for function in whole.names.functions}
     warn_of_misspellings(whole)
     problems.raise_errors()
-    return Compiled(assemble(whole, bodies), problems)
+    return Compiled(assemble(whole, bodies), whole.names, problems)
 
 
 def compile_line(
@@ -92,7 +93,8 @@ def _number_of_axes(settings: dict[str, object] | None) -> int:
 def _function(whole: Whole, function: Function) -> Body:
     """The body of one function, indented for where it will stand."""
     b = Body(whole, function, 1 if whole.typed else 2)
-    if not (whole.typed and function is whole.names.main):
+    # What fails under ONERROR leaves its statement half done, so that nothing is certain behind it.
+    if not (whole.guarded or (whole.typed and function is whole.names.main)):
         b.analysed = analysed(function)
         if b.analysed:
             b.facts = Flow(function, b.analysed).run()
@@ -112,18 +114,17 @@ def _function(whole: Whole, function: Function) -> Body:
 
 def warn_of_misspellings(whole: Whole) -> None:
     """A name that is only ever assigned to and looks like a keyword is a typing error, not a variable."""
-    words: list[str] = []
+    words: dict[str, Keyword] = {}
     for function in whole.names.functions:
         for symbol in function.scope.names.values():
             if symbol.kind != "variable" or symbol.declared or symbol.uses > 0:
                 continue
             from difflib import get_close_matches
 
-            words = words or [r.name.lower() for r in whole.table if r.simulated and r.kind != "statement"]
+            words = words or {r.name.lower(): r for r in whole.table if r.simulated and r.kind != "statement"}
             near = get_close_matches(symbol.name.lower(), words, n=1, cutoff=0.75)
-            row = whole.table.get(near[0]) if near and len(symbol.name) > 2 else None
-            if row is not None:
-                meant = bracketed(symbol.name, whole.table) or row.name
+            if near and len(symbol.name) > 2:
+                meant = bracketed(symbol.name, whole.table) or words[near[0]].name
                 whole.problems.add(
                     "unknown-word", f"{symbol.name} is given a value that nothing reads", symbol.at,
                     f"did you mean {meant}? If it is a variable, declare it with Dim",

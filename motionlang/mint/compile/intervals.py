@@ -27,10 +27,8 @@ def constant(value: float) -> Range:
     return (value, value, "i") if type(value) is int and abs(value) <= EXACT else FLOAT
 
 
-def join(a: Range | None, b: Range | None) -> Range | None:
-    """What holds for values of either range; None is the range of code that is never reached."""
-    if a is None or b is None:
-        return b if a is None else a
+def join(a: Range, b: Range) -> Range:
+    """What holds for values of either range."""
     if a == b:
         return a
     if a[2] == b[2] == "i":
@@ -41,7 +39,6 @@ def join(a: Range | None, b: Range | None) -> Range | None:
 def widen(old: Range, new: Range, thresholds: list[int]) -> Range:
     """`join`, but with bounds that can only move to one of `thresholds` (ascending, within ±2^53)."""
     joined = join(old, new)
-    assert joined is not None
     if joined[2] != "i" or joined == old:
         return joined
     low, high = joined[0], joined[1]

@@ -16,13 +16,13 @@ from __future__ import annotations
 from motionlang.mint.compile import polling
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import LEAVES, Line
+from motionlang.mint.resolve.flowgraph import BACK
 from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable, Mapping
 
     from motionlang.mint.compile.body import Body
     from motionlang.mint.compile.poll_analysis import Look
@@ -151,7 +151,7 @@ class Turns:
 
     __slots__ = ("_back", "_found", "_ways", "looks")
 
-    def __init__(self, ways: dict[int, list[int]]) -> None:
+    def __init__(self, ways: dict[int, set[int]]) -> None:
         self._ways = ways
         self._back: dict[int, list[int]] = {}
         for number, nexts in ways.items():
@@ -169,28 +169,25 @@ class Turns:
         return found
 
 
-def _ways(b: Body) -> dict[int, list[int]]:
-    """Where each stretch leads to: what its Gotos name, each once, and the next one."""
-    labels, ways = b.labels(), {}
-    for number, (_, body) in enumerate(b.stretches()):
-        gotos = [node for node in walk(body) if type(node) is nodes.Jump and not _is_gosub(node)]
-        names = dict.fromkeys(node.name.lower() for node in gotos)
-        ways[number] = [labels[name] for name in names if name in labels]
-        if not body or type(body[-1]) not in (nodes.Jump, nodes.Return, nodes.End) or _goes_on(body[-1]):
-            ways[number].append(number + 1)
+def _ways(b: Body) -> dict[int, set[int]]:
+    """Where each stretch leads to; a Gosub comes back, so it leads to what stands behind it."""
+    steps = b.function.graph.steps
+    number, stretch = 0, {}
+    for step in steps:
+        number += type(step.node) is nodes.Label
+        stretch[step] = number
+    ways: dict[int, set[int]] = {}
+    for step in steps:
+        gosub = type(step.node) is nodes.Jump and step.node.kind == "gosub"
+        if step.kind != BACK:
+            found = ways.setdefault(stretch[step], set())
+            found.update(
+                [stretch[each] for each in (steps[step.number + 1 : step.number + 2] if gosub else step.next)]
+            )
     return ways
 
 
-def _goes_on(node: nodes.Stmt) -> bool:
-    """Whether a jump may lead to what stands behind it."""
-    return type(node) is nodes.Jump and (node.kind == "gosub" or node.unless is not None)
-
-
-def _is_gosub(node: nodes.Node) -> bool:
-    return type(node) is nodes.Jump and node.kind == "gosub"
-
-
-def _reached(start: int, ways: dict[int, list[int]]) -> set[int]:
+def _reached(start: int, ways: Mapping[int, Iterable[int]]) -> set[int]:
     """Everything that lies on the ways from a stretch, with itself."""
     found, stack = {start}, [start]
     while stack:

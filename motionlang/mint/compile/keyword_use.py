@@ -23,6 +23,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
+    from motionlang.mint.resolve.symbols import Symbol
 
 # Units of keywords whose values are whole numbers; "text" is a String, every other one a Float.
 WHOLE = frozenset(("bool", "bits", "integer", "ms", "counts"))
@@ -148,9 +149,7 @@ def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
         b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
         return _NOTHING
     kind = yes.type if yes.type == no.type else FLOAT
-    joined = intervals.join(yes.range, no.range)
-    assert joined is not None
-    return Value(f"({yes.text} if {test} else {no.text})", kind, joined)
+    return Value(f"({yes.text} if {test} else {no.text})", kind, intervals.join(yes.range, no.range))
 
 
 # -------------------------------------------------------------------------------------------------- indices
@@ -196,7 +195,7 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
     if node.__class__ is nodes.Number and node.value in b.whole.axis_texts:
         return b.whole.axis_texts[node.value]
     if kind == "task":
-        return _task(b, node)
+        return _name_of_task(b, node)
     if kind == "distance":
         return as_float(number(b, node, "a distance"))
     found = number(b, node, f"the number of an {kind}" if kind[0] in "aeiou" else f"the number of a {kind}")
@@ -212,17 +211,23 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> str:
     return as_integer(b, found)
 
 
-def _task(b: Body, node: nodes.Expr) -> str:
+def _name_of_task(b: Body, node: nodes.Expr) -> str:
     """The name of a task, which is not an expression."""
-    symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
-    if symbol is None and type(node) is nodes.Name and node.name.lower() == PARENT.lower():
+    named = node if type(node) is nodes.Name and node.args is None else None
+    word = node.name if type(node) is nodes.Name else ""
+    if named is not None and named.symbol is None and word.lower() == PARENT.lower():
         return repr(PARENT)
-    if symbol is None or symbol.kind != "task":
-        tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
-        word = node.name if type(node) is nodes.Name else ""
-        b.whole.problems.unknown(f"there is no task {word}".rstrip(), word, tasks, node.at)
-        return "''"
-    return repr(symbol.name.lower())
+    symbol = task(b, named or nodes.Name(node.at, word).resolve(None), word)
+    return repr("" if symbol is None else symbol.name.lower())
+
+
+def task(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol | None:
+    """The task that a node stands for, or the diagnostic of one that there is not."""
+    if node.symbol is not None and node.symbol.kind == "task":
+        return node.symbol
+    tasks = [each.name for each in b.whole.names.module.names.values() if each.kind == "task"]
+    b.whole.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.at)
+    return None
 
 
 def _many(count: int, what: str) -> str:
@@ -359,7 +364,6 @@ def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: st
     if row.kind == "move":
         load(b, row, [*where, text, str(b.whole.line(node.at))])
         return
-    row = unsimulated_use.written(row)
     line = (
         [str(b.whole.line(node.at))] if row.group == "motion" else unsimulated_use.place(b, node.target, row)
     )

@@ -1,14 +1,16 @@
 """The range analysis of one function: what is known of its own variables wherever they are read.
 
-An abstract run over the tree with `ranges` in place of values. Loops are repeated until nothing new comes out; bounds
-that keep moving jump to the next constant of the function, then to the ends of Integer and of the exact doubles. The
-result holds for every real run: what it leaves out (shared variables, arrays, by-reference) counts as unknown.
+An abstract run along the ways of the function with ranges in place of values. Where ways come together what is known
+of both is joined; where they lead back, bounds that keep moving jump to the next constant of the function, then to the
+ends of Integer and of the exact doubles. The result holds for every real run: what it leaves out (shared variables,
+arrays, by-reference) counts as unknown.
 """
 
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.intervals import Range
+from motionlang.mint.resolve.flowgraph import NEXT, TEST, TURN
 from motionlang.mint.resolve.folding import constant
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, Function, Symbol
 from motionlang.mint.syntax import nodes
@@ -18,19 +20,25 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
+    from motionlang.mint.resolve.flowgraph import Step
+
+    # The variable of a For, which way it counts ("" where that is not known), its limit and its step.
+    Counter = tuple[Symbol, str, Range, Range]
 
 State = dict[Symbol, Range]
 _COMPARED = frozenset(("=", "<>", "<", ">", "<=", ">="))
 # Turns of a loop after which only the coarse thresholds are left.
-_PATIENCE = 8
+_PATIENCE = 24
 _COARSE = [-intervals.EXACT, intervals.INT_LOW, -1, 0, 1, intervals.INT_HIGH, intervals.EXACT]
 _WHOLE_UNITS = frozenset(("bool", "bits", "integer", "ms", "counts"))
 
 
 def analysed(function: Function) -> set[Symbol]:
-    """The variables that the analysis follows: plain numbers that no other function can touch."""
-    if function.jumps or not function.loops or function.plain:
+    """The variables that the analysis follows: plain numbers that nothing else can touch."""
+    if not (function.loops or function.jumps) or function.plain:
         return set()
+    if function.jumps and function.graph.handlers:
+        return set()  # they may come between any two statements
     found = set()
     for symbol in (*function.scope.names.values(), *((function.result,) if function.result else ())):
         simple = symbol.kind == "variable" and not (symbol.shared or symbol.boxed or symbol.by_ref)
@@ -50,176 +58,110 @@ class Flow:
     def __init__(self, function: Function, followed: set[Symbol]) -> None:
         self.function, self.followed = function, followed
         self.facts: dict[int, Range] = {}
-        self._exits: list[tuple[str, list[State | None]]] = []
-        self._heads: dict[int, State] = {}
+        self._counters: dict[int, Counter] = {}
+        # Loops whose limit or step is another now than when they were followed last.
+        self._changed: set[int] = set()
+        # How often a way has led back to a step.
+        self._turns: dict[Step, int] = {}
         self._fine = sorted({*_COARSE, *_constants(function.body)})
 
     def run(self) -> dict[int, Range]:
         """All facts of the function."""
-        start: State = {
-            symbol: (0, 0, "i") if symbol.home is self.function else intervals.ANY for symbol in self.followed
-        }
-        self._block(self.function.body, start)
+        start: State = dict.fromkeys(self.followed, (0, 0, "i"))
+        self.function.graph.forward(start, self._follow, self._met, start, dict)
         return self.facts
+
+    def _met(self, old: State, new: State, step: Step, back: bool) -> State:
+        """What both say before a step; bounds move on by thresholds where a way leads back to it."""
+        if back:
+            turn = self._turns[step] = self._turns.get(step, 0) + 1
+            met = _widened(old, new, self._fine if turn < _PATIENCE else _COARSE)
+        else:
+            met = _join(old, new)
+        if step.loop is not None and id(step.loop) in self._changed:
+            self._changed.discard(id(step.loop))
+            return met
+        return old if met == old else met
 
     # --------------------------------------------------------------------------------------- statements
 
-    def _block(self, body: list[nodes.Stmt], state: State | None) -> State | None:
-        for node in body:
-            if state is None:
-                return None
-            state = self._statement(node, state)
-        return state
+    def _follow(self, step: Step, state: State) -> tuple[State | None, State | None]:
+        node = step.node
+        if step.kind == TEST:
+            return self._narrow(node, True, state), self._narrow(node, False, state)  # type: ignore[arg-type]
+        if step.kind == TURN:
+            return self._turn(step, state), state
+        if step.kind == NEXT:
+            return self._next(step, state), None
+        if node is not None:
+            follow = _STATEMENTS.get(type(node), Flow._read_all)
+            if follow is not None:
+                follow(self, node, state)
+            elif type(node) is nodes.Jump and node.unless is not None:
+                return self._narrow(node.unless, True, state), self._narrow(node.unless, False, state)
+        return state, state
 
-    def _statement(self, node: nodes.Stmt, state: State) -> State | None:
-        follow = _STATEMENTS.get(type(node))
-        if follow is not None:
-            return follow(self, node, state)
-        self._read_all(node, state)
-        return state
-
-    def _if(self, node: nodes.If, state: State) -> State | None:
-        yes = _own(self._narrow(node.condition, True, state))
-        no = self._narrow(node.condition, False, state)
-        return _join(self._block(node.body, yes), self._block(node.orelse, no))
-
-    def _while(self, node: nodes.While, state: State) -> State | None:
-        return self._loop(node, "while", state, node.condition)
-
-    def _repeat(self, node: nodes.Repeat, state: State) -> State | None:
-        return self._loop(node, "repeat", state, None, node.condition)
-
-    def _endless(self, node: nodes.Loop, state: State) -> State | None:
-        return self._loop(node, "loop", state, None)
-
-    def _return(self, node: nodes.Return, state: State) -> State | None:
-        return None
-
-    def _end(self, node: nodes.End, state: State) -> State | None:
-        return state if node.name is not None else None
-
-    def _assign(self, node: nodes.Assign, state: State) -> State:
+    def _assign(self, node: nodes.Assign, state: State) -> None:
         found = [self._value(each, state)[1] for each in node.values]
         symbol = self._followed(node.target)
-        if symbol is None:
-            if type(node.target) is nodes.Name:
-                for each in node.target.args or ():
-                    self._value(each, state)
-            else:
-                self._read_all(node.target, state)
-            return state
-        state[symbol] = _held(symbol, found[0] if found else intervals.ANY)
-        return state
+        if symbol is not None:
+            state[symbol] = _held(symbol, found[0] if found else intervals.ANY)
+        elif type(node.target) is nodes.Name:
+            for each in node.target.args or ():
+                self._value(each, state)
+        else:
+            self._read_all(node.target, state)
 
-    def _dim(self, node: nodes.Dim, state: State) -> State:
+    def _dim(self, node: nodes.Dim, state: State) -> None:
         for variable in node.variables:
             found = [self._value(each, state)[1] for each in variable.values]
             symbol = variable.symbol
             if found and symbol in self.followed:
                 assert symbol is not None
                 state[symbol] = _held(symbol, found[0])
-        return state
 
-    def _input(self, node: nodes.Input, state: State) -> State:
+    def _input(self, node: nodes.Input, state: State) -> None:
         self._read_all(node, state)
         symbol = self._followed(node.target)
         if symbol is not None:
             state[symbol] = _held(symbol, intervals.ANY)
-        return state
 
-    def _select(self, node: nodes.Select, state: State) -> State | None:
+    def _select(self, node: nodes.Select, state: State) -> None:
         self._value(node.subject, state)
-        self._exits.append(("select", []))
-        out: State | None = None
-        default = False
-        for case in node.cases:
-            for test in case.tests:
-                self._read_all(test, state)
-            out = _join(out, self._block(case.body, dict(state)))
-            default = default or not case.tests
-        for left in self._exits.pop()[1]:
-            out = _join(out, left)
-        return out if default else _join(out, state)
 
-    def _exit(self, node: nodes.Exit, state: State) -> State | None:
-        for kind, states in reversed(self._exits):
-            if kind == node.kind or (not node.kind and kind != "select"):
-                states.append(state)
-                break
-        return None
+    def _case(self, node: nodes.Case, state: State) -> None:
+        for test in node.tests:
+            self._read_all(test, state)
 
     # -------------------------------------------------------------------------------------------- loops
 
-    def _for(self, node: nodes.For, state: State) -> State | None:
-        start = self._value(node.start, state)
+    def _for(self, node: nodes.For, state: State) -> None:
+        start = self._value(node.start, state)[1]
         stop = self._value(node.stop, state)[1]
         step = self._value(node.step, state)[1] if node.step is not None else (1, 1, "i")
         symbol = self._followed(node.variable)
         if symbol is None:
-            return self._loop(node, "for", state, None, bounded=True)
-        state[symbol] = _held(symbol, start[1])
-        op = "<=" if step[0] > 0 else ">=" if step[1] < 0 else ""
-        return self._loop(node, "for", state, None, bounded=True, counter=(symbol, op, stop, step))
+            return
+        state[symbol] = _held(symbol, start)
+        counter = symbol, "<=" if step[0] > 0 else ">=" if step[1] < 0 else "", stop, step
+        if self._counters.get(id(node)) != counter:
+            self._counters[id(node)] = counter
+            self._changed.add(id(node))
 
-    def _loop(
-        self,
-        node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop,
-        kind: str,
-        entry: State,
-        test: nodes.Expr | None,
-        until: nodes.Expr | None = None,
-        bounded: bool = False,
-        counter: tuple[Symbol, str, Range, Range] | None = None,
-    ) -> State | None:
-        """Repeat the body until its head no longer changes; answers with what holds after the loop."""
-        head = _widened(self._heads.get(id(node)), entry, self._fine)
-        turn = 0
-        while True:
-            turn += 1
-            self._exits.append((kind, []))
-            inside = _own(self._enter(head, test, counter))
-            back = self._block(node.body, inside)
-            left = self._exits.pop()[1]
-            if until is not None and back is not None:
-                left.append(self._narrow(until, True, back))
-                back = self._narrow(until, False, back)
-            if counter is not None and back is not None:
-                back = self._step(node, back, counter)
-            grown = (
-                head if back is None else _widened(head, back, self._fine if turn < _PATIENCE else _COARSE)
-            )
-            if grown == head:
-                break
-            head = grown
-        self._heads[id(node)] = head
-        if test is not None:
-            left.append(self._narrow(test, False, head))
-        elif bounded:
-            left.append(head)
-        out: State | None = None
-        for each in left:
-            out = _join(out, each)
-        return _own(out)  # the head stays as it is
+    def _turn(self, step: Step, state: State) -> State | None:
+        self._changed.discard(id(step.loop))
+        symbol, op, stop, _ = self._counters.get(id(step.loop), _NO_COUNTER)
+        if symbol is None or not op:
+            return state
+        known = intervals.narrow(state[symbol], op, stop)
+        return None if known is None else state | {symbol: known}
 
-    def _enter(
-        self, head: State, test: nodes.Expr | None, counter: tuple[Symbol, str, Range, Range] | None
-    ) -> State | None:
-        if test is not None:
-            return self._narrow(test, True, head)
-        if counter is not None and counter[1]:
-            symbol, op, stop, _ = counter
-            known = intervals.narrow(head[symbol], op, stop)
-            return None if known is None else head | {symbol: known}
-        return head
-
-    def _step(self, node: nodes.Stmt, state: State, counter: tuple[Symbol, str, Range, Range]) -> State:
-        symbol, _, _, step = counter
-        known = state[symbol]
-        self.facts[id(node)] = known
-        total = _result("+", False, known, step)
-        if symbol.type.name == INTEGER:
-            total = intervals.to_integer(total)
-        return state | {symbol: total}
+    def _next(self, step: Step, state: State) -> State:
+        symbol, _, _, by = self._counters.get(id(step.loop), _NO_COUNTER)
+        if symbol is not None:
+            known = self.facts[id(step.loop)] = state[symbol]
+            state[symbol] = _held(symbol, _result("+", False, known, by))
+        return state
 
     # -------------------------------------------------------------------------------------- expressions
 
@@ -338,7 +280,7 @@ class Flow:
                 return self._narrow(node.right, truth, self._narrow(node.left, truth, state))
             first = self._narrow(node.left, truth, state)
             second = self._narrow(node.right, truth, self._narrow(node.left, not truth, state))
-            return _join(first, second)
+            return second if first is None else first if second is None else _join(first, second)
         if type(node) is nodes.Binary and node.op in _COMPARED:
             return self._compare(node, truth, state)
         self._value(node, state)
@@ -360,20 +302,19 @@ class Flow:
         return state
 
 
-_STATEMENTS: dict[type, Callable[..., State | None]] = {
+# None is what reads nothing; what is not named here, everything below it.
+_STATEMENTS: dict[type, Callable[..., None] | None] = {
     nodes.Assign: Flow._assign,
     nodes.Dim: Flow._dim,
-    nodes.End: Flow._end,
-    nodes.Exit: Flow._exit,
     nodes.For: Flow._for,
-    nodes.If: Flow._if,
     nodes.Input: Flow._input,
-    nodes.Loop: Flow._endless,
-    nodes.Repeat: Flow._repeat,
-    nodes.Return: Flow._return,
     nodes.Select: Flow._select,
-    nodes.While: Flow._while,
+    nodes.Case: Flow._case,
+    nodes.Loop: None,
+    nodes.Repeat: None,
+    nodes.Jump: None,
 }
+_NO_COUNTER = None, "", intervals.ANY, intervals.ANY
 _VALUES: dict[type, Callable[..., tuple[str, Range]]] = {
     nodes.Number: Flow._number,
     nodes.Name: Flow._name,
@@ -394,25 +335,13 @@ def _held(symbol: Symbol, known: Range) -> Range:
     return intervals.to_integer(known) if symbol.type.name == INTEGER else known
 
 
-def _own(state: State | None) -> State | None:
-    """A copy that may be changed: statements change the state they are given."""
-    return None if state is None else dict(state)
-
-
-def _join(a: State | None, b: State | None) -> State | None:
-    if a is None or b is None:
-        return b if a is None else a
+def _join(a: State, b: State) -> State:
     if a is b:
         return a
-    return {
-        s: known if (other := b[s]) is known else intervals.join(known, other) or known
-        for s, known in a.items()
-    }
+    return {s: known if (other := b[s]) is known else intervals.join(known, other) for s, known in a.items()}
 
 
-def _widened(old: State | None, new: State, thresholds: list[int]) -> State:
-    if old is None:
-        return new
+def _widened(old: State, new: State, thresholds: list[int]) -> State:
     return {
         s: known if (other := new[s]) is known else intervals.widen(known, other, thresholds)
         for s, known in old.items()

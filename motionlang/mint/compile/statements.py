@@ -274,18 +274,8 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
     b.whole.problems.unknown(message, target.name, words, target.at, table=b.whole.table)
 
 
-def _task(b: Body, node: nodes.Run | nodes.End, name: str) -> Symbol | None:
-    """The task that a statement names, or the diagnostic of one that there is not."""
-    symbol = b.scope.find(name)
-    if symbol is not None and symbol.kind == "task":
-        return symbol
-    tasks = [s.name for s in b.whole.names.module.names.values() if s.kind == "task"]
-    b.whole.problems.unknown(f"there is no task {name}", name, tasks, node.at)
-    return None
-
-
 def _run(b: Body, node: nodes.Run) -> None:
-    symbol = _task(b, node, node.name)
+    symbol = keyword_use.task(b, node, node.name)
     if symbol is None:
         return
     b.observes = True
@@ -398,7 +388,7 @@ def hear_of_errors(b: Body) -> None:
 
 def _end(b: Body, node: nodes.End) -> None:
     if node.name is not None:
-        symbol = _task(b, node, node.name)
+        symbol = keyword_use.task(b, node, node.name)
         if symbol is None:
             return
         b.observes = True

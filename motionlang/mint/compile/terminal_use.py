@@ -102,11 +102,10 @@ def line(b: Body, node: nodes.Call) -> None:
 
 
 def _line_of_items(b: Body, node: nodes.Print) -> None:
-    row = b.whole.table.get(node.word)
-    if row is None or row.verb != "line" or b.scope.find(node.word) is not None:
+    if node.row is None or node.row.verb != "line":
         b.problem("syntax", f"USING and ; stand among the values of PRINT and LINE, not of {node.word}", node)
         return
-    _print_on_row(b, node, node.row, node.items)
+    _print_on_row(b, node, node.line, node.items)
 
 
 def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: list[nodes.PrintItem]) -> None:

@@ -36,22 +36,6 @@ def can_be_given(row: Keyword) -> bool:
     return "W" in row.access or (row.access == "C" and unsimulated.is_known(row.verb))
 
 
-def written(row: Keyword) -> Keyword:
-    """The row by which a word is written: some are simulated only where they are read."""
-    if row.name not in unsimulated.WRITTEN:
-        return row
-    changed = _changed.get(row.name)
-    if changed is None:
-        from copy import copy
-
-        changed = _changed[row.name] = copy(row)
-        changed.verb, changed.simulated = unsimulated.JUMP, False
-    return changed
-
-
-_changed: dict[str, Keyword] = {}
-
-
 def place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
     """What the operations of such a word are given last: the line, and the place of the word in the program."""
     if row.verb == KEPT:
@@ -85,17 +69,14 @@ def _is_whole(b: Body, node: nodes.Name) -> bool:
 
 def warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
     """Say of a word that it is not simulated, and what becomes of it; `by` writes it or carries it out."""
-    writes = by is not None
-    if writes:
-        row = written(row)
     if row.simulated:
         return
     if row.verb == KEPT or _is_kept(row, by):
         _once(b, node, row, f"{row.name} is kept but has no effect")
     elif row.verb == unsimulated.COMMAND:
         _once(b, node, row, f"{row.name} is a word of Mint that is not simulated: it has no effect")
-    elif writes or row.name.upper() not in b.whole.told:
-        _ending(b, node, row, writes)
+    elif by is not None or row.name.upper() not in b.whole.told:
+        _ending(b, node, row, by is not None)
 
 
 def _is_kept(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:

@@ -10,6 +10,10 @@ simulation.
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.keyword import Keyword
+
 VALUE, COMMAND, MOTION = "unsimulated.value", "unsimulated.command", "unsimulated.motion"
 JUMP = "unsimulated.jump"
 # What becomes of a word, as the groups of the vocabulary say it.
@@ -21,6 +25,20 @@ GROUPS = {
 KEPT_GROUP = "kept without an effect"
 # Words that are simulated when they are read, and what writing them would do.
 WRITTEN = {"POSDEMAND": "makes the demanded position jump, without a profile"}
+
+
+def written(row: Keyword) -> Keyword:
+    """The row by which a word is written, where that is another one: some are simulated only where they are read."""
+    changed = _changed.get(row.name)
+    if changed is None:
+        from copy import copy
+
+        changed = _changed[row.name] = copy(row)
+        changed.verb, changed.simulated = JUMP, False
+    return changed
+
+
+_changed: dict[str, Keyword] = {}
 
 
 def is_known(verb: str) -> bool:

@@ -18,12 +18,12 @@ from motionlang.mint.lint.reachability import Ways
 from motionlang.mint.lint.servers import check_servers
 from motionlang.mint.lint.settings import Settings
 from motionlang.mint.lint.turns import check_turns
-from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from motionlang.mint.resolve.names import Names
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
@@ -44,11 +44,11 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
 
         return with_other_lines(source, settings, error).diagnostics
     try:
-        found = list(compile_module(module, dict(settings)).problems.found.values())
+        compiled = compile_module(module, dict(settings))
     except ProgramError as error:
         found = list(error.diagnostics)
-    if not any(each.severity == "error" for each in found):
-        found += lint(module, settings)
+    else:
+        found = [*compiled.problems.found.values(), *lint(module, compiled.names, settings)]
     found += _foreign(module, source, str(settings.get("controller.model", "")))
     found = silence(source, found, COMMENT)
     return sorted(found, key=lambda each: (each.line, each.column, each.code))
@@ -64,11 +64,8 @@ def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
     return list(problems.found.values())
 
 
-def lint(module: Module, settings: Mapping[str, object]) -> list[Diagnostic]:
-    """The warnings of a program that compiles, in no particular order."""
-    problems = Problems(module)
-    names = Names(table(), problems, None)
-    names.declare_module(module)
+def lint(module: Module, names: Names, settings: Mapping[str, object]) -> list[Diagnostic]:
+    """The warnings of a program that compiles, its names resolved, in no particular order."""
     facts = Facts(names, table())
     found: dict[tuple[str, int, str], Diagnostic] = {}
 

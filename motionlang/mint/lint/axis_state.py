@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.effects import COMMANDS, Act, Facts, Key
-from motionlang.mint.resolve.flowgraph import DO, Step
+from motionlang.mint.resolve.flowgraph import TEST, Step
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
 
@@ -183,12 +183,17 @@ class Follower:
         first = ANYTHING
         if function.kind == "main":
             first = State(Axis(IDLE, target=0.0, frame=0.0, speeded=False), {})
-        found = graph.forward(
-            first,
-            lambda step, state: self._follow(function, step, state),
-            lambda one, other, turns: one.joined(other, turns),
-            ANYTHING,
-        )
+        found: dict[Step, State] = {}
+
+        def follow(step: Step, state: State) -> tuple[State, State]:
+            found[step] = state
+            return self._follow(function, step, state)
+
+        def join(one: State, other: State, step: Step, back: bool) -> State:
+            joined = one.joined(other, step.turns)
+            return one if joined == one else joined
+
+        graph.forward(first, follow, join, ANYTHING, lambda state: state)
         self._at_work.discard(function)
         self.before[function] = found
         return found
@@ -201,7 +206,7 @@ class Follower:
             state = state.passed()
         if type(node) is nodes.Pause:
             state = self._refined(function, node.condition, True, state)
-        elif step.kind != DO and node is not None:
+        elif step.kind == TEST:
             yes = self._refined(function, node, True, state)  # type: ignore[arg-type]
             return yes, self._refined(function, node, False, state)  # type: ignore[arg-type]
         return state, state

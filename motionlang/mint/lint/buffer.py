@@ -115,12 +115,8 @@ class Buffers:
     def _inside(self, function: Function, head: Step) -> list[Step]:
         """The steps of a loop's body, which stand behind its head."""
         assert isinstance(head.node, nodes.For)
-        inner = {id(each) for each in walk(head.node.body)}
-        steps = self.facts.graphs[function].steps
-        end = head.number + 1
-        while id(steps[end].node) in inner:
-            end += 1
-        return steps[head.number + 1 : end]
+        steps = self.facts.graphs[function].steps[head.number + 2 :]
+        return steps[: next(n for n, step in enumerate(steps) if step.loop is head.node)]
 
     # -------------------------------------------------------------------------------------- moves without a GO
 

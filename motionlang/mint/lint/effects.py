@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.mint.resolve.flowgraph import Graph, Step
 from motionlang.mint.resolve.folding import fold
 from motionlang.mint.resolve.symbols import Function, Symbol
 from motionlang.mint.syntax import nodes
@@ -14,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from motionlang.lang.keyword import Keyword, Table
+    from motionlang.mint.resolve.flowgraph import Graph, Step
     from motionlang.mint.resolve.folding import Known
     from motionlang.mint.resolve.names import Names
 
@@ -78,7 +78,7 @@ class Facts:
         self.roots = self._roots()
         self.kept, self.begun = self._kept()
         for function in self.functions:
-            graph = self.graphs[function] = Graph(function.body, function.kind == "main")
+            graph = self.graphs[function] = function.graph
             for step in graph.steps:
                 self.acts[step] = list(self._acts(function, step))
             self._keep_apart(function)

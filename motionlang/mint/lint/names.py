@@ -161,23 +161,19 @@ def _is_told(facts: Facts, task: Function) -> bool:
 
 def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
     """The axes that the parent may command once it has started a task."""
-    stack = [
+    graph = facts.graphs[main]
+    begin = [
         step
-        for step in facts.graphs[main].steps
+        for step in graph.steps
         if type(step.node) is nodes.Run and step.node.name.lower() == task.name.lower()
     ]
     found: set[Key] = set()
-    seen = set(stack)
-    while stack:
-        step = stack.pop()
+    for step in graph.reached(*begin) if begin else ():
         for act in facts.acts[step]:
             if act.role in _COMMANDS:
                 found.update(act.axes)
             elif act.callee is not None:
                 found.update(facts.outer(main, act, key) for key in facts.touched(act.callee, _COMMANDS))
-        new = [each for each in step.next if each not in seen]
-        seen.update(new)
-        stack.extend(new)
     return found
 
 

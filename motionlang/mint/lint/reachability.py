@@ -8,7 +8,7 @@ from motionlang.lang.lint import driven_inputs
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.lint.axis_state import IDLE, State
 from motionlang.mint.lint.effects import Facts
-from motionlang.mint.resolve.flowgraph import DO
+from motionlang.mint.resolve.flowgraph import TEST
 from motionlang.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -78,7 +78,8 @@ class Ways:
         if type(node) is nodes.Pause:
             self._wait(function, step, node)
             self._fixed(function, node.condition)
-        elif step.kind != DO and node is not None:
+        elif step.kind == TEST:
+            assert node is not None
             self._fixed(function, node)
 
     def _fixed(self, function: Function, node: nodes.Node) -> None:

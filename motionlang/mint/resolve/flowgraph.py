@@ -1,7 +1,9 @@
 """The ways through one function: its statements and conditions as steps, and which step may follow which.
 
-Conditions are steps of their own, so that what is known on their true and on their false side can differ. A `Gosub`
-leads to its label, and a `Return` to behind every `Gosub` of the function. Steps are numbered in the order of the text.
+Conditions are steps of their own, so that what is known on their true and on their false side can differ; so are the
+head of a For, whose true side is its body, and the `Next` behind that. A `Gosub` leads to its label, and a `Return` to
+behind every `Gosub` of the function. Steps are numbered in the order of the text. What is asked of the ways, be it what
+numbers can be, what an axis does or where labels lead, is worked out on this one graph.
 """
 
 from __future__ import annotations
@@ -18,24 +20,27 @@ if TYPE_CHECKING:
 
     State = TypeVar("State")
 
-# Kinds of steps: "start" and "leave" are the two ends of the function, "end" is the end of the program.
-START, DO, TEST, LEAVE, END = "start", "do", "test", "leave", "end"
+# Kinds of steps: "start" and "leave" are the two ends of the function, "end" is the end of the program; "turn" and
+# "next" are the head of a For, at which its limit is looked at, and where it counts; by "back" every Return goes.
+START, DO, TEST, LEAVE, END, TURN, NEXT, BACK = "start", "do", "test", "leave", "end", "turn", "next", "back"
 
 
 class Step:
     """`node` is a statement (DO), a condition (TEST) or None; `yes` and `no` of a condition are both in `next`.
 
-    `number` is the step's place in the text; `turns` whether a loop comes back to it.
+    `number` is the step's place in the text; `turns` whether a loop comes back to it; `loop` the For of TURN and NEXT;
+    `single` whether one way alone leads to it, from a step that leads nowhere else.
     """
 
-    __slots__ = ("kind", "next", "no", "node", "number", "turns", "yes")
+    __slots__ = ("kind", "loop", "next", "no", "node", "number", "single", "turns", "yes")
 
     def __init__(self, kind: str, node: nodes.Node | None, number: int) -> None:
         self.kind, self.node, self.number = kind, node, number
         self.next: list[Step] = []
         self.yes: Step | None = None
         self.no: Step | None = None
-        self.turns = False
+        self.loop: nodes.For | None = None
+        self.turns = self.single = False
 
 
 # A way that ends nowhere yet: the step, and which of its sides ("next", "yes", "no") is open.
@@ -48,7 +53,7 @@ class Graph:
     def __init__(self, body: list[nodes.Stmt], is_main: bool = False) -> None:
         self.steps: list[Step] = []
         self.labels: dict[str, Step] = {}
-        self.handlers: list[Step] = []
+        self.handlers: dict[str, Step] = {}
         self._jumps: list[tuple[Step, nodes.Jump]] = []
         self._after_gosub: list[Step] = []
         self._returns: list[Step] = []
@@ -57,11 +62,12 @@ class Graph:
         ways = self._block(body, [(self.start, "next")])
         self.leave = self._new(LEAVE, None, ways)
         self._join_jumps(is_main)
+        self._find_single()
 
-    def reached(self) -> set[Step]:
-        """The steps that some way leads to."""
+    def reached(self, *begin: Step) -> set[Step]:
+        """The steps that some way leads to from some, with these; from start and handlers if none are named."""
         found: set[Step] = set()
-        stack = [self.start, *self.handlers]
+        stack = [*begin] or [self.start, *self.handlers.values()]
         while stack:
             step = stack.pop()
             if step not in found:
@@ -72,32 +78,43 @@ class Graph:
     def forward(
         self,
         first: State,
-        follow: Callable[[Step, State], tuple[State, State]],
-        join: Callable[[State, State, bool], State],
+        follow: Callable[[Step, State], tuple[State | None, State | None]],
+        join: Callable[[State, State, Step, bool], State],
         elsewhere: State,
-    ) -> dict[Step, State]:
-        """What holds before each step that can be reached.
+        own: Callable[[State], State],
+    ) -> None:
+        """Go through the steps until nothing new comes out: the last time that a step is followed all is known of it.
 
-        `follow` answers with what holds on the true (and only) and on the false side; `join(a, b, turns)` with what
-        both say. `elsewhere` holds where an event begins.
+        `follow` answers with what holds on the true (and only) and on the false side, None where no way leads on; it
+        may change what it is given, which is `own` to a block of steps. `join(a, b, step, back)` answers with what both
+        say before a step, with `a` itself where that is nothing new; `back` where the way leads back in the text, as
+        every circle does somewhere. `elsewhere` holds where an event begins.
         """
-        before: dict[Step, State] = {self.start: first, **dict.fromkeys(self.handlers, elsewhere)}
+        before: dict[Step, State] = {self.start: first, **dict.fromkeys(self.handlers.values(), elsewhere)}
         waiting = sorted(step.number for step in before)
         queued = set(waiting)
         while waiting:
             step = self.steps[heappop(waiting)]
             queued.discard(step.number)
-            yes, no = follow(step, before[step])
+            yes, no = follow(step, own(before[step]))
+            while len(step.next) == 1 and step.next[0].single:
+                state = no if step.next[0] is step.no else yes
+                if state is None:
+                    break
+                step = step.next[0]
+                yes, no = follow(step, state)
             for after in step.next:
-                state = yes if after is not step.no else no if after is not step.yes else join(yes, no, False)
-                old = before.get(after)
-                new = state if old is None else join(old, state, after.turns)
-                if old is None or new != old:
-                    before[after] = new
-                    if after.number not in queued:
-                        queued.add(after.number)
-                        heappush(waiting, after.number)
-        return before
+                back = after.number <= step.number
+                for state in [yes, no] if after is step.yes is step.no else [no if after is step.no else yes]:
+                    if state is None:
+                        continue
+                    old = before.get(after)
+                    new = state if old is None else join(old, state, after, back)
+                    if new is not old:
+                        before[after] = new
+                        if after.number not in queued:
+                            queued.add(after.number)
+                            heappush(waiting, after.number)
 
     def backward(self, last: int, end: int, follow: Callable[[Step, int], int]) -> dict[Step, int]:
         """The bits that some way on from behind each step may meet: `last` where it leaves, `end` at the program's."""
@@ -167,8 +184,10 @@ class Graph:
         return out + self._exits.pop()[1] + ([] if default else [(subject, "next")])
 
     def _for(self, node: nodes.For, ways: Open) -> Open:
-        head = self._new(DO, node, ways)
-        return [(head, "next"), *self._turn("for", node.body, head, [(head, "next")])]
+        head = self._new(TURN, None, [(self._new(DO, node, ways), "next")])
+        head.loop = node
+        out = self._turn("for", node.body, head, [(head, "yes")], NEXT)
+        return [(head, "no"), *out]
 
     def _while(self, node: nodes.While, ways: Open) -> Open:
         test = self._test(node.condition, ways)
@@ -188,9 +207,16 @@ class Graph:
         head = self._new(DO, node, ways)
         return self._turn("loop", node.body, head, [(head, "next")])
 
-    def _turn(self, kind: str, body: list[nodes.Stmt], head: Step, ways: Open) -> Open:
+    def _turn(
+        self, kind: str, body: list[nodes.Stmt], head: Step, ways: Open, last: str | None = None
+    ) -> Open:
         self._exits.append((kind, []))
-        self._lead(self._block(body, ways), head)
+        ways = self._block(body, ways)
+        if last is not None:
+            behind = self._new(last, None, ways)
+            behind.loop = head.loop
+            ways = [(behind, "next")]
+        self._lead(ways, head)
         head.turns = True
         return self._exits.pop()[1]
 
@@ -218,7 +244,7 @@ class Graph:
         step = self._new(DO, node, ways)
         self._jumps.append((step, node))
         if node.kind != "gosub":
-            return [] if node.unless is None else [(step, "next")]
+            return [] if node.unless is None else [(step, "yes")]
         after = self._new(DO, None, [])
         self._after_gosub.append(after)
         return [(after, "next")]
@@ -232,13 +258,27 @@ class Graph:
             label = self.labels.get(node.name.lower())
             if label is not None:
                 step.next.append(label)
+                if node.unless is not None:
+                    step.no = label
         targets = {node.name.lower() for _, node in self._jumps}
         for name, step in self.labels.items():
             if is_main and name not in targets and kind_and_number(name) is not None:
-                self.handlers.append(step)
+                self.handlers[name] = step
+        if self._after_gosub:
+            back = self._new(BACK, None, [])
+            back.next = self._after_gosub
         for step in self._returns:
-            step.next += [*self._after_gosub] if type(step.node) is nodes.Return and self._after_gosub else []
-            step.next += [self.leave] if not step.next else []
+            step.next.append(back if type(step.node) is nodes.Return and self._after_gosub else self.leave)
+
+    def _find_single(self) -> None:
+        ways = dict.fromkeys(self.steps, 0)
+        for step in self.steps:
+            for after in step.next:
+                ways[after] += 1 + (len(step.next) > 1)
+        for step in (self.start, *self.handlers.values()):
+            ways[step] += 1
+        for step, count in ways.items():
+            step.single = count == 1
 
 
 def _always(condition: nodes.Expr) -> bool:

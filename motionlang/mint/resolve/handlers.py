@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.event_kinds import kind_and_number
-from motionlang.mint.syntax.nodes import Jump, Label
-from motionlang.mint.syntax.traversal import walk
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.resolve.names import Names
@@ -14,11 +10,7 @@ if TYPE_CHECKING:
 
 def label_handlers(function: Function) -> set[str]:
     """The labels of the main program that handle events, in small letters."""
-    if function.kind != "main":
-        return set()
-    labels = {node.name.lower() for node in function.body if type(node) is Label}
-    named = {label for label in labels if kind_and_number(label) is not None}
-    return named and named - {node.name.lower() for node in walk(function.body) if type(node) is Jump}
+    return set(function.graph.handlers) if function.jumps else set()
 
 
 def handles(names: Names, event: str) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
+from motionlang.mint.keywords.unsimulated import WRITTEN, written
 from motionlang.mint.resolve.folding import fold, given
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import (
@@ -363,7 +364,12 @@ class Names:
         for node in survey.statements:
             kind = node.__class__
             if kind is nodes.Assign or kind is nodes.Input:
-                self._written(function, node.target)  # type: ignore[attr-defined]
+                self._written(node.target)  # type: ignore[attr-defined]
+            elif (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
+                node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
+            elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
+                symbol = function.scope.find(node.word)  # type: ignore[attr-defined]
+                node.resolve(symbol, self.table.get(node.word) if symbol is None else None)  # type: ignore[attr-defined]
             if kind in _LOOPS:
                 function.loops = True
             elif kind in _OBSERVES:
@@ -371,10 +377,14 @@ class Names:
             elif kind in _JUMPS:
                 function.jumps = True
 
-    def _written(self, function: Function, target: nodes.Expr) -> None:
-        """What is only assigned to is not used."""
-        if type(target) is nodes.Name and (symbol := function.scope.find(target.name)) is not None:
-            symbol.uses -= 1
+    def _written(self, target: nodes.Expr) -> None:
+        """What is only assigned to is not used, and a word may be simulated only where it is read."""
+        if type(target) is not nodes.Name:
+            return
+        if target.symbol is not None:
+            target.symbol.uses -= 1
+        elif target.row is not None and target.row.name in WRITTEN:
+            target.row = written(target.row)
 
     def _use_name(self, function: Function, node: nodes.Name) -> None:
         symbol, row = node.symbol, node.row

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.mint.resolve.flowgraph import Graph
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -128,6 +130,7 @@ class Function:
     """
 
     __slots__ = (
+        "_graph",
         "at",
         "body",
         "calls",
@@ -155,3 +158,11 @@ class Function:
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
         self.observes = self.loops = self.jumps = self.plain = False
+        self._graph: Graph | None = None
+
+    @property
+    def graph(self) -> Graph:
+        """The ways through it, made when somebody asks; its body is then what it will be."""
+        if self._graph is None:
+            self._graph = Graph(self.body, self.kind == "main")
+        return self._graph

@@ -125,13 +125,13 @@ class PrintItem(Node):
         self.at, self.value, self.using, self.separator = at, value, using, separator
 
 
-class Print(Node):
+class Print(Resolved):
     """`PRINT [#terminal,] items`; the last item's separator decides whether the line ends.
 
-    `word` is another word than PRINT that stands before items, which only LINE may; its `row` comes before them.
+    `word` is another word than PRINT that stands before items, which only LINE may; its `line` comes before them.
     """
 
-    __slots__ = ("items", "row", "terminal", "word")
+    __slots__ = ("items", "line", "terminal", "word")
 
     def __init__(
         self,
@@ -139,9 +139,9 @@ class Print(Node):
         items: list[PrintItem],
         terminal: Expr | None = None,
         word: str = "",
-        row: Expr | None = None,
+        line: Expr | None = None,
     ) -> None:
-        self.at, self.items, self.terminal, self.word, self.row = at, items, terminal, word, row
+        self.at, self.items, self.terminal, self.word, self.line = at, items, terminal, word, line
 
 
 class Input(Node):
@@ -302,7 +302,7 @@ class Pause(Node):
         self.at, self.condition = at, condition
 
 
-class Run(Node):
+class Run(Resolved):
     """`Run task`."""
 
     __slots__ = ("name",)
@@ -311,7 +311,7 @@ class Run(Node):
         self.at, self.name = at, name
 
 
-class End(Node):
+class End(Resolved):
     """`End` (the program) or `End task`."""
 
     __slots__ = ("name",)

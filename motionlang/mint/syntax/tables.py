@@ -204,7 +204,7 @@ def _print_27(V, T):
     n.items = v1 if None is None else [*v1, None]
     n.terminal = None
     n.word = ''
-    n.row = None
+    n.line = None
 
 
 def _run_28(V, T):
@@ -325,7 +325,7 @@ def _print_40(V, T):
     n.items = v1 if v2 is None else [*v1, v2]
     n.terminal = None
     n.word = ''
-    n.row = None
+    n.line = None
 
 
 def _none_41(V, T):
@@ -765,7 +765,7 @@ def _print_89(V, T):
     n.items = v4 if None is None else [*v4, None]
     n.terminal = v2
     n.word = ''
-    n.row = None
+    n.line = None
 
 
 def _last_using_90(V, T):
@@ -961,7 +961,7 @@ def _print_107(V, T):
     n.items = v4 if v5 is None else [*v4, v5]
     n.terminal = v2
     n.word = ''
-    n.row = None
+    n.line = None
 
 
 def _last_open_108(V, T):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from random import Random
 
 import pytest
@@ -17,13 +18,15 @@ from motionlang.source import Source
 from tests.mint.programs import Writer
 from tests.mint.reference import Reference
 
+ENDS = re.compile(r"^ *(Next|End While|Until .*|End If)$", re.MULTILINE)
 
-def compare(text: str) -> None:
-    """The compiled program prints what the plain one prints, and ends in the same trouble."""
-    source = Source("random.mnt", text)
+
+def compare(text: str, written: str = "") -> None:
+    """The compiled program, `written` otherwise, prints what the plain one prints, and ends in the same trouble."""
+    source = Source("random.mnt", written or text)
     if DIALECT.check(source):
         return  # a mistake that is seen before the program runs
-    slow = Reference(parse(source))
+    slow = Reference(parse(Source("plain.mnt", text)))
     if slow.trouble == "limit":
         return
     fast = run(source, cache=False)
@@ -38,10 +41,25 @@ def test_compiled_programs_agree_with_a_plain_interpreter(seed: int) -> None:
     compare(Writer(Random(seed)).program())
 
 
+def with_labels(text: str) -> str:
+    """The program with a label at the end of every block, which makes jumps of it."""
+    count = iter(range(1000))
+    return ENDS.sub(lambda match: f"#here{next(count)}\n{match[1]}", text)
+
+
+@settings(max_examples=60)
+@given(st.integers(0, 10**9))
+def test_programs_of_jumps_agree_with_a_plain_interpreter(seed: int) -> None:
+    text = Writer(Random(seed)).program()
+    compare(text, with_labels(text))
+
+
 @pytest.mark.long
 def test_many_compiled_programs_agree_with_a_plain_interpreter() -> None:
     for seed in range(20_000):
-        compare(Writer(Random(seed)).program())
+        text = Writer(Random(seed)).program()
+        compare(text)
+        compare(text, with_labels(text))
 
 
 def text_of(program: str) -> str:
@@ -71,6 +89,30 @@ def test_a_float_without_bound_becomes_a_float() -> None:
 def test_a_subscript_that_is_in_bounds_is_not_checked() -> None:
     text = text_of("Dim a(10) As Integer\nFor i = 1 To 10\n  a(i) = 1\nNext")
     assert "v_a[v_i] = 1" in text
+
+
+def test_a_variable_of_a_program_with_labels_needs_no_check() -> None:
+    text = text_of(
+        "Dim n As Integer, a(9) As Integer\nn = 1\n#again\na(n) = n\nn = n + 1\nIf n < 10 Then Goto again"
+    )
+    assert "v_a[v_n] = v_n" in text
+    assert "v_n = (v_n + 1)" in text
+
+
+def test_what_fails_under_onerror_leaves_what_was() -> None:
+    """The If fails in its condition, so that neither of its sides is carried out."""
+    text = """
+    Dim a(3) As Integer, x As Integer, z As Integer, i As Integer
+    For i = 1 To 2
+      x = 30
+      If 1 / z > 0 Then x = 1 Else x = 2
+      a(x) = 7
+    Next
+    Event ONERROR
+      PRINT ERRCODE
+    End Event
+    """
+    assert run(Source("failing.mnt", text), cache=False).diagnostics == []
 
 
 BOUNDS = st.integers(-(2**33), 2**33)

@@ -20,14 +20,8 @@ from motionlang.source import Source
 
 PACKAGE = Path(__file__).parents[3] / "motionlang" / "mint"
 # Where a stage behind the resolver looks a word up after all, and how often; it may only shrink. `model` asks for the
-# words of other controllers, whatever a program makes of them; the others have a word that is no expression: that of a
-# LINE, of a task, of a misspelling.
-LOOK_UPS = {
-    "compile/compiler.py": 1,
-    "compile/statements.py": 1,
-    "compile/terminal_use.py": 2,
-    "lint/model.py": 4,
-}
+# words of other controllers, also in a program that does not compile.
+LOOK_UPS = {"lint/model.py": 4}
 
 
 def test_no_later_pass_looks_a_name_up() -> None:
