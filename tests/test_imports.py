@@ -39,7 +39,6 @@ LAZY = {
     "mint/compile/expressions.py": "compile.calls compile.keyword_use",
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
-    "mint/compile/polling.py": "compile.poll_analysis",
     "mint/keywords/following_masters.py": "keywords.following_auxiliary keywords.sensing_operations",
     "mint/runtime/task.py": "runtime.errors",
     "profile/curve.py": "chain",

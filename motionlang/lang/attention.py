@@ -63,9 +63,12 @@ class Attention:
         finally:
             clock.now = now
 
-    def sure_until(self, since: float, notes: Iterable[Note]) -> float:
-        """The moment up to which every reading of `notes` is sure to answer as it did, rounding and all."""
-        return self.until(since - CLOSE, notes) - CLOSE
+    def held(self, notes: list[Note], first: int, since: float) -> float:
+        """Until when all readings noted from the first on are sure to answer as they did since a moment.
+
+        In the past where other notes have been begun meanwhile.
+        """
+        return self.until(since - CLOSE, notes[first:]) - CLOSE if self.notes is notes else -INFINITY
 
     def at_once(self) -> float:
         """What may change at any moment."""

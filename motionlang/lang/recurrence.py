@@ -7,7 +7,7 @@ again and again until something happens: an event, a level that is passed, the e
 
 from __future__ import annotations
 
-from motionlang.lang.statement_time import UNITS, units
+from motionlang.lang.statement_time import UNITS, StatementTime, units
 from motionlang.lang.task import CLOSE, INFINITY, WATCH, Delay
 
 TYPE_CHECKING = False
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.statement_time import StatementTime
     from motionlang.lang.task import Task, Wait
 
     # When a state was met: the time, the statement time's base and count, until when what was read holds.
@@ -35,73 +34,72 @@ class Recurrence:
 
     def __init__(self, machine: Controller | Machine) -> None:
         self._clock = machine.clock
-        self._statements: StatementTime | None = getattr(machine, "statements", None)
-        self._key = (-1, -1)
+        self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
+        self._key: tuple[int, set[int]] = (-1, set())
         self._met: dict[tuple[object, ...], Met] = {}
 
     def leap(
         self, tasks: Sequence[Task], turn: int, until: float, pace: Callable[[float], None] | None
     ) -> None:
         """After a turn: go on over as many whole periods as fit before anything can change, if they are known."""
-        looks = [task.look for task in tasks if task.look is not None]
-        acts = looks[-1][0]
-        if any(look[0] != acts for look in looks) or len(self._met) > MOST:
-            return
+        acts = {task.look[0] for task in tasks if task.look is not None}
+        if len(acts) > 1 or any(task.wait is None and task.look is None for task in tasks):
+            return  # one has done something, or runs and nobody knows what it does
         if self._key != (self._clock.fired, acts):
             self._key, self._met = (self._clock.fired, acts), {}
-        if any(task.wait is None and task.look is None for task in tasks):
-            return  # it runs, and nobody knows what it does
+        if len(self._met) > MOST:
+            return
         lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
         longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)
         for most in (longest, LONGER * shortest)[: 1 + (longest > LONGER * shortest)]:
             inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
-            if self._leap(inner, others, (turn, most), until, pace):
+            if found := self._periods(inner, others, (turn, most), until):
+                self._go_on(inner, *found, pace)
                 return
 
-    def _leap(
-        self,
-        tasks: list[Task],
-        others: list[Wait],
-        signature: tuple[object, ...],
-        until: float,
-        pace: Callable[[float], None] | None,
-    ) -> bool:
-        """The same for a period of some `tasks`, while the `others` wait."""
-        clock, statements = self._clock, self._statements
-        now = clock.now
+    def _periods(
+        self, tasks: list[Task], others: list[Wait], signature: tuple[object, ...], until: float
+    ) -> tuple[Met, int] | None:
+        """When some `tasks` stood as they do now, and how often that period fits, while the `others` wait."""
+        now, statements = self._clock.now, self._statements
         for task in tasks:
             left = 0.0 if task.wait is None else task.wait.due() - now
             signature += (task.look[1], round(task.into * _NANOSECONDS), round(left * _NANOSECONDS))  # type: ignore[index]
         dues = [wait.due() for wait in others]
         level = min([task.level for task in tasks], default=INFINITY)
-        here = (now, statements.base, statements.count, level) if statements else (now, 0.0, 0.0, level)
         signature += tuple(dues)
         before = self._met.get(signature)
         if before is None or before[3] <= now:  # what passes a level sees another world from then on
-            self._met[signature] = here
-            return False
-        limit = min(level, clock.next_time(), *dues)
+            self._met[signature] = now, statements.base, statements.count, level
+            return None
         if any(wait.ready() for wait in others):
-            return False
+            return None
+        limit = min(level, self._clock.next_time(), *dues)
         if limit == INFINITY:
-            _note_vain(tasks, now)
+            for task in tasks:
+                if task.in_vain is None and task.look and task.look[2] and _lasts(task.wait) <= WATCH:
+                    task.in_vain = now
         count = int((min(limit, until) - CLOSE - now) / (now - before[0]))
-        if count < 1:
-            return False
+        return (before, count) if count > 0 else None
+
+    def _go_on(
+        self, tasks: list[Task], before: Met, count: int, pace: Callable[[float], None] | None
+    ) -> None:
+        """So many periods later, the `tasks` stand as they do now."""
+        clock, statements = self._clock, self._statements
+        now = clock.now
         time = now + count * (now - before[0])
-        if statements is not None and statements.reached == now:
+        if statements.reached == now:
             statements.repeat(before[1], before[2], count)
             time = statements.reached
         if pace is not None:
             pace(time)
         for task in tasks:
             if isinstance(task.wait, Delay):
-                end = task.wait.due() + (time - now)
-                task.wait.move(units(end) / UNITS if statements is not None else end)
+                task.wait.move(units(task.wait.due() + (time - now)) / UNITS)
         clock.leaps += 1
         clock.now = time
-        return True
 
 
 def _lasts(wait: Wait | None) -> float:
@@ -109,9 +107,3 @@ def _lasts(wait: Wait | None) -> float:
     if wait is None:
         return 0.0
     return wait.length if isinstance(wait, Delay) else INFINITY
-
-
-def _note_vain(tasks: Sequence[Task], now: float) -> None:
-    for task in tasks:
-        if task.in_vain is None and task.look is not None and task.look[2] and _lasts(task.wait) <= WATCH:
-            task.in_vain = now

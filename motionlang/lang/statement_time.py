@@ -90,6 +90,19 @@ class StatementTime:
             return count + 1.0
         return count - 1.0 if base + (count - 1.0) * cost >= moment else count
 
+    def periods(self, base: float, count: float, here: float, until: float) -> float:
+        """How often by `until` the running task, now at `here`, can come as far as it has since `base` and `count`.
+
+        Not at all where it has waited, and did so neither for a whole turn nor to a whole unit.
+        """
+        if until == INFINITY:
+            return INFINITY
+        if base == self.base:
+            return (self.first(until) - here) // (here - count)
+        if here != count or units(base) / UNITS != base:
+            return 0
+        return (until - self.at(here)) // (self.base - base)
+
     def repeat(self, base: float, count: float, times: float) -> float:
         """The running task goes on as far as it has come since `base` and `count`, so many times: its statement."""
         if base != self.base:

@@ -42,9 +42,8 @@ class Runner:
         self.dialect, self.machine = dialect, machine
         self._tell, self._poll = tell, poll
         # One for the whole session: background tasks and event handlers go on under every command.
-        controller = machine.controller
-        idle = _Passing(wait_until(controller, 0.0, 0.0))
-        self._scheduler = machine.scheduler = Scheduler(controller, idle, poll)
+        idle = _Passing(wait_until(machine, 0.0, 0.0))
+        self._scheduler = machine.scheduler = Scheduler(machine, idle, poll)
         self._interactive = dialect.interactive(machine)
 
     @property

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -17,7 +19,7 @@ Lines = list[str]
 axis = st.integers(0, 1)
 number = st.integers(1, 9)
 plain = st.one_of(
-    st.builds("SPEED({0}) = {1}00".format, axis, number),
+    st.builds("SPEED({0}) = {1}00".format, axis, st.integers(0, 9)),
     st.builds("ACCEL({0}) = {1}0000".format, axis, number),
     st.builds("ACCELTIME({0}) = {1}0".format, axis, number),
     st.builds("MOVER({0}) = {1}".format, axis, number),
@@ -38,6 +40,11 @@ plain = st.one_of(
 _TURN: list[Lines] = [["k = k + 1"], ["If k > 20 Then Exit Loop"]]
 
 
+def _counted(turns: int, body: list[Lines]) -> Lines:
+    """A For with a variable of its own: one that an inner For counts with, too, may never end."""
+    return _block(f"For i{sum(map(len, body))} = 1 To {turns}", body, "Next")
+
+
 def _block(head: str, body: list[Lines], tail: str) -> Lines:
     return [head, *(line for lines in body for line in lines), tail]
 
@@ -48,7 +55,7 @@ statements: st.SearchStrategy[list[Lines]] = st.recursive(
         st.one_of(
             st.builds(lambda line: [line], plain),
             st.builds(lambda n, body: _block(f"If k > {n} Then", body, "End If"), number, inner),
-            st.builds(lambda n, body: _block(f"For i = 1 To {n}", body, "Next"), st.integers(1, 4), inner),
+            st.builds(_counted, st.integers(1, 4), inner),
             st.builds(lambda body: _block("Loop", [*body, *_TURN], "End Loop"), inner),
         ),
         min_size=1,
@@ -63,7 +70,8 @@ _SILENT = ("Next", "End If", "End Loop", "If k > 20")
 def programs(draw: st.DrawFn) -> str:
     """A program, every statement of which prints its line before it is done."""
     lines = [line for each in draw(statements) for line in each]
-    text = "Dim k As Integer, i As Integer\n"
+    counters = sorted(set(re.findall(r"i\d+", "\n".join(lines))))
+    text = f"Dim {', '.join(f'{each} As Integer' for each in ('k', *counters))}\n"
     for line in lines:
         number = text.count("\n") + 1
         text += line if line.startswith(_SILENT) else f'PRINT "line {number}" : {line}'

@@ -16,7 +16,6 @@ from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword, Table
-    from motionlang.mint.compile.jumps import Turns
     from motionlang.mint.compile.polling import Poll
     from motionlang.mint.compile.splitting import Part
     from motionlang.mint.resolve.names import Names
@@ -183,7 +182,7 @@ class Body:
         "stretch",
         "targets",
         "temps",
-        "turns",
+        "turn",
         "values",
         "waits",
         "watching",
@@ -203,7 +202,8 @@ class Body:
         self.outside: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
-        self.turns: Turns | None = None
+        # What a turn that a Goto ends is compared by, where it is known; () where it is not watched.
+        self.turn: tuple[dict[str, Symbol], bool] | tuple[()] | None = None
         # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
         self.stretch = 0
         self.polls: list[Poll] = []

@@ -16,17 +16,14 @@ from __future__ import annotations
 from motionlang.mint.compile import polling
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import LEAVES, Line
-from motionlang.mint.resolve.flowgraph import BACK
 from motionlang.mint.resolve.symbols import Function
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Callable
 
     from motionlang.mint.compile.body import Body
-    from motionlang.mint.compile.poll_analysis import Look
-    from motionlang.mint.compile.polling import Poll
 
 # In a function of more stretches than this no jump is watched.
 MOST_STRETCHES = 200
@@ -105,7 +102,9 @@ def jump(b: Body, node: nodes.Jump) -> None:
     leaves_loops = any(kind for kind, _ in b.loops)
     poll = None
     if node.kind != "gosub" and number <= b.stretch and not leaves_loops:
-        poll = _watched(b, number)
+        if b.turn is None and len(labels) <= MOST_STRETCHES:
+            b.turn = polling.left_behind(b, b.function.body) or ()
+        poll = polling.Poll(b, *b.turn) if b.turn else None
     if poll is None:
         if node.kind != "exit":
             b.horizon()
@@ -129,73 +128,6 @@ def _unless(b: Body, node: nodes.Jump) -> str:
     test = condition(b, node.unless)
     b.settle()
     return f"if not {test}: "
-
-
-def _watched(b: Body, target: int) -> Poll | None:
-    """The watch on a jump back: its turn is whatever lies on a way from the label to the jump."""
-    stretches = b.stretches()
-    if len(stretches) > MOST_STRETCHES:
-        return None
-    if b.turns is None:
-        b.turns = Turns(_ways(b))
-    turn = b.turns.between(target, b.stretch)
-    look = b.turns.looks.get(turn)
-    if look is None:
-        body = [node for number in sorted(turn) for node in stretches[number][1]]
-        look = b.turns.looks[turn] = polling.look_at(b, body)
-    return polling.watched_jump(b, look)
-
-
-class Turns:
-    """The turns that jumps back make in one function; `looks` is what was found in each, however many jumps end it."""
-
-    __slots__ = ("_back", "_found", "_ways", "looks")
-
-    def __init__(self, ways: dict[int, set[int]]) -> None:
-        self._ways = ways
-        self._back: dict[int, list[int]] = {}
-        for number, nexts in ways.items():
-            for each in nexts:
-                self._back.setdefault(each, []).append(number)
-        self._found: dict[tuple[int, int], frozenset[int]] = {}
-        self.looks: dict[frozenset[int], Look] = {}
-
-    def between(self, target: int, jump: int) -> frozenset[int]:
-        """The stretches on the ways from the one that a jump leads to until the one that it stands in."""
-        found = self._found.get((target, jump))
-        if found is None:
-            found = frozenset(_reached(target, self._ways) & _reached(jump, self._back))
-            self._found[target, jump] = found
-        return found
-
-
-def _ways(b: Body) -> dict[int, set[int]]:
-    """Where each stretch leads to; a Gosub comes back, so it leads to what stands behind it."""
-    steps = b.function.graph.steps
-    number, stretch = 0, {}
-    for step in steps:
-        number += type(step.node) is nodes.Label
-        stretch[step] = number
-    ways: dict[int, set[int]] = {}
-    for step in steps:
-        gosub = type(step.node) is nodes.Jump and step.node.kind == "gosub"
-        if step.kind != BACK:
-            found = ways.setdefault(stretch[step], set())
-            found.update(
-                [stretch[each] for each in (steps[step.number + 1 : step.number + 2] if gosub else step.next)]
-            )
-    return ways
-
-
-def _reached(start: int, ways: Mapping[int, Iterable[int]]) -> set[int]:
-    """Everything that lies on the ways from a stretch, with itself."""
-    found, stack = {start}, [start]
-    while stack:
-        for each in ways.get(stack.pop(), ()):
-            if each not in found:
-                found.add(each)
-                stack.append(each)
-    return found
 
 
 def return_(b: Body, node: nodes.Return) -> None:

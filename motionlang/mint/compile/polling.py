@@ -5,43 +5,52 @@ as it was until something happens. `motionlang.mint.runtime.loop_skipping` pays 
 exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does.
 
     if w2: w2 -= 1
-    else: t, H, w1, w2 = k1.turn(t, H, w1, (E.acts, v_state))
-    if t >= H: t, H = yield t; w2 or (w1 := k1.begin(t, w1, (E.acts, v_state)))
+    else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,))
+    if t >= H: t, H = yield t; w2 or (w1 := k1.begin(t, (E.acts, v_state), (v_n,)))
 
-`w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`poll_variables`) is no
-part of that state; counters are given beside it, and are found in `w1` as they are when turns have been skipped.
+`w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`idle_variables`) is no
+part of that state; counters are given beside it, and come back as they are when turns have been skipped.
 """
 
 from __future__ import annotations
 
-from motionlang.mint.compile.poll_variables import carried
+from motionlang.mint.compile.idle_variables import idle
+from motionlang.mint.resolve.symbols import NUMERIC, SEMAPHORE, STRING, TIME
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import meant, walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Collection, Iterator, Sequence
 
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
-    from motionlang.mint.compile.poll_analysis import Look
+    from motionlang.mint.resolve.symbols import Symbol
 
-# A loop that gives more variables a value is not looked at turn by turn.
-MOST_VARIABLES = 40
+# A loop that names more variables is not looked at turn by turn, and arrays with more elements are not compared.
+MOST_VARIABLES, MOST_ELEMENTS = 100, 64
 
 
 class Poll:
     """One loop that is watched, and the names of what its turn began with and for how many turns nobody looks."""
 
-    __slots__ = ("counters", "left", "look", "site", "state")
+    __slots__ = ("counters", "left", "look", "named", "site", "state")
 
-    def __init__(self, b: Body, look: Look, counters: Sequence[str] = (), mere: Collection[str] = ()) -> None:
-        self.site = b.whole.use("loop", look.reads, b.whole.polls, bool(mere))
+    def __init__(
+        self,
+        b: Body,
+        state: dict[str, Symbol],
+        asks: bool,
+        counters: Sequence[str] = (),
+        mere: Collection[str] = (),
+    ) -> None:
+        self.site = b.whole.use("loop", asks, b.whole.polls, bool(mere))
         b.whole.polls += 1
-        self.look, self.left = b.temp(), b.temp()
-        self.state = f"({', '.join(['E.acts', *sorted(look.assigned.difference(mere))])},)"
-        self.counters = "".join(f"{each}, " for each in counters)
+        self.look, self.left, self.named = b.temp(), b.temp(), state.values()
+        self.counters = f"({', '.join(counters)},)" if counters else "z"
+        self.state = f"({', '.join(['E.acts', *sorted(state.keys() - mere)])},)"
         if counters:
-            self.state += f", ({self.counters})"
+            self.state += f", {self.counters}"
 
     @property
     def first(self) -> str:
@@ -51,53 +60,81 @@ class Poll:
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
     """The watch on a loop, None where it would never find anything to skip."""
-    if any(_plainly_acts(b, node) for node in body):
+    turn = [*body, *conditions]
+    left = None if any(_plainly_acts(node) for node in body) else left_behind(b, turn)
+    if left is None:
         return None
-    look = look_at(b, [*body, *conditions])
-    counters, mere, levels = carried(b, [*body, *conditions])
-    poll = watched_jump(b, look, counters, mere)
-    if poll is not None:
-        b.emit(poll.first)
-        b.levels.update(levels)
-        b.watching += 1
+    counters, mere, levels = idle(b, turn)
+    poll = Poll(b, *left, counters, mere)
+    b.emit(poll.first)
+    b.levels.update(levels)
+    b.watching += 1
     return poll
 
 
-def look_at(b: Body, turn: Sequence[nodes.Node]) -> Look:
-    """What the turns of a loop look at and leave behind."""
-    from motionlang.mint.compile.poll_analysis import Look
+def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol], bool] | None:
+    """The variables, as text, that turns of a loop are compared by, and whether these look at what others can change.
 
-    return Look(b, turn)
-
-
-def watched_jump(
-    b: Body, look: Look, counters: Sequence[str] = (), mere: Collection[str] = ()
-) -> Poll | None:
-    """The watch on a Goto that ends a turn which has been looked at; with what decides nothing in it, if known."""
-    if look.acts or len(look.assigned) > MOST_VARIABLES or (look.computes and not look.reads):
+    They are all that the loop and what it calls name: what is read and not given a value is the same every time. None
+    where there are too many, or one that cannot be compared, or where the loop just computes.
+    """
+    state: dict[str, Symbol] = {}
+    rewritten: set[Keyword] = set()
+    given: set[int] = set()
+    reads = computes = False
+    for node, own in _reached(b, turn):
+        if isinstance(node, nodes.Assign):
+            target = _root(node.target)
+            computes = computes or any(not isinstance(each, nodes.Number) for each in node.values)
+            if not (own and _counts(b, target)):
+                given.add(id(target))
+        elif isinstance(node, nodes.For):
+            given.add(id(node.variable))
+        elif isinstance(node, (nodes.Name, nodes.Variable)):
+            symbol, row = node.symbol, node.row
+            if row is not None:
+                reads = reads or row.kind in ("reading", "setting")
+                rewritten.update([row] if is_repeated(row) else ())
+            if symbol is None:
+                continue
+            reads = reads or symbol.shared or symbol.by_ref or symbol.type.name == TIME
+            if symbol.kind == "sub":
+                parameters = zip(getattr(node, "args", None) or (), symbol.home.parameters, strict=False)
+                given.update(id(_root(arg)) for arg, each in parameters if each.by_ref or each.is_array)
+                symbol = symbol.home.result or symbol
+            if symbol.kind not in ("variable", "parameter") or not _outlasts(b, symbol):
+                continue
+            text = _text(symbol)
+            if text:
+                state[text] = symbol
+            elif id(node) in given and symbol.type.name != SEMAPHORE:
+                return None
+    if len(state) > MOST_VARIABLES or (computes and not reads):
         return None  # with nothing but its own variables it computes
-    b.whole.rewritten |= look.rewritten
-    return Poll(b, look, counters, mere)
+    b.whole.rewritten |= rewritten
+    return state, reads
 
 
 def turn(b: Body, poll: Poll) -> None:
     """The end of a turn, `t` being up to date."""
-    look, left, site = poll.look, poll.left, poll.site
-    counted = f"; {poll.counters}= {look}.counters" if poll.counters else ""
+    look, left, site, counters = poll.look, poll.left, poll.site, poll.counters
     b.emit(f"if {left}: {left} -= 1")
-    b.emit(f"else: t, H, {look}, {left} = {site}.turn(t, H, {look}, {poll.state}){counted}")
-    b.horizon(then=f"; {left} or ({look} := {site}.begin(t, {look}, {poll.state}))")
+    for each in poll.named:
+        b.spelt(each)
+    b.emit(f"else: t, H, {look}, {left}, {counters} = {site}.turn(t, H, {look}, {poll.state})")
+    b.horizon(then=f"; {left} or ({look} := {site}.begin(t, {poll.state}))")
 
 
-def _plainly_acts(b: Body, node: nodes.Stmt) -> bool:
-    """Whether a statement does something in every turn, at a glance."""
-    if not isinstance(node, (nodes.Assign, nodes.Call)):
-        return node.__class__ in _ACTS
-    target = node.target
-    if not isinstance(target, nodes.Name) or target.symbol is not None:
-        return False
-    row = target.row
-    return row is not None and row.verb != "wait" and not is_repeated(row)
+def note_given(b: Body, target: nodes.Node) -> None:
+    """A variable is given a value."""
+    if _counts(b, _root(target)):
+        b.emit("E.acts += 1")
+
+
+def _counts(b: Body, target: nodes.Node) -> bool:
+    """Whether a variable that is given a value counts as something done: among Gotos, one that cannot be compared."""
+    symbol = target.symbol if b.function.jumps and isinstance(target, nodes.Name) else None
+    return symbol is not None and symbol.kind == "variable" and not _text(symbol)
 
 
 def is_repeated(row: Keyword) -> bool:
@@ -105,4 +142,55 @@ def is_repeated(row: Keyword) -> bool:
     return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
 
 
-_ACTS = frozenset((nodes.Print, nodes.Input, nodes.End))
+def _plainly_acts(node: nodes.Stmt) -> bool:
+    """Whether a statement does something in every turn, at a glance."""
+    if not isinstance(node, (nodes.Assign, nodes.Call)):
+        return isinstance(node, (nodes.Print, nodes.Input, nodes.End))
+    row = node.target.row if isinstance(node.target, nodes.Name) else None
+    return row is not None and row.verb != "wait" and not is_repeated(row)
+
+
+def _reached(b: Body, turn: Sequence[object]) -> Iterator[tuple[nodes.Node, bool]]:
+    """Every node of a turn and of all that it calls, and whether it stands in this function."""
+    bodies: list[tuple[Sequence[object], bool]] = [(turn, True)]
+    seen = {id(turn)}
+    for body, own in bodies:  # which grow meanwhile
+        for node in walk(body):
+            yield node, own
+            more: Sequence[object] = ()
+            here = own
+            if isinstance(node, nodes.Name) and node.stands is not None:
+                more = [node.stands]
+            elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub":
+                more, here = node.symbol.home.body, False
+            elif isinstance(node, nodes.Jump) and node.kind == "gosub" and own:
+                more = b.function.body
+            if more and id(more) not in seen:
+                seen.add(id(more))
+                bodies.append((more, here))
+
+
+def _root(node: nodes.Node) -> nodes.Node:
+    """The name of the variable of which a part is given a value."""
+    while isinstance(node, nodes.Member):
+        node = node.value
+    return meant(node)  # type: ignore[arg-type]
+
+
+def _outlasts(b: Body, symbol: Symbol) -> bool:
+    """Whether a variable is there from turn to turn: not one of a sub that is called in it."""
+    return symbol.home is b.function or symbol.home.kind != "sub"
+
+
+def _text(symbol: Symbol) -> str:
+    """A variable as Python text, with a value that can be compared; "" where there is none."""
+    if symbol.type.name not in (*NUMERIC, STRING):
+        return ""
+    if symbol.is_array:
+        count = 1
+        for size in symbol.dimensions:
+            count *= size
+        return f"tuple({symbol.python})" if 0 < count <= MOST_ELEMENTS else ""
+    if symbol.by_ref:
+        return f"{symbol.python}[{symbol.python}_k]"
+    return f"{symbol.python}[0]" if symbol.boxed else symbol.python

@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from motionlang.mint.compile import for_loops, jumps, keyword_use, loops, pause, splitting, terminal_use
+from motionlang.mint.compile import (
+    for_loops,
+    jumps,
+    keyword_use,
+    loops,
+    pause,
+    polling,
+    splitting,
+    terminal_use,
+)
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.calls import call
 from motionlang.mint.compile.conversions import article, converted
@@ -150,6 +159,7 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
     source = converted(b, found, kind, node.values[0], exact=symbol not in b.analysed)
     if kind.name == TIME:
         b.observes = True
+    polling.note_given(b, node.target)
     b.act(f"{text} = {source}")
 
 
@@ -157,6 +167,7 @@ def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Valu
     if found.type != str(kind):
         b.problem("type", f"{article(found.type)} cannot be given to {article(str(kind))}", node)
         return
+    polling.note_given(b, node.target)
     b.act(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
 
 

@@ -162,7 +162,7 @@ servo.gain.derivative servo.gain.velocity_feedback servo.gain.velocity_ff servo.
 servo.fatal_error servo.torque
 """,
     "state_operations": """
-is_idle position demand remaining
+is_idle position demand
 """,
     "steppers_operations": """
 steppers.count steppers.speed steppers.setting

@@ -39,17 +39,6 @@ def read_demand(environment: Environment, row: Row, axis: int) -> Operation:
     return environment.controller.reader("demand", axis, "place", hearing)
 
 
-def read_remaining(environment: Environment, row: Row) -> Operation:
-    """POSREMAINING: what is left of the way to the target."""
-    remaining = environment.controller.remaining
-
-    def read(axis: int) -> float:
-        return scale_of(environment, axis).to_user(float(remaining(axis)), row.unit)
-
-    changes = environment.part(Changes)
-    return changes.comparable(read, changes.remaining)
-
-
 def write_position(environment: Environment, row: Row) -> Operation:
     """POS: the present position gets a new value."""
 
@@ -66,5 +55,4 @@ OPERATIONS = {
     "is_idle": {"read": read_is_idle},
     "position": {"read": read_position, "write": write_position},
     "demand": {"read": read_demand},
-    "remaining": {"read": read_remaining},
 }

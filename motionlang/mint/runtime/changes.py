@@ -18,32 +18,21 @@ if TYPE_CHECKING:
 
 def moving(make: Maker) -> Maker:
     """A reading that may change for as long as an axis moves; `make` makes the function that reads."""
-
-    def made(environment: Environment, row: Row) -> Callable[..., Any]:
-        read, attention, until = (
-            make(environment, row),
-            environment.attention,
-            environment.part(Changes).moving,
-        )
-
-        def noted(*where: Any) -> Any:
-            if attention.notes is not None:
-                attention.note(until)
-            return read(*where)
-
-        return noted
-
-    return made
+    return _noted(make, lambda environment: environment.part(Changes).moving)
 
 
 def always(make: Maker) -> Maker:
     """A reading that changes all the time."""
+    return _noted(make, lambda environment: environment.part(Changes).at_once)
 
+
+def _noted(make: Maker, until_of: Callable[[Environment], Callable[[], float]]) -> Maker:
     def made(environment: Environment, row: Row) -> Callable[..., Any]:
-        read, attention = make(environment, row), environment.attention
+        read, attention, until = make(environment, row), environment.attention, until_of(environment)
 
         def noted(*where: Any) -> Any:
-            attention.note(attention.at_once)
+            if attention.notes is not None:
+                attention.note(until)
             return read(*where)
 
         return noted
@@ -57,6 +46,17 @@ def repeatable(make: Maker) -> Maker:
     return make
 
 
+def solved(find: Callable[[Changes, int, float], float]) -> Callable[[Changes, int, float | None], float]:
+    """Of an axis that stands nothing changes; what is compared with no level may change at any time."""
+
+    def until(self: Changes, axis: int, level: float | None) -> float:
+        if self.is_still(axis):
+            return INFINITY
+        return self.at_once() if level is None else find(self, axis, level)
+
+    return until
+
+
 class Changes:
     """The moments, from the clock's on, at which readings change; levels are in user units, or ms of a time.
 
@@ -67,32 +67,34 @@ class Changes:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._controller, self._clock = environment.controller, environment.clock
+        self.is_still = environment.controller.is_still
+        self.at_once: Callable[[], float] = environment.attention.at_once
 
     def hearing(
-        self, axis: int, until: Callable[..., float] | None = None, wraps: Mapping[int, float] | None = None
+        self, number: int, until: Callable[..., float] | None = None, wraps: Mapping[int, float] | None = None
     ) -> Hearing:
-        """Who hears of a reading of an axis; `until` says when it passes the level that it is compared with."""
-        attention = self._environment.attention
-        if until is None:
-            return Hearing(attention, lambda level: attention.note(self.moving), wraps)
+        """Who hears of a reading of an axis or a channel; `until` says when it passes what it is compared with."""
+        attention, find = self._environment.attention, until or self._anything
 
         def note(level: float | None) -> None:
             if level != -INFINITY:
-                attention.note(until, axis, level)
+                attention.note(find, number, level)
 
         return Hearing(attention, note, wraps)
 
     def comparable(self, read: Callable[[int], float], until: Callable[..., float]) -> Callable[..., float]:
-        """A reading of an axis or a channel that may be told what it is compared with."""
+        """The same of a reading that is bound to none of them."""
         attention = self._environment.attention
 
         def compared(number: int, level: float | None = None) -> float:
-            found = read(number)
             if attention.notes is not None and level != -INFINITY:
                 attention.note(until, number, level)
-            return found
+            return read(number)
 
         return compared
+
+    def _anything(self, number: int, level: float | None) -> float:
+        return self.moving()
 
     def moving(self) -> float:
         """What may change while anything moves: an axis, or an encoder that the world turns."""
@@ -102,74 +104,70 @@ class Changes:
         )
         return INFINITY if still else self._clock.now
 
-    def position(self, axis: int, level: float | None) -> float:
-        return self._of_axis(self._controller.crossing_time, self._controller.position, axis, level)
+    @solved
+    def position(self, axis: int, level: float) -> float:
+        controller = self._controller
+        return self._place(controller.crossing_time, controller.position, axis, level)
 
-    def demand(self, axis: int, level: float | None) -> float:
-        return self._of_axis(self._controller.demand_crossing_time, self._controller.demand, axis, level)
+    @solved
+    def demand(self, axis: int, level: float) -> float:
+        controller = self._controller
+        return self._place(controller.demand_crossing_time, controller.demand, axis, level)
 
-    def velocity(self, axis: int, level: float | None) -> float:
+    @solved
+    def velocity(self, axis: int, level: float) -> float:
         """When the velocity passes a level, or the motion another knot; a simulated motor's may at any time."""
-        if level is None or self._controller.has_motor(axis):
-            return self._standing(axis)
-        return self.demand_velocity(axis, level)
+        controller = self._controller
+        if controller.has_motor(axis):
+            return self._clock.now
+        return controller.demand_velocity_crossing_time(axis, self._counts(axis, level, "uu/s"))
 
-    def demand_velocity(self, axis: int, level: float | None) -> float:
-        if level is None:
-            return self._standing(axis)
-        scale = self._controller.axes[axis].scale
-        return self._controller.demand_velocity_crossing_time(axis, scale.to_counts(level, "uu/s"))
+    @solved
+    def demand_velocity(self, axis: int, level: float) -> float:
+        return self._controller.demand_velocity_crossing_time(axis, self._counts(axis, level, "uu/s"))
 
     def following_error(self, axis: int, level: float | None) -> float:
         """Where no motor is simulated there is none."""
-        return self._standing(axis) if self._controller.has_motor(axis) else INFINITY
-
-    def remaining(self, axis: int, level: float | None) -> float:
-        """When so much is still to go."""
         controller = self._controller
-        if level is None or level == INFINITY or controller.is_still(axis):
-            return self._standing(axis)
-        left = controller.axes[axis].scale.to_counts(level, "uu")
-        return controller.demand_crossing_time(axis, controller.target(axis) - left)
+        return self._clock.now if controller.has_motor(axis) and not self.is_still(axis) else INFINITY
 
-    def offset(self, axis: int, level: float | None) -> float:
+    @solved
+    def remaining(self, axis: int, level: float) -> float:
+        """When so much is still to go."""
+        if level == INFINITY:
+            return self._clock.now
+        controller = self._controller
+        return controller.demand_crossing_time(
+            axis, controller.target(axis) - self._counts(axis, level, "uu")
+        )
+
+    @solved
+    def offset(self, axis: int, level: float) -> float:
         """When so much is still to go of the offset of a slave, or of the move of another axis."""
         controller = self._controller
-        if (
-            level is None
-            or level == INFINITY
-            or controller.is_still(axis)
-            or controller.master_of(axis) is None
-        ):
+        if level == INFINITY or controller.master_of(axis) is None:
             return self.remaining(axis, level)
         from motionlang.controller.motion.offset import crossing_time
 
-        a = controller.axes[axis]
-        return crossing_time(controller, a, a.scale.to_counts(level, "uu"))
+        return crossing_time(controller, controller.axes[axis], self._counts(axis, level, "uu"))
 
-    def _standing(self, axis: int) -> float:
-        return INFINITY if self._controller.is_still(axis) else self._clock.now
+    def _counts(self, axis: int, level: float, unit: str) -> float:
+        return self._controller.axes[axis].scale.to_counts(level, unit)
 
-    def _of_axis(
+    def _place(
         self,
         passing: Callable[[int, float], float],
         place: Callable[[int], float],
         axis: int,
-        level: float | None,
+        level: float,
     ) -> float:
         """When a position passes a level."""
-        if level is None or self._controller.is_still(axis):
-            return self._standing(axis)
         scale, wrap = self._controller.axes[axis].scale, self._environment.wraps.get(axis, 0.0)
         if level == INFINITY:
             turns = not wrap and not self._controller.has_motor(axis)
             return self._controller.turning_time(axis) if turns else self._clock.now
-        return passing_within(
-            wrap,
-            scale.position_to_user(place(axis)),
-            level,
-            lambda place: passing(axis, scale.position_to_counts(place)),
-        )
+        here = scale.position_to_user(place(axis))
+        return passing_within(wrap, here, level, lambda place: passing(axis, scale.position_to_counts(place)))
 
 
 def passing_within(wrap: float, here: float, level: float, passing: Callable[[float], float]) -> float:

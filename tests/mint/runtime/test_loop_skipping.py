@@ -7,7 +7,7 @@ import pytest
 from motionlang import run
 from motionlang.lang.task import GeneratorTask
 from motionlang.mint.compile import polling
-from motionlang.mint.runtime.loop_skipping import Site, Skipper
+from motionlang.mint.runtime.loop_skipping import Site
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.mint.polling_programs import COST, program
@@ -148,8 +148,7 @@ def outcome(text: str, machine: dict[str, object] | None = None, until: float = 
 
 def turn_by_turn(monkeypatch: pytest.MonkeyPatch) -> None:
     """From now on nothing is skipped."""
-    monkeypatch.setattr(polling, "watched", lambda *_: None)
-    monkeypatch.setattr(polling, "watched_jump", lambda *_: None)
+    monkeypatch.setattr(polling, "left_behind", lambda *_: None)
 
 
 @pytest.mark.parametrize("text", PROGRAMS.values(), ids=PROGRAMS.keys())
@@ -209,7 +208,7 @@ def effort(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Run, int]:
         return call
 
     monkeypatch.setattr(GeneratorTask, "resume", counted(GeneratorTask.resume))
-    monkeypatch.setattr(Skipper, "skip", counted(Skipper.skip))
+    monkeypatch.setattr(Site, "skip", counted(Site.skip))
     return run(Source("a.mnt", text), cache=False), count
 
 
