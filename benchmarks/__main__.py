@@ -92,6 +92,7 @@ BARS: dict[str, Bar] = {
     "sample.one_profile_over_fill": _most(5.0),
     "sample.table_of_2000_moves_over_fill": _most(25.0),
     "output.savetxt_over_csv": _least(8.0),
+    "output.csv_five_columns_speed": _least(6_500.0),
     # Sweeps against a bare run and against a loop in a shell.
     "sweep_variant_by_bare_run": _most(1.3),
     "sweep_thousand": _most(1.2),

@@ -249,8 +249,9 @@ def _execute(
     """Run to the end, or to what ends it; whatever happened before stays in the result."""
     scheduler: Scheduler | None = None
     # The log of a run lives as long as the run: looking through it over and over finds nothing to collect.
-    thresholds, collecting = gc.get_threshold(), gc.isenabled()
-    gc.set_threshold(GARBAGE, *thresholds[1:])
+    thresholds, collecting = _thresholds(), gc.isenabled()
+    if thresholds:
+        gc.set_threshold(GARBAGE, *thresholds[1:])
     gc.enable()
     try:
         if outside is not None:
@@ -289,9 +290,15 @@ def _execute(
         result.status = "fault"
         result.diagnostics.append(diagnostic)
     finally:
-        gc.set_threshold(*thresholds)
+        if thresholds:
+            gc.set_threshold(*thresholds)
         if not collecting:
             gc.disable()
+
+
+def _thresholds() -> tuple[int, ...]:
+    """When the collector looks; () for one that goes by something else, as that of PyPy does."""
+    return gc.get_threshold() if hasattr(gc, "get_threshold") and hasattr(gc, "set_threshold") else ()
 
 
 __all__ = [

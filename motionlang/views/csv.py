@@ -1,13 +1,14 @@
-"""Columns as CSV text, ten times as fast as `np.savetxt`: fixed point, by tables of ready-made digits.
+"""Columns as CSV text, many times as fast as `np.savetxt` and with its digits: fixed point, by tables of digits.
 
-A number becomes words of four bytes: the sign, three words of four digits before the point, two to four words of
-three digits behind it, the last with the separator in it. Unused places are NUL, and one `bytes.translate` deletes
-them all. What does not fit into that, because it is too large or no number, takes the slow way, row by row.
+A number becomes words of four bytes: one to four words before the point, the first with the sign in it, two to four
+words of three digits behind it, the last with the separator. Unused places are NUL, and one `translate` deletes them
+all. What does not fit into that, because it is too large or no number, takes the slow way, row by row.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from itertools import accumulate
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,7 +26,11 @@ DECIMALS = (6, 9, 12)
 BLOCK = 8192
 # A number times 10^decimals must stay below this: doubles count every integer up to 2^53.
 LARGEST = 9.0e15
-_WHOLE = 3
+# Whole parts below these have so many words: three digits with the sign, then four each.
+_WIDTHS = (1e3, 1e7, 1e11)
+# Products this near to a half, of nine decimals and of more, may have been rounded to the wrong side of it; those are
+# formatted one by one.
+_NEAR_HALF, _NEARER = 1e-6, 1e-3
 
 
 def _table(texts: Sequence[bytes]) -> Words:
@@ -37,7 +42,13 @@ _FOUR = _table([b"%04d" % i for i in range(10_000)])
 _LEADING = _table([b"\0\0\0\0", *((b"%d" % i).rjust(4, b"\0") for i in range(1, 10_000))])
 _UNITS = _LEADING.copy()
 _UNITS[0] = np.frombuffer(b"\0\0\x000", "<u4")[0]
-_SIGN = _table([b"\0\0\0\0", b"\0\0\0-"])
+# A sign and three digits, of the numbers from 0, then of those below it, as the first word or as the only one.
+_SIGNED = _table(
+    [sign + text.tobytes()[1:] for sign in (b"\0", b"-") for text in np.split(_LEADING[:1000], 1000)]
+)
+_ALONE = _table(
+    [sign + text.tobytes()[1:] for sign in (b"\0", b"-") for text in np.split(_UNITS[:1000], 1000)]
+)
 _AFTER_POINT = _table([b".%03d" % i for i in range(1000)])
 _MIDDLE = _table([b"\0%03d" % i for i in range(1000)])
 _COMMA = _table([b"%03d," % i for i in range(1000)])
@@ -55,15 +66,14 @@ def decimals_for(resolution: float) -> int:
 class Formatter:
     """Turns columns of equal length into CSV lines; `decimals` has one of `DECIMALS` for each."""
 
-    __slots__ = ("_decimals", "_words")
+    __slots__ = ("_bytes", "_decimals")
 
     def __init__(self, decimals: Sequence[int]) -> None:
         assert all(each in DECIMALS for each in decimals)
         self._decimals = tuple(decimals)
-        widest = 1 + _WHOLE + max(self._decimals) // 3
-        self._words = np.zeros((BLOCK, len(self._decimals), widest), "<u4")
+        self._bytes = bytearray()
 
-    def lines(self, columns: Sequence[Array]) -> list[bytes]:
+    def lines(self, columns: Sequence[Array]) -> list[bytearray | bytes]:
         """The lines of the columns, in blocks."""
         count = len(columns[0])
         return [
@@ -71,16 +81,28 @@ class Formatter:
             for first in range(0, count, BLOCK)
         ]
 
-    def _block(self, columns: Sequence[Array]) -> bytes:
-        words = self._words[: len(columns[0])]
+    def _block(self, columns: Sequence[Array]) -> bytearray | bytes:
+        sizes = [max(-column.min(), column.max()) for column in columns]
+        for size, decimals in zip(sizes, self._decimals, strict=True):
+            if not size * 10.0**decimals < LARGEST:
+                return self._slow(columns)
+        wholes = [1 + len([most for most in _WIDTHS if size >= most - 1.0]) for size in sizes]
+        # An even number of words each: they go into their rows two or four at a time.
+        widths = [whole + decimals // 3 for whole, decimals in zip(wholes, self._decimals, strict=True)]
+        edges = [0, *accumulate(width + width % 2 for width in widths)]
+        room = 4 * len(columns[0]) * edges[-1]
+        if len(self._bytes) != room:
+            self._bytes = bytearray(room)
+        words = np.frombuffer(self._bytes, "<u4").reshape(-1, edges[-1])
         last = len(columns) - 1
         for i, (column, decimals) in enumerate(zip(columns, self._decimals, strict=True)):
-            with np.errstate(over="ignore"):
-                scaled = column * 10.0**decimals
-            if not -LARGEST < scaled.min() <= scaled.max() < LARGEST:
-                return self._slow(columns)
-            _write(words[:, i], np.rint(scaled).astype(np.int64), decimals, _NEWLINE if i == last else _COMMA)
-        return words.tobytes().translate(None, b"\0")
+            part = words[:, edges[i] : edges[i + 1]]
+            cell, spare = np.empty(part.shape, "<u4"), part.shape[1] - widths[i]
+            cell[:, :spare] = 0
+            _write(cell, spare, spare + wholes[i], column, decimals, _NEWLINE if i == last else _COMMA)
+            at_once = np.complex128 if part.shape[1] % 4 == 0 else np.uint64
+            part.view(at_once)[...] = cell.view(at_once)
+        return self._bytes.translate(None, b"\0")
 
     def _slow(self, columns: Sequence[Array]) -> bytes:
         # Adding 0.0 turns -0.0 into 0.0, as the fast way prints it.
@@ -89,31 +111,81 @@ class Formatter:
         return "".join([row % each for each in values]).encode("ascii")
 
 
-def _write(words: Words, values: NDArray[np.int64], decimals: int, ends: Words) -> None:
-    """One column's digits into its words: rows x (sign, whole part, decimals)."""
-    words[:, 0] = _SIGN.take((values < 0).view(np.uint8))
-    np.abs(values, out=values)
-    whole = values // 10**decimals
-    rest = values - whole * 10**decimals
-    _write_whole(words, whole)
-    place = 1 + _WHOLE
-    table = _AFTER_POINT
-    for power in range(decimals - 3, 0, -3):
-        group = rest // 10**power
-        rest -= group * 10**power
-        words[:, place] = table.take(group)
-        table = _MIDDLE
-        place += 1
-    words[:, place] = ends.take(rest)
+def _write(words: Words, first: int, point: int, column: Array, decimals: int, ends: Words) -> None:
+    """One column's digits into its words: the whole part from `first`, the decimals from `point`."""
+    below = column <= -0.5 * 10.0**-decimals if column.min() < 0.0 else None
+    parts = np.abs(column)
+    whole = np.floor(parts)
+    parts -= whole  # exact
+    # Up to nine decimals are one number of 32 bits; of more the last three are another one.
+    upper = min(decimals, 9)
+    parts *= 10.0**upper
+    high = None
+    if decimals > upper:
+        high = np.floor(parts)
+        parts -= high
+        parts *= 10.0 ** (decimals - upper)
+    digits = np.rint(parts)
+    parts -= digits
+    np.abs(parts, out=parts)
+    near = 0.5 - (_NEAR_HALF if high is None else _NEARER)
+    if parts.max() > near:
+        _write_exactly(column, decimals, np.flatnonzero(parts > near).tolist(), (whole, high, digits, below))
+    _carry(digits, 10.0 ** (decimals - upper if high is not None else upper), whole if high is None else high)
+    place = point + decimals // 3 - 1
+    if high is not None:
+        words[:, place] = ends.take(digits.astype(np.int32))
+        _carry(high, 10.0**upper, whole)
+        digits, place, ends = high, place - 1, _MIDDLE
+    rest = digits.astype(np.int32)
+    while place > point:
+        left = rest // 1000
+        rest -= left * 1000
+        words[:, place] = ends.take(rest)
+        rest, place, ends = left, place - 1, _MIDDLE
+    words[:, point] = _AFTER_POINT.take(rest)
+    _write_whole(words, first, point, whole, below)
 
 
-def _write_whole(words: Words, whole: NDArray[np.int64]) -> None:
-    if whole.max() < 10_000:
-        words[:, 1:3] = 0
-        words[:, 3] = _UNITS.take(whole)
-        return
-    top, rest = np.divmod(whole, 100_000_000)
-    middle, low = np.divmod(rest, 10_000)
-    words[:, 1] = _LEADING.take(top)
-    words[:, 2] = np.where(top > 0, _FOUR.take(middle), _LEADING.take(middle))
-    words[:, 3] = np.where(whole >= 10_000, _FOUR.take(low), _UNITS.take(low))
+def _carry(digits: Array, most: float, into: Array) -> None:
+    """What has been rounded up to a digit more."""
+    if digits.max() >= most:
+        over = digits >= most
+        into[over] += 1.0
+        digits[over] = 0.0
+
+
+def _write_exactly(
+    column: Array,
+    decimals: int,
+    rows: Sequence[int],
+    parts: tuple[Array, Array | None, Array, NDArray[np.bool_] | None],
+) -> None:
+    """The digits of some rows as Python has them, into the parts that the others are written from."""
+    whole, high, digits, below = parts
+    for row in rows:
+        shown = f"{abs(column[row]):.{decimals}f}"
+        before, _, behind = shown.partition(".")
+        whole[row], digits[row] = float(before), float(behind if high is None else behind[9:])
+        if high is not None:
+            high[row] = float(behind[:9])
+        if below is not None:
+            below[row] = column[row] < 0.0 and shown.strip("0.") != ""
+
+
+def _write_whole(words: Words, first: int, point: int, whole: Array, below: NDArray[np.bool_] | None) -> None:
+    number: Any = whole.astype(np.int32 if point - first < 3 else np.int64)
+    groups = []
+    for _ in range(point - first - 1):
+        left = number // 10_000
+        groups.append(number - left * 10_000)
+        number = left
+    begun = number > 0 if groups else None
+    if below is not None:
+        number += below.view(np.int8) * number.dtype.type(1000)
+    words[:, first] = (_ALONE if begun is None else _SIGNED).take(number)
+    for place, group in enumerate(reversed(groups), first + 1):
+        assert begun is not None
+        table = _UNITS if place == point - 1 else _LEADING
+        words[:, place] = np.where(begun, _FOUR.take(group), table.take(group))
+        begun |= group > 0

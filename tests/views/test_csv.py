@@ -75,3 +75,19 @@ def test_every_number_reads_back_within_half_a_digit(numbers: list[float], decim
         first = text.split(",")[0]
         assert len(first.partition(".")[2]) == decimals
         assert abs(float(first) - number) <= 0.5000001 * 10.0**-decimals + 1e-10
+
+
+@pytest.mark.parametrize("decimals", [6, 9, 12])
+def test_digits_are_those_of_savetxt(decimals: int) -> None:
+    """Also where the product with 10^decimals falls near a half, as one of some thousands does of large numbers."""
+    draw = np.random.default_rng(16)
+    for size in (1e-9, 1e-3, 1.0, 999.9999999999, 1e3, 3e4, 9_999_999.5):
+        if size * 10.0**decimals >= 9e15:
+            continue
+        values = draw.uniform(-size, size, 6000)
+        values[:2000] = np.round(values[:2000], decimals) + draw.choice([0.0, 0.5 * 10.0**-decimals], 2000)
+        values[:4] = size, -size, np.nextafter(size, 0.0), 0.0
+        shown = b"".join(Formatter([decimals]).lines([values])).decode().split()
+        plain = [f"{each + 0.0:.{decimals}f}" for each in values.tolist()]
+        minus = f"-{0.0:.{decimals}f}"
+        assert shown == [each.replace("-", "") if each == minus else each for each in plain], size

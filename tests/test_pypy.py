@@ -1,0 +1,62 @@
+"""What CPython has and another Python may lack: a run does without, and its report is the same.
+
+No other Python is run here: its lacks are simulated.
+"""
+
+from __future__ import annotations
+
+import gc
+import sys
+from pathlib import Path
+
+import pytest
+
+from motionlang.execution import run
+from motionlang.lang import cache
+from motionlang.report import text
+from motionlang.source import Source
+
+ROOT = Path(__file__).parent.parent
+PROGRAMS = ("scripts/mint/palletiser.mnt", "scripts/mccl/back-and-forth.mcl")
+
+
+def reports() -> list[str]:
+    return [text(run(ROOT / name, cache=False)) for name in PROGRAMS]
+
+
+def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As PyPy's, which has neither of them, and may have one."""
+    expected = reports()
+    assert expected
+    for lacking in (("get_threshold",), ("set_threshold",), ("get_threshold", "set_threshold"), ("freeze",)):
+        with monkeypatch.context() as patch:
+            for name in lacking:
+                patch.delattr(gc, name)
+            assert reports() == expected
+    before = gc.get_threshold()
+    assert reports() == expected
+    assert gc.get_threshold() == before
+
+
+def test_the_cache_of_one_python_is_not_that_of_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    here = cache.key("program")
+    monkeypatch.setattr(
+        sys, "version", f"{sys.version.partition(' ')[0]} (0000) [PyPy 7.3.19 with GCC 10.2.1]"
+    )
+    assert cache.key("program") != here
+
+
+def test_nothing_asks_for_what_only_cpython_tells() -> None:
+    """How often something is referred to, and how large it is, is CPython's own business."""
+    for path in (ROOT / "motionlang").rglob("*.py"):
+        program = path.read_text(encoding="utf-8")
+        for word in ("getrefcount", "getsizeof", "gc.freeze", "get_referrers", "_PyObject", "ctypes"):
+            assert word not in program, f"{path.name}: {word}"
+
+
+def test_a_traceback_in_a_sub_knows_its_line() -> None:
+    """Lines come from frames of the program's own code, which every Python has."""
+    ran = run(
+        Source("a.mnt", "Deep\nEnd\nSub Deep()\n  Dim x\n  x = 0\n  PRINT 1 / x\nEnd Sub\n"), cache=False
+    )
+    assert [each.line for each in ran.diagnostics] == [6]
