@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
 from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.findings_options import add_form
 from motionlang.cli.fix import Fixed, fix
 from motionlang.cli.golden import programs
 from motionlang.cli.input_files import read_source
-from motionlang.cli.parallel import in_parallel
+from motionlang.cli.machine_options import add_dialect
+from motionlang.cli.parallel import add_jobs, in_parallel
+from motionlang.cli.parser import add_command
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect, dialect_of, machine_of
 from motionlang.foreign import one_sentence
+from motionlang.lang.dialect import unknown_model
 from motionlang.lang.machine.axes import missing_axes
 from motionlang.lang.machine.file import read_machine
 from motionlang.lang.machine.machine import DEFAULT_AXES
+from motionlang.mccl.models import MODELS
 from motionlang.source import STDIN, STDIN_NAME, Source, name_of
 from motionlang.views.diagnostics import tally
 from motionlang.views.findings import Found, written
@@ -26,9 +32,20 @@ from motionlang.views.terminal import printable, wants_colour, width_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from motionlang.cli.parser import Commands
     from motionlang.errors import Diagnostic
 
 SCHEMA = "motionlang.check/1"
+EPILOG = """\
+Warnings are about what compiles and yet is hardly meant: a move that no GO starts, a wait that nothing can end.
+docs/lint.md explains each; a comment with `lint: ignore CODE` silences one on its line.
+
+exit status: 0 no file has a mistake; 1 one has (with --strict, or a warning); 2 the command line is wrong
+
+examples:
+  motionlang check pick.mnt --machine cell.toml      moves beyond the machine's travel, inputs that nothing drives
+  motionlang check old.prg --model mintmt            what MintMT does not accept of a Mint v4 program
+"""
 
 
 class CheckOptions:
@@ -54,6 +71,61 @@ class CheckOptions:
     ) -> None:
         self.dialect, self.form, self.jobs, self.machine = dialect, form, jobs, machine
         self.model, self.strict, self.evidence, self.fix = model, strict, evidence, fix
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang check` and its options."""
+    parser = add_command(commands, "check", summary, _check_files, EPILOG)
+    parser.add_argument(
+        "files", metavar="FILE", nargs="+", help="programs, or folders with programs; - reads standard input"
+    )
+    add_dialect(parser)
+    parser.add_argument(
+        "--machine",
+        metavar="M.toml",
+        help="the machine the programs are for; without it pick.machine.toml beside pick.mnt, if there is one",
+    )
+    parser.add_argument(
+        "--model",
+        type=_model,
+        metavar="MODEL",
+        help="the controller they are for: mint4 or mintmt, or one of its names such as NextMove ESB; for MCCL one of "
+        f"{', '.join(MODELS)}",
+    )
+    parser.add_argument("--strict", action="store_true", help="count warnings as mistakes")
+    parser.add_argument(
+        "--evidence",
+        action="store_true",
+        help="list the open readings that each program depends on, and how strong each is",
+    )
+    parser.add_argument(
+        "--fix",
+        action="store_true",
+        help="write what can only have been meant one way into the files, then tell what is left",
+    )
+    add_form(parser)
+    add_jobs(parser)
+
+
+def _model(text: str) -> str:
+    problem = unknown_model(text)
+    if problem is not None:
+        raise argparse.ArgumentTypeError("; ".join(problem))
+    return text
+
+
+def _check_files(arguments: argparse.Namespace) -> int:
+    options = CheckOptions(
+        arguments.dialect,
+        form=arguments.format,
+        jobs=arguments.jobs,
+        machine=arguments.machine,
+        model=arguments.model,
+        strict=arguments.strict,
+        evidence=arguments.evidence,
+        fix=arguments.fix,
+    )
+    return check_command(arguments.files, options)
 
 
 def check_command(files: Sequence[str], options: CheckOptions) -> int:

@@ -37,15 +37,9 @@ examples:
 """
 
 
-def add_parser(commands: Commands) -> None:
+def add_parser(commands: Commands, summary: str) -> None:
     """`motionlang compare` and its options."""
-    parser = add_command(
-        commands,
-        "compare",
-        "hold what a real controller recorded against the run: residuals, lag and overshoot, line by line",
-        _command,
-        EPILOG,
-    )
+    parser = add_command(commands, "compare", summary, _command, EPILOG)
     parser.add_argument("file", metavar="FILE", help="the program")
     parser.add_argument(
         "recording", metavar="CSV", help="what was recorded, in columns; - reads standard input"
@@ -123,7 +117,8 @@ def _tolerance(text: str) -> tuple[str, float]:
     return (what.strip() if equals else "position"), value
 
 
-def _command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def _command(arguments: argparse.Namespace) -> int:
+    parser = arguments.parser
     if arguments.plot is not None and not arguments.plot.lower().endswith(".html"):
         parser.error("--plot draws .html pages here")
     result = _ran(arguments, parser)

@@ -6,15 +6,34 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.commands import build_parser
+from motionlang.cli.parser import add_command
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from motionlang.cli.parser import Commands
 
 SHELLS = ("bash", "zsh", "fish")
 # What is a file, by how the help names it.
 FILES = ("FILE", "PATH", "M.toml")
 
 
-def completion_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+EPILOG = """\
+examples:
+  motionlang completion bash > ~/.local/share/bash-completion/completions/motionlang
+  motionlang completion zsh > ~/.zfunc/_motionlang
+  motionlang completion fish > ~/.config/fish/completions/motionlang.fish
+"""
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang completion` and its options."""
+    parser = add_command(commands, "completion", summary, completion_command, EPILOG)
+    parser.add_argument("shell", choices=SHELLS, help="the shell; needs the extra completion")
+
+
+def completion_command(arguments: argparse.Namespace) -> int:
     """Print the script of a shell; 1 where shtab is missing."""
     try:
         import shtab
@@ -24,8 +43,6 @@ def completion_command(arguments: argparse.Namespace, parser: argparse.ArgumentP
             "  hint: pip install motionlang[completion]\n"
         )
         return 1
-    from motionlang.cli.commands import build_parser
-
     whole = build_parser("*")
     for action in _actions(whole):
         if str(action.metavar) in FILES:

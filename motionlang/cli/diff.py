@@ -11,6 +11,7 @@ from motionlang.cli.compare import add_mapping, hold_against
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
+from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
 from motionlang.diff.motion import parting
 from motionlang.diff.reports import check, difference
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.result import Run
 
-SUMMARY = "tell what is otherwise: two programs, machines or variants, or a program and its golden files or a recording"
 EPILOG = """\
 A and B are programs, or reports as `run --report json` writes them; B may also be what a real controller recorded, in
 columns, which is held against the run of A as `compare` does. Without B, A is compared with its golden files, or, where
@@ -48,12 +48,9 @@ examples:
 RECORDED = (".csv", ".tsv", ".dat")
 
 
-def add_parser(commands: Commands) -> None:
-    """Register `diff`; the handler is `arguments.handler`."""
-    parser = commands.add_parser(
-        "diff", help=SUMMARY, description=SUMMARY[0].upper() + SUMMARY[1:] + ".", epilog=EPILOG
-    )
-    parser.set_defaults(handler=diff_command, parser=parser)
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang diff` and its options."""
+    parser = add_command(commands, "diff", summary, diff_command, EPILOG)
     add = parser.add_argument
     add("a", metavar="A", help="a program, or a report")
     add("b", metavar="B", nargs="?", help="another one")

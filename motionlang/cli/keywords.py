@@ -7,6 +7,8 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.machine_options import add_dialect
+from motionlang.cli.parser import add_command
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
 from motionlang.views.diagnostics import render
@@ -14,11 +16,30 @@ from motionlang.views.keywords import as_dict, listing, page
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, wants_colour, width_of
 
 if TYPE_CHECKING:
+    import argparse
     from collections.abc import Iterable, Mapping
 
+    from motionlang.cli.parser import Commands
     from motionlang.lang.keyword import Keyword
 
 SCHEMA = "motionlang.keywords/1"
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang keywords` and its options."""
+    parser = add_command(commands, "keywords", summary, _keywords)
+    parser.add_argument(
+        "name",
+        metavar="NAME",
+        nargs="?",
+        help="the word to explain, by its name or its short form, or the group to list",
+    )
+    add_dialect(parser, "one language; both without it")
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
+
+
+def _keywords(arguments: argparse.Namespace) -> int:
+    return keywords_command(arguments.name, arguments.dialect, arguments.json)
 
 
 def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) -> int:

@@ -10,6 +10,7 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.parser import add_command
 from motionlang.cli.plan_scale import add_scale_arguments, scale_of
 from motionlang.execution import dialects
 from motionlang.profile.reach import needed_distance, remedies, triangle
@@ -21,6 +22,8 @@ from motionlang.views.words import dialect_name
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable
+
+    from motionlang.cli.parser import Commands
 
 SCHEMA = "motionlang.plan/1"
 UNITS = {
@@ -57,8 +60,9 @@ examples:
 """
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of `plan`."""
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang plan` and its options."""
+    parser = add_command(commands, "plan", summary, plan_command)
     for name in NAMES:
         parser.add_argument(f"--{name.replace('_', '-')}", type=float, metavar="X", help=HELP[name])
     parser.add_argument("--rule", choices=tuple(RULES), help="how to split the time where nothing else does")
@@ -72,8 +76,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
 
 
-def plan_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def plan_command(arguments: argparse.Namespace) -> int:
     """Solve, and print the figures and the program; argparse's error where the figures do not make a move."""
+    parser = arguments.parser
     given = {name: value for name in NAMES if (value := getattr(arguments, name)) is not None}
     backwards = given.get("distance", 0.0) < 0.0
     if backwards:

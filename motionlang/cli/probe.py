@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.input_files import read_source
+from motionlang.cli.parser import add_command
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
 from motionlang.readings.answers import HOLDS, OTHER, UNKNOWN, counted, machine_text, read
@@ -17,9 +18,9 @@ from motionlang.readings.probe import Motion, asked, written
 from motionlang.source import STDIN, STDIN_NAME, name_of
 
 if TYPE_CHECKING:
+    from motionlang.cli.parser import Commands
     from motionlang.readings.answers import Answers, Verdict
 
-SUMMARY = "ask a real controller which of the open readings hold"
 EPILOG = """\
 The probe goes to standard output. It moves nothing and writes no setting, prints one answer a question, and can be
 stopped at any time. Run it on the controller after power-up, keep what the terminal shows, and let --answers read it:
@@ -36,11 +37,9 @@ examples:
 """
 
 
-def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register `probe`; the handler is `args.handler`."""
-    parser = subparsers.add_parser(
-        "probe", help=SUMMARY, description=SUMMARY[0].upper() + SUMMARY[1:] + ".", epilog=EPILOG
-    )
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang probe` and its options."""
+    parser = add_command(commands, "probe", summary, _probe, EPILOG)
     add = parser.add_argument
     add(
         "language",
@@ -60,7 +59,6 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
     add(
         "--without", action="append", default=[], metavar="NAME", help="leave a question out; may be repeated"
     )
-    parser.set_defaults(handler=_probe, parser=parser)
 
 
 def _distance(text: str) -> float:

@@ -7,6 +7,7 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
+from motionlang.cli.parser import add_command
 from motionlang.profile.tn1069 import ERRATA, Demand, comparison
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import draws, plain, styled, wants_colour
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Sequence
 
+    from motionlang.cli.parser import Commands
     from motionlang.profile.tn1069 import Row
 
 SCHEMA = "motionlang.profiles/1"
@@ -41,8 +43,9 @@ OPTIONS = (
 )
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of `profiles`."""
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang profiles` and its options."""
+    parser = add_command(commands, "profiles", summary, profiles_command)
     for name, letter, help in OPTIONS:
         parser.add_argument(f"--{name}", type=float, metavar=letter, help=help)
     parser.add_argument(
@@ -54,8 +57,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
 
 
-def profiles_command(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
+def profiles_command(arguments: argparse.Namespace) -> int:
     """Print the table, draw it where that is asked for; argparse's error for a move that there is not."""
+    parser = arguments.parser
     given = {name: value for name, *_ in OPTIONS if (value := getattr(arguments, name)) is not None}
     try:
         demand = Demand(**given)

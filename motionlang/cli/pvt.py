@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import OPTIONS, add_input
+from motionlang.cli.pvt_stream import run_stream
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.profile.pvt.points import absolute, plan_points, relative, until_end
 from motionlang.profile.pvt.velocities import compare_velocities, knot_accelerations
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from motionlang.source import Source
 
     Handler = Callable[[argparse.Namespace], int]
+    from motionlang.cli.parser import Commands
 
 OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.pvt/1"
@@ -32,9 +34,9 @@ NOISE = 1e-6
 """Counts below which a difference is the arithmetic's."""
 
 
-def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register `pvt` and its commands; the chosen handler is `args.handler`."""
-    pvt = subparsers.add_parser("pvt", help="position-velocity-time moves for Copley drives")
+def add_parser(family: Commands, summary: str) -> None:
+    """`motionlang pvt` and its commands."""
+    pvt = family.add_parser("pvt", help=summary)
     commands = pvt.add_subparsers(
         dest="pvt_command", required=True, metavar="plot | refine | export | stream"
     )
@@ -47,7 +49,7 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         parser = commands.add_parser(name, help=help_text, description=help_text)
         add_input(parser)
         OPTIONS[name](parser)
-        parser.set_defaults(handler=_guarded(handler))
+        parser.set_defaults(command=_guarded(handler))
 
 
 def plot(args: argparse.Namespace) -> int:
@@ -116,8 +118,6 @@ def export(args: argparse.Namespace) -> int:
 
 def stream(args: argparse.Namespace) -> int:
     """Stream the move to a drive and print what came of it."""
-    from motionlang.cli.pvt_stream import run_stream
-
     move = _checked(args, strict=True)
     status = run_stream(args, move)
     if args.plot:

@@ -8,9 +8,14 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.certify import certify_folder
+from motionlang.cli.complaints import refuse
+from motionlang.cli.event_status import ALLOWED
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import PLOTS, RATE, REPORTS, SERVO_RATE, TRACES, TRAJECTORY_RATE, Options
+from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import add_command, either
+from motionlang.cli.run import run_command
 from motionlang.execution import ONE_SHIFT
 
 if TYPE_CHECKING:
@@ -32,11 +37,9 @@ examples:
 """
 
 
-def add_run(commands: Commands) -> None:
+def add_parser(commands: Commands, summary: str) -> None:
     """`motionlang run` and its options."""
-    parser = add_command(
-        commands, "run", "run a program on the virtual machine and report what it did", _run, RUN_EPILOG
-    )
+    parser = add_command(commands, "run", summary, _run, RUN_EPILOG)
     parser.add_argument("file", metavar="FILE", help="the program; - reads standard input")
     add_machine(parser)
     parser.add_argument(
@@ -185,11 +188,8 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
     return options
 
 
-def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    from motionlang.cli.complaints import refuse
-    from motionlang.cli.output_files import refused, wrong_target
-    from motionlang.cli.run import run_command
-
+def _run(arguments: argparse.Namespace) -> int:
+    parser = arguments.parser
     _check_sampling(arguments, parser)
     options = run_options(arguments, parser)
     written = (("--trace", options.trace), ("--plot", options.plot), ("--profile-to", options.profile_to))
@@ -203,8 +203,6 @@ def _run(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
                 return refuse(options, [diagnostic], None, 1)
     options.given = arguments.given
     if options.certify and os.path.isdir(options.file):
-        from motionlang.cli.certify import certify_folder
-
         return certify_folder(options.file, options)
     return run_command(options)
 
@@ -248,8 +246,6 @@ def machine_time(text: str) -> float:
 
 
 def _allowed(text: str) -> frozenset[str]:
-    from motionlang.cli.event_status import ALLOWED
-
     names = frozenset(each.strip() for each in text.split(","))
     if names == {"all"}:
         return frozenset(ALLOWED)

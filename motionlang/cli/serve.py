@@ -9,13 +9,16 @@ from motionlang.cli.complaints import refuse, unreadable
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
+from motionlang.cli.parser import add_command
+from motionlang.cli.serve_board import serve_board
+from motionlang.cli.serve_modbus import serve_modbus
 from motionlang.execution import machine_of
 from motionlang.serve.address import BadAddress, parse
 
 if TYPE_CHECKING:
+    from motionlang.cli.parser import Commands
     from motionlang.source import Source
 
-SUMMARY = "let hosts talk to a virtual board, or to a Mint program over Modbus"
 EPILOG = """\
 The board is a PMC controller that understands ASCII MCCL; FILE is sent to it first, as a downloader would.
 With --clock real a move takes the time that it takes. With --clock lockstep time stands still unless a host waits for
@@ -32,11 +35,9 @@ examples:
 """
 
 
-def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register `serve`; the handler is `args.handler`."""
-    parser = subparsers.add_parser(
-        "serve", help=SUMMARY, description=SUMMARY[0].upper() + SUMMARY[1:] + ".", epilog=EPILOG
-    )
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang serve` and its options."""
+    parser = add_command(commands, "serve", summary, serve_command, EPILOG)
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?", help="commands that the board gets first; - reads standard input")
     add(
@@ -65,7 +66,6 @@ def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "--log", action="store_true", help="show on standard error what hosts send and what they are answered"
     )
     add_machine(parser)
-    parser.set_defaults(handler=serve_command, parser=parser)
 
 
 def _add_time(parser: argparse.ArgumentParser) -> None:
@@ -105,12 +105,8 @@ def serve_command(args: argparse.Namespace) -> int:
         if status:
             return status
     if args.modbus is not None:
-        from motionlang.cli.serve_modbus import serve_modbus
-
         assert source is not None
         return serve_modbus(args, source, settings, overrides)
-    from motionlang.cli.serve_board import serve_board
-
     return serve_board(args, source, settings, overrides)
 
 

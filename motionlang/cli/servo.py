@@ -31,24 +31,23 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.slip import Slip
 
     Handler = Callable[[argparse.Namespace], int]
+    from motionlang.cli.parser import Commands
 
 OK, WRONG, USAGE = 0, 1, 2
 SCHEMA = "motionlang.servo/1"
 PLOTS = (".png", ".svg")
 
 
-def add_parser(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register `servo` and its commands; the chosen handler is `args.handler`."""
-    servo = subparsers.add_parser(
-        "servo", help="the servo behind the profile: slip, DAC steps, tuning, comparison"
-    )
+def add_parser(family: Commands, summary: str) -> None:
+    """`motionlang servo` and its commands."""
+    servo = family.add_parser("servo", help=summary)
     commands = servo.add_subparsers(dest="servo_command", required=True, metavar=" | ".join(_COMMANDS))
-    for name, (summary, handler, options) in _COMMANDS.items():
-        parser = commands.add_parser(name, help=summary, description=summary)
+    for name, (what, handler, options) in _COMMANDS.items():
+        parser = commands.add_parser(name, help=what, description=what)
         options(parser)
         parser.add_argument("--report", choices=["table", "json", "none"], default="table")
         parser.add_argument("--plot", metavar="OUT", help="draw it into a .png or .svg file")
-        parser.set_defaults(handler=_guarded(name, handler))
+        parser.set_defaults(command=_guarded(name, handler))
 
 
 # --------------------------------------------------------------------------------------------------- the commands

@@ -12,7 +12,9 @@ from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import set_values
 from motionlang.cli.options import Options
 from motionlang.cli.output_files import NEEDED
+from motionlang.cli.parser import add_command
 from motionlang.cli.signals import SIGNALS
+from motionlang.cli.sweep_options import EPILOG, add_options
 from motionlang.cli.sweep_report import Report
 from motionlang.errors import Diagnostic, ProgramError, Terminated
 from motionlang.execution import dialect_of, machine_of
@@ -27,11 +29,17 @@ from motionlang.views.progress import Progress
 if TYPE_CHECKING:
     import argparse
 
+    from motionlang.cli.parser import Commands
     from motionlang.sweeps.job import Result
 
 OUT, PLOT = (".csv", ".parquet"), (".png", ".svg")
 # What is added to the name of --out for the rows of a sweep that is not at its end.
 PART = ".part"
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang sweep` and its options."""
+    add_options(add_command(commands, "sweep", summary, sweep_command, EPILOG))
 
 
 def sweep_command(arguments: argparse.Namespace) -> int:

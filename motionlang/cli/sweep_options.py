@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
 
 from motionlang.cli.machine_options import add_machine
 from motionlang.cli.run_options import machine_time
 from motionlang.sweeps.quantities import ROWS
 
-if TYPE_CHECKING:
-    from motionlang.cli.parser import Commands
-
-SUMMARY = "run a program in many variants, on all processors, and say which is best"
 REPORTS = ("table", "csv", "none")
 # Rows of the table without --rows.
 MOST_ROWS = 20
@@ -33,14 +28,8 @@ examples:
 """
 
 
-def add_parser(commands: Commands) -> None:
-    """Register `sweep`; the handler is `arguments.handler`."""
-    from motionlang.cli.sweep import sweep_command
-
-    parser = commands.add_parser(
-        "sweep", help=SUMMARY, description=SUMMARY[0].upper() + SUMMARY[1:] + ".", epilog=EPILOG
-    )
-    parser.set_defaults(handler=sweep_command, parser=parser)
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """The options of `sweep`."""
     add = parser.add_argument
     add(
         "file", metavar="FILE", help="the program; pick.sweep.toml beside pick.mnt says what is not said here"

@@ -6,6 +6,8 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any
 
+from motionlang.cli.complaints import complain, unwritten
+from motionlang.errors import Diagnostic
 from motionlang.sweeps.expression import Expression, pareto
 from motionlang.sweeps.quantities import unit_of
 
@@ -186,9 +188,6 @@ class Report:
         best: int | None,
         front: list[int],
     ) -> int:
-        from motionlang.cli.complaints import complain, unwritten
-        from motionlang.errors import Diagnostic
-
         try:
             problem = self._picture(arguments.plot, sweep, rows, good, best, front)
         except OSError as error:

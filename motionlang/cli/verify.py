@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.crash import crash
+from motionlang.cli.findings_options import add_form
 from motionlang.cli.golden import differences, golden_files, programs, update
-from motionlang.cli.parallel import in_parallel
+from motionlang.cli.parallel import add_jobs, in_parallel
+from motionlang.cli.parser import add_command
 from motionlang.cli.review import NobodyAnswers, Quit, ask, review
 from motionlang.cli.verdict import Verdict
 from motionlang.cli.verify_besides import besides, expectations
@@ -19,10 +21,13 @@ from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
 from motionlang.scenarios import Scenario, unmet
 from motionlang.source import Source
+from motionlang.views.findings import Found, written
 
 if TYPE_CHECKING:
+    import argparse
     from collections.abc import Sequence
 
+    from motionlang.cli.parser import Commands
     from motionlang.result import Run
 
 SCHEMA = "motionlang.verify/1"
@@ -30,6 +35,35 @@ NOBODY = """\
 --review asks of each change, and nobody answers: standard input is at its end. Run it in a terminal, pipe the answers,
 a line each, or accept everything with --update. The golden files of this program are as they were.
 """
+
+
+def add_parser(commands: Commands, summary: str) -> None:
+    """`motionlang verify` and its options."""
+    parser = add_command(commands, "verify", summary, _verify_all)
+    parser.add_argument(
+        "paths",
+        metavar="PATH",
+        nargs="*",
+        default=["scripts"],
+        help="programs, or folders with programs (scripts); pick.mnt has its report in pick.golden.json beside it, "
+        "and what it prints in pick.golden.txt",
+    )
+    parser.add_argument("--update", action="store_true", help="write the golden files anew")
+    parser.add_argument(
+        "--review", action="store_true", help="ask of each change of each program whether it is accepted"
+    )
+    add_form(parser)
+    add_jobs(parser)
+
+
+def _verify_all(arguments: argparse.Namespace) -> int:
+    if arguments.review and (arguments.update or arguments.format != "text"):
+        arguments.parser.error(
+            "--review asks, and goes with neither --update, which accepts everything, nor --format"
+        )
+    return verify_command(
+        arguments.paths, arguments.update, arguments.format, arguments.jobs, arguments.review
+    )
 
 
 def verify_command(
@@ -65,8 +99,6 @@ def verify_command(
             json.dumps({"schema": SCHEMA, "programs": list(map(_row, verdicts))}, indent=1) + "\n"
         )
     else:
-        from motionlang.views.findings import Found, written
-
         document = [Found(each.name, each.findings(), each.source, each.place) for each in verdicts]
         sys.stdout.write(written(document, form, "verify"))
     return 1 if any(each.failed for each in verdicts) else 0

@@ -32,7 +32,7 @@ LINES = [
 @cases("line", LINES, ids=" ".join)
 def test_both_ways_to_read_a_line_agree(line: list[str]) -> None:
     quick = quick_options(line)
-    parser = build_parser()
+    parser = build_parser("run")
     try:
         arguments = parser.parse_args(line)
     except SystemExit:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import io
 from dataclasses import dataclass
 
+from motionlang.cli.parser import Parser
 from motionlang.cli.pvt import add_parser
 
 
@@ -21,13 +21,13 @@ class Answer:
 
 def pvt(*words: str) -> Answer:
     """Run `motionlang pvt` with these arguments."""
-    parser = argparse.ArgumentParser(prog="motionlang")
-    add_parser(parser.add_subparsers())
+    parser = Parser(prog="motionlang")
+    add_parser(parser.add_subparsers(), "moves for drives")
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         try:
             args = parser.parse_args(["pvt", *words])
-            status = int(args.handler(args))
+            status = int(args.command(args))
         except SystemExit as leaving:
             status = int(leaving.code or 0)
     return Answer(status, out.getvalue(), err.getvalue())
