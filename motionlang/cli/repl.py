@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.input_files import read_machine_file
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
 from motionlang.cli.parser import add_command
-from motionlang.execution import machine_of
-from motionlang.repl import main
+from motionlang.controller.faults import Refusal
+from motionlang.errors import Diagnostic
+from motionlang.execution import dialect, dialect_of, machine_of
+from motionlang.repl.commands import load_file
+from motionlang.repl.lines import read_lines
+from motionlang.repl.session import Session
+from motionlang.views.diagnostics import render
+from motionlang.views.terminal import draws, is_terminal, plain, wants_colour
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Mapping
 
     from motionlang.cli.parser import Commands
 
@@ -34,4 +42,40 @@ def _repl(arguments: argparse.Namespace) -> int:
         status = read_machine_file(options, settings)
         if status:
             return status
-    return main(arguments.dialect, arguments.file, settings, overrides)
+    return open_session(arguments.dialect, arguments.file, settings, overrides)
+
+
+def open_session(
+    dialect_name: str | None = None,
+    file: str | None = None,
+    machine_settings: Mapping[str, object] | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+) -> int:
+    """Open a session, after running `file` if there is one; 1 if anything was wrong and no person sat before it.
+
+    Without a name the file's suffix says which dialect is spoken, and it is Mint where nothing does.
+    """
+    language = (dialect(dialect_name) if dialect_name else dialect_of(file or "")) or dialect("mint")
+    at_terminal = is_terminal(sys.stdin) and is_terminal(sys.stdout)
+    complain = _show if at_terminal else _complain
+    try:
+        session = Session(language, machine_settings, overrides, show=_show, complain=complain)
+    except Refusal as refusal:
+        _complain(render(Diagnostic(refusal.code, refusal.message, hint=refusal.hint)))
+        return 1
+    session.colour = wants_colour(sys.stdout if at_terminal else sys.stderr)
+    if file is not None:
+        load_file(session, file)
+    if at_terminal:
+        from motionlang.repl.prompt import converse
+
+        return converse(session)
+    return read_lines(session)
+
+
+def _show(text: str) -> None:
+    print(text if draws(sys.stdout) else plain(text), end="", flush=True)
+
+
+def _complain(text: str) -> None:
+    print(text, end="", file=sys.stderr, flush=True)

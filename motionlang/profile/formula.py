@@ -9,6 +9,7 @@ from __future__ import annotations
 from itertools import pairwise
 from math import inf, nextafter
 
+from motionlang.profile.cubics import cubics
 from motionlang.profile.curve import Phase, Profile, State
 from motionlang.profile.root import bracketed_root
 
@@ -65,8 +66,6 @@ class Formula(Profile):
         try:
             return self._curve
         except AttributeError:
-            from motionlang.profile.cubics import cubics
-
             self._curve = cubics(self)
             return self._curve
 

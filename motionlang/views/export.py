@@ -10,6 +10,7 @@ import numpy as np
 
 from motionlang.files import replacing
 from motionlang.views.csv import Formatter, decimals_for
+from motionlang.views.mcap import write_mcap
 from motionlang.views.vcd import write_vcd
 
 if TYPE_CHECKING:
@@ -93,8 +94,6 @@ def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report)
 
 
 def _write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
-    from motionlang.views.mcap import write_mcap
-
     write_mcap(trace, file, rate, progress)
 
 

@@ -18,6 +18,7 @@ from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
 from motionlang.views.lanes import lanes
 from motionlang.views.panels import HEIGHTS, panels
+from motionlang.views.path_plot import path_figure
 from motionlang.views.plot_panel import (
     FAINT,
     INK,
@@ -83,8 +84,6 @@ def write_plot(
         if window.path is None:
             figure = _figure(run, servos, window)
         else:
-            from motionlang.views.path_plot import path_figure
-
             figure = path_figure(run, window.path, window)
         _save(figure, file, kind)
 

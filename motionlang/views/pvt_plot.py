@@ -10,6 +10,7 @@ import numpy as np
 
 from motionlang.files import replacing
 from motionlang.profile.pvt.points import knots
+from motionlang.views.plot import STYLE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,8 +31,6 @@ def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str
     """Draw moves side by side into a .png or .svg file; OSError, and ImportError where matplotlib is missing."""
     from matplotlib import rc_context
     from matplotlib.figure import Figure
-
-    from motionlang.views.plot import STYLE
 
     kind = os.path.splitext(path)[1].lower()[1:]
     with rc_context(cast("Any", STYLE)), replacing(path) as file:

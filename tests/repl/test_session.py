@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.cli.repl import open_session
 from motionlang.execution import ONE_SHIFT, dialect
-from motionlang.repl import main
 from motionlang.repl.live import Live
 from motionlang.repl.session import Session
 
@@ -92,7 +92,7 @@ def test_an_input_takes_the_next_line_of_standard_input(
 ) -> None:
     text = b'Dim n As Integer\nINPUT "how many? ", n\n21\r\nPRINT n * 2\nINPUT n\n'
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text)))
-    assert main("mint") == 1
+    assert open_session("mint") == 1
     out, err = capsys.readouterr()
     assert out == "how many? 21\n42\n"
     assert "the command waits for the operator to answer INPUT" in err
@@ -110,7 +110,7 @@ def test_without_a_terminal_lines_come_from_standard_input(
     program = tmp_path / "pick.mcl"
     program.write_text("1DH7\n")
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"1TP\r\n1XX\n\xff\n.quit\n2TP\n")))
-    assert main(None, str(program)) == 1
+    assert open_session(None, str(program)) == 1
     out, err = capsys.readouterr()
     assert out.startswith("01 7\n?1\n")
     assert "02 0" not in out
@@ -121,7 +121,7 @@ def test_a_session_without_trouble_ends_well(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.stdin", io.StringIO("1TP\n"))
-    assert main("mccl") == 0
+    assert open_session("mccl") == 0
     assert capsys.readouterr() == ("01 0\n", "")
 
 
@@ -129,7 +129,7 @@ def test_a_machine_that_the_language_does_not_know_is_said(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.stdin", io.StringIO("1TP\n"))
-    assert main("mccl", None, {"controller.model": "abacus"}) == 1
+    assert open_session("mccl", None, {"controller.model": "abacus"}) == 1
     assert "abacus" in capsys.readouterr().err
 
 

@@ -6,6 +6,7 @@ from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
+from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
@@ -106,8 +107,6 @@ class CurveFollow(Follow):
         self.end_offset("stop")
         self.detach()
         if abs(a.velocity(controller.clock.now)) > 1e-6:
-            from motionlang.controller.motion import halt
-
             halt.stop(controller, a, "")
             return
         end = self._at(self.curve.duration)

@@ -9,6 +9,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.geometry import Arc, Line, corner, limits
+from motionlang.controller.moves.path_run import PathRun
 from motionlang.profile.lookahead import Pace
 
 TYPE_CHECKING = False
@@ -141,8 +142,6 @@ class PathMove(Action):
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         """Take the entry out of every axis's buffer and run the path with all of them."""
-        from motionlang.controller.moves.path_run import PathRun
-
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
                 buffer.reach(controller, other, each)

@@ -6,6 +6,7 @@ run takes no more memory the longer it lasts.
 
 from __future__ import annotations
 
+from motionlang.controller.record.moves import Moves, Profiles
 from motionlang.controller.record.stream import DISK, Store, Stream
 
 TYPE_CHECKING = False
@@ -112,8 +113,6 @@ class Log:
 
     def power_up(self, axes: Mapping[int, Axis]) -> None:
         """A controller with these axes begins to write: a program that moves nothing has none."""
-        from motionlang.controller.record.moves import Moves
-
         self.moves, self.dropped = Moves(self.store, axes), Moves(self.store, axes)
 
     def make_room(self, axes: Iterable[Axis]) -> None:
@@ -121,8 +120,6 @@ class Log:
 
         The moves that they are of are packed first.
         """
-        from motionlang.controller.record.moves import Profiles
-
         self._look()
         if not self._looked:
             self._looked, self.room = True, MOST_PROFILES - FIRST_LOOK

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.controller.record.history import Reader
 from motionlang.controller.record.track import WholeTrack
 from motionlang.controller.record.trajectory_points import AT_ONCE, Points
 from motionlang.profile.sample import ORDERS, PieceTable, piece_values
@@ -246,8 +247,6 @@ class Trace:
         self, axis: int, quantity: str, start: float, step: float, count: int, out: Array
     ) -> None:
         """What the motor of an axis did, in user units, volts or N m; 0 for an axis that has none."""
-        from motionlang.controller.record.history import Reader
-
         if axis not in self._readers:
             self._readers[axis] = Reader(self.controller.axes[axis], self.end)
         self._readers[axis].fill(quantity, start + np.arange(count, dtype=np.float64) * step, out)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.controller.triggers.homing import next_index
+from motionlang.controller.triggers.position_zones import Cells
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -157,8 +158,6 @@ class Compare:
 
     def place(self, low: float, high: float) -> None:
         """Put the two positions elsewhere."""
-        from motionlang.controller.triggers.position_zones import Cells
-
         self.remove()
         self.low, self.high = min(low, high), max(low, high)
         track = self._controller.axes[self.axis]

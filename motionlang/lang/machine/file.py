@@ -28,6 +28,7 @@ from motionlang.lang.machine.keys import (
     WIDTHS,
 )
 from motionlang.lang.machine.machine import READINGS
+from motionlang.lang.machine.switch import problem as reading_problem
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -86,8 +87,6 @@ def check_setting(key: str, value: object) -> tuple[str, str] | None:
         words = f"did you mean {near}?" if near else f"the keys are {', '.join((*KEYS, *TABLES))}"
         return f"there is no key {key}", words
     if key.startswith(READINGS):
-        from motionlang.lang.machine.switch import problem as reading_problem
-
         return reading_problem(key, value)
     problem = _kind_problem(row[0], value)
     if problem is None and key == "controller.axes" and not 1 <= value <= MAX_AXES:  # type: ignore[operator]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.clock import Clock
 from motionlang.controller.record.log import Log
-from motionlang.lang.machine.terminal import Terminal
+from motionlang.lang.machine.terminal import Terminal, labelled
 from motionlang.lang.statement_time import StatementTime
 
 TYPE_CHECKING = False
@@ -276,8 +276,6 @@ class Machine:
         """What is printed elsewhere than on the console; its lines are shown with their label."""
         found = self.terminals.get(label)
         if found is None:
-            from motionlang.lang.machine.terminal import labelled
-
             found = self.terminals[label] = labelled(
                 label, self.terminal, self.clock, self.log.new("Printed")
             )

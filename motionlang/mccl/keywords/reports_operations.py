@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.mccl.axis.axis import real
 from motionlang.mccl.axis.launch import aim
+from motionlang.mccl.axis.status import word
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -70,8 +71,6 @@ KEPT_DEFAULTS = {"kept_torque": 10.0, "kept_error_limit": 1024.0}
 
 def tell_status(task: CommandTask, command: Command) -> None:
     """TS: a status word of each axis, by its number."""
-    from motionlang.mccl.axis.status import word
-
     which = task.whole(command)
     for axis in task.axes(command):
         value, _ = word(task.board, axis, which)

@@ -7,6 +7,8 @@ from motionlang.lang.machine.machine import DEFAULT_AXES
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import TABLE
+from motionlang.mccl.lint.channels import check_channels
+from motionlang.mccl.lint.checks import COMMENT, lint
 from motionlang.mccl.models import DEFAULT, MODELS, missing, written_for
 from motionlang.mccl.resolve.decode import problem
 from motionlang.mccl.resolve.line import Line, lines_of
@@ -29,7 +31,6 @@ _DEFINES = "define_macro"
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """The diagnostics of a file, in the order of its text; warnings of the linter where it has no mistake."""
     from motionlang.lang.lint import silence
-    from motionlang.mccl.lint.checks import COMMENT
 
     named = str((settings or {}).get("controller.model", "")) or written_for(source.name)
     model = MODELS.get(named, MODELS[DEFAULT])
@@ -52,9 +53,6 @@ def check(source: Source, settings: Mapping[str, object] | None = None) -> list[
 def _lint(
     source: Source, lines: list[Line], settings: Mapping[str, object], model: Model
 ) -> list[Diagnostic]:
-    from motionlang.mccl.lint.channels import check_channels
-    from motionlang.mccl.lint.checks import lint
-
     found: list[Diagnostic] = []
 
     def add(at: int, fault: Fault) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError, nearest
+from motionlang.mint.keywords import table
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -37,8 +38,6 @@ def override_if_there(module: nodes.Module, overrides: Mapping[str, float | str]
 
 
 def _unknown(name: str, names: list[str]) -> Diagnostic:
-    from motionlang.mint.keywords import table
-
     row = table().get(name)
     if row is not None:
         hint = f"{row.name} is a word of Mint: let a name of the program's own give it its value"

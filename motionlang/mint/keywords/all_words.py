@@ -6,6 +6,7 @@ from importlib import import_module
 from pkgutil import get_data
 
 from motionlang.lang.keyword import Keyword
+from motionlang.mint.keywords import no_effect, unsimulated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,8 +43,6 @@ _UNITS = {
 
 def _not_simulated() -> Iterator[Keyword]:
     """The rest of the type library: recognised and explained, not simulated."""
-    from motionlang.mint.keywords import no_effect, unsimulated
-
     fates = {
         "kept": no_effect.VERB,
         "value": unsimulated.VALUE,

@@ -9,6 +9,7 @@ from math import ceil
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords import captures_quantities as quantities
+from motionlang.mint.keywords.captures_levels import watch
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
 
@@ -159,8 +160,6 @@ class Capture:
 
     def _look(self) -> None:
         """What is before the trigger is full: from now on one may come."""
-        from motionlang.mint.keywords.captures_levels import watch
-
         for each in self.triggers:
             if each.mode:
                 told = self._told_by(each.mode)

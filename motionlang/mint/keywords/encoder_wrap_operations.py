@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import floor
 
 from motionlang.controller.moves import buffer
+from motionlang.mint.keywords.homing_operations import write_home
 from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.mint.runtime.changes import moving
 
@@ -54,8 +55,6 @@ def read_last_target(environment: Environment, row: Row) -> Operation:
 
 def do_datum(environment: Environment, row: Row) -> Operation:
     """DATUM: HOME of type _hmNEGATIVE_INDEX."""
-    from motionlang.mint.keywords.homing_operations import write_home
-
     home = write_home(environment, row)
 
     def do(axes: tuple[int, ...], line: int) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.mint.keywords.axis_settings import reading
+from motionlang.mint.keywords.following_auxiliary import AuxEncoders
 from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.keywords.sensing_operations import Encoders
 from motionlang.mint.runtime.binding import axis_of
 from motionlang.mint.runtime.changes import repeatable
 
@@ -60,16 +62,12 @@ class Master:
 
 def master(environment: Environment, source: int, channel: int) -> Master:
     """The master that a source and a channel name; the refusal of one that does not exist."""
-    from motionlang.mint.keywords.sensing_operations import Encoders
-
     controller = environment.controller
     if source == AXIS:
         a = controller.axes[axis_of(environment, channel)]
         return Master(a, channel, False, a.scale.counts, a.scale.zero)
     checked(channel, LAST_ENCODER, "encoder")
     if source == AUX_ENCODER:
-        from motionlang.mint.keywords.following_auxiliary import AuxEncoders
-
         number, per_unit = AUXILIARY + channel, environment.part(AuxEncoders).per_unit(channel)
         return Master(controller.encoder(number), number, True, per_unit)
     per_unit = environment.part(Encoders).per_unit(channel)

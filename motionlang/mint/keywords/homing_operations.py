@@ -6,6 +6,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
 from motionlang.mint.keywords.axis_settings import forget
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
+from motionlang.mint.keywords.limits_switches import NONE, Switches
 from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.mint.runtime.changes import repeatable
 
@@ -119,7 +120,6 @@ class Homes:
         machine = self._environment.machine
         if machine.settings.get(f"axis.{axis}.home_switch") is not None:
             return True
-        from motionlang.mint.keywords.limits_switches import NONE, Switches
 
         channel = self._environment.part(Switches).channel("HOMEINPUT", axis)
         return channel != NONE and machine.world is not None and channel in machine.world.driven

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import forget
+from motionlang.mint.keywords.drives_operations import top_speed
 from motionlang.mint.runtime.binding import axis_of, scale_of
 from motionlang.mint.runtime.changes import repeatable
 
@@ -50,7 +51,6 @@ class Jogs:
         times = [self.setting(name, axis) for name in _RAMPS]
         if not any(times):
             return None
-        from motionlang.mint.keywords.drives_operations import top_speed
 
         top = top_speed(self._environment, axis)
         accel, decel = (top / time * 1000.0 if time else None for time in times)

@@ -7,6 +7,8 @@ TEMPERATURE = { "0" = 41.5, "1" = 39 }  # by what stands there; "0, 1" where the
 
 from __future__ import annotations
 
+from motionlang.mint.keywords import table
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -54,7 +56,6 @@ def _numbers(where: str) -> tuple[object, ...]:
 def problem(key: str, value: object) -> tuple[str, str] | None:
     """What is wrong with one entry, and a hint; None when nothing is."""
     from motionlang.errors import nearest
-    from motionlang.mint.keywords import table
 
     word, _, where = key[len(SECTION) :].partition(".")
     row = table().get(word)

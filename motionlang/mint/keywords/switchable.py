@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.machine.switch import Switch
+from motionlang.mint.keywords import table
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,8 +38,6 @@ def switches() -> Mapping[str, Switch]:
 
 def with_default() -> list[Keyword]:
     """The words whose defaults are readings; of two names of one setting of the controller the first."""
-    from motionlang.mint.keywords import table
-
     found: dict[str, Keyword] = {}
     for row in table():
         if has_default(row):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.mint.runtime.errors import text_of
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -122,8 +124,6 @@ def read_error_read_code(environment: Environment, row: Row) -> Operation:
 
 
 def read_error_text(environment: Environment, row: Row) -> Operation:
-    from motionlang.mint.runtime.errors import text_of
-
     return text_of
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.input_values import take, wait_for_answer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -157,7 +158,6 @@ def read_place(environment: Environment, row: Row) -> Operation:
 
 def read_question(environment: Environment, row: Row) -> Operation:
     """The wait for an answer at a terminal."""
-    from motionlang.mint.runtime.input_values import wait_for_answer
 
     def ask(count: float, number: int) -> Wait:
         environment.acts += 1
@@ -167,8 +167,6 @@ def read_question(environment: Environment, row: Row) -> Operation:
 
 
 def read_answer(environment: Environment, row: Row) -> Operation:
-    from motionlang.mint.runtime.input_values import take
-
     return lambda as_text, number: take(environment, as_text, number)
 
 

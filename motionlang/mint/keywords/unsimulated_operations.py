@@ -5,8 +5,10 @@ Every operation is given the line of its statement and the place of its word, la
 
 from __future__ import annotations
 
+from motionlang.mint.keywords import table
 from motionlang.mint.keywords.no_effect_operations import Kept, note
 from motionlang.mint.keywords.no_effect_operations import write_value as _keep
+from motionlang.mint.keywords.unsimulated import WRITTEN
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -75,8 +77,6 @@ def do_motion(environment: Environment, row: Row) -> Operation:
 
 def write_jump(environment: Environment, row: Row) -> Operation:
     """A word that is simulated where it is read."""
-    from motionlang.mint.keywords.unsimulated import WRITTEN
-
     return lambda *given: _end(
         row, f"writing {row.name} {WRITTEN[row.name]}: this is not simulated", given[-1]
     )
@@ -85,7 +85,6 @@ def write_jump(environment: Environment, row: Row) -> Operation:
 def _end(row: Row, message: str, at: object, told: bool = False) -> NoReturn:
     """End the run with the word's meaning, and with what the machine file could say."""
     from motionlang.lang.run_errors import NotSimulated
-    from motionlang.mint.keywords import table
 
     known = table().get(row.name)
     hint = f"{row.name}: {known.help.rstrip('.')}" if known is not None else ""

@@ -7,6 +7,7 @@ looks through the whole vocabulary. What belongs to it is written in `all_words`
 from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword, Table
+from motionlang.mint.keywords.index import GROUPS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,8 +20,6 @@ class Vocabulary(Table):
     __slots__ = ("_groups", "_whole")
 
     def __init__(self) -> None:
-        from motionlang.mint.keywords.index import GROUPS
-
         self._whole: tuple[Keyword, ...] | None = None
         self._by_name = {}
         self._groups = {word: group for group, words in GROUPS.items() for word in words.split()}

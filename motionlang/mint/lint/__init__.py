@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.lint import silence
+from motionlang.mint.compile.compiler import compile_module
+from motionlang.mint.compile.error_recovery import with_other_lines
 from motionlang.mint.keywords import table
 from motionlang.mint.lint.axis_state import Follower
 from motionlang.mint.lint.brackets import check_brackets
 from motionlang.mint.lint.buffer import Buffers
 from motionlang.mint.lint.effects import Facts
+from motionlang.mint.lint.model import check_model
 from motionlang.mint.lint.motion import Motion, Reach
 from motionlang.mint.lint.names import check_names, check_tasks
 from motionlang.mint.lint.reachability import Ways
@@ -19,6 +22,7 @@ from motionlang.mint.lint.servers import check_servers
 from motionlang.mint.lint.settings import Settings
 from motionlang.mint.lint.turns import check_turns
 from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.syntax.parser import parse
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -33,15 +37,10 @@ COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORE
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """Every mistake of a program; if it has none, every warning, too."""
-    from motionlang.mint.compile.compiler import compile_module
-    from motionlang.mint.syntax.parser import parse
-
     settings = dict(settings or {})
     try:
         module = parse(source)
     except ProgramError as error:
-        from motionlang.mint.compile.error_recovery import with_other_lines
-
         return with_other_lines(source, settings, error).diagnostics
     try:
         compiled = compile_module(module, dict(settings))
@@ -58,8 +57,6 @@ def _foreign(module: Module, source: Source, model: str) -> list[Diagnostic]:
     """What a controller of the other age of Mint would refuse: mistakes, where a model was named."""
     problems = Problems(module)
     if model:
-        from motionlang.mint.lint.model import check_model
-
         check_model(module, source, model, table(), problems.add)
     return list(problems.found.values())
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.lang.task import Wait
 from motionlang.mint.runtime.environment import INFINITY
+from motionlang.mint.runtime.functions import value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,6 +38,5 @@ def take(environment: Environment, as_text: bool, terminal: int = CONSOLE) -> fl
     environment.machine.terminal_at(terminal).write(f"{text}\n")
     if as_text:
         return text
-    from motionlang.mint.runtime.functions import value
 
     return value(text)
