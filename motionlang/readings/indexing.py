@@ -10,6 +10,7 @@ from motionlang.files import replacing
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.mint.keywords.switchable import name_of, with_default
 from motionlang.readings.entries import readings
+from motionlang.readings.used import is_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -38,12 +39,10 @@ def written() -> str:
     settings = {name_of(row): row for row in with_default()}
     lines = [
         HEAD,
-        "# Reading: the words of a language whose use makes a program depend on it.\n",
-        "OPEN = {\n",
-    ]
-    for language, table in tables.items():
-        lines += [f'    "{language}": {{\n', *_open(language, table, settings), "    },\n"]
-    lines += [
+        "# Reading: the words whose use makes a program depend on it, by language where it is of no one language\n",
+        "# and they are not the same in both.\n",
+        "OPEN: dict[str, str | dict[str, str]] = {\n",
+        *_open(tables, settings),
         "}\n",
         "# Setting at power-up: its word, and what is written instead of it where it shapes a move.\n",
     ]
@@ -52,12 +51,24 @@ def written() -> str:
     return "".join((*lines, f"MOTIONS = {_text(moves)}\n"))
 
 
-def _open(language: str, table: Table, settings: dict[str, Keyword]) -> Iterator[str]:
+def _open(tables: dict[str, Table], settings: dict[str, Keyword]) -> Iterator[str]:
     for name, each in readings().items():
-        if each.is_open and name not in settings:
-            words = _words(language, table, each)
-            if words:
-                yield f'        "{name}": {_text(words)},\n'
+        if not each.is_open or name in settings:
+            continue
+        found = {language: _words(language, table, each) for language, table in tables.items()}
+        some = {language: words for language, words in found.items() if words}
+        different = {tuple(words) for words in some.values()}
+        if len(different) > 1 or (some and not is_of(name, *tables) and len(some) < len(tables)):
+            texts = [f'"{language}": {_text(words)}' for language, words in some.items()]
+            line = f'    "{name}": {{{", ".join(texts)}}},\n'
+            apart = "".join(f"        {text},\n" for text in texts)
+            yield (
+                line
+                if len(line) <= WIDTH and line.count("\n") == 1
+                else f'    "{name}": {{\n{apart}    }},\n'
+            )
+        elif some:
+            yield f'    "{name}": {_text(list(different.pop()))},\n'
 
 
 def _text(words: list[str]) -> str:
@@ -69,7 +80,7 @@ def _text(words: list[str]) -> str:
 def _words(language: str, table: Table, reading: Reading) -> list[str]:
     """The words of a reading that are of a language, in every spelling."""
     prefix = reading.name.partition(".")[0]
-    if prefix in dialects() and prefix != language:
+    if is_of(reading.name, *(each for each in dialects() if each != language)):
         return []
     found: list[str] = []
     for word in reading.words:

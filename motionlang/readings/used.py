@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.lang.dialect import dialects
 from motionlang.readings.tables import DEFAULTS, MOTIONS, OPEN
 
 TYPE_CHECKING = False
@@ -21,13 +22,24 @@ def depended_on(language: Dialect, text: str, settings: Mapping[str, object]) ->
     words.add("@always")
     if any(".plant." in key for key in settings):
         words.add("@motor")
-    found = [name for name, on in OPEN.get(language.name, {}).items() if not words.isdisjoint(on.split())]
+    others = [each for each in dialects() if each != language.name]
+    found = [
+        name
+        for name, on in OPEN.items()
+        if not is_of(name, *others)
+        and not words.isdisjoint((on if isinstance(on, str) else on.get(language.name, "")).split())
+    ]
     moves = not words.isdisjoint(MOTIONS.split())
     for name, (word, instead) in DEFAULTS.get(language.name, {}).items():
         used = moves if instead else word in words
         if used and written.isdisjoint((word, *instead.split())):
             found.append(name)
     return [name for name in found if f"readings.{name}" not in settings]
+
+
+def is_of(name: str, *languages: str) -> bool:
+    """Whether a reading is one of a language alone."""
+    return name.partition(".")[0] in languages
 
 
 def _words(language: Dialect, text: str) -> tuple[set[str], set[str]]:
