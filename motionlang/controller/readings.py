@@ -7,6 +7,7 @@ from math import atan2, degrees
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.io.inputs import Channels
+from motionlang.controller.listeners import Listeners
 from motionlang.controller.triggers.watch import Watch, arm
 
 TYPE_CHECKING = False
@@ -47,9 +48,7 @@ class Readings:
         self.interlocks: dict[int, int] = {}
         # The axes whose brakes somebody has set by hand.
         self.braked: set[int] = set()
-        # Told of ("idle", axis), ("fault", axis), ("scale", axis), ("home", axis) and ("buffer-low", axis), and of
-        # ("latch", number), and of ("misc", bits) for an error of the controller itself.
-        self.listeners: list[Callable[[str, int], None]] = []
+        self.listeners = Listeners()
         # The conditions to be looked at when all axes of a motion have it; None where they are at once.
         self.looks_later: list[Condition] | None = None
         # Told of what goes wrong while the program does something else; answers whether that was all.
@@ -300,5 +299,4 @@ class Readings:
 
     def tell(self, what: str, axis: int) -> None:
         """Let the listeners know; a listener may leave while it is told."""
-        for listener in tuple(self.listeners):
-            listener(what, axis)
+        self.listeners.tell(what, axis)

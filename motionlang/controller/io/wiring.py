@@ -71,7 +71,7 @@ class World:
             self._wire_encoder(entry)
         for axis in controller.axes:
             self._wire_interlock(axis)
-        controller.listeners.append(self._heard)
+        controller.listeners.append(self._heard, "cleared", "switched", "scale")
 
     def _wire_axis(self, axis: int) -> None:
         """Travel limits and the home switch, each with the input channel that shows it, if it has one."""

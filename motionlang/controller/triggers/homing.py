@@ -99,7 +99,7 @@ class Homing:
         self.state = "done"
         # Asked first whenever the axis comes to rest: others never see it at rest in between.
         self._axis.sequence = self
-        controller.listeners.insert(0, self._heard)
+        controller.listeners.put_first(self._heard)
         controller.homings[axis] = self
         self._allow_limit(False)
         if switch == INDEX:

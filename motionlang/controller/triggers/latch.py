@@ -105,7 +105,7 @@ class IndexMarks:
     def __init__(self, controller: Controller, axis: int, latch: Latch) -> None:
         self._controller, self.axis, self._latch = controller, axis, latch
         self._watches: dict[float, Watch] = {}
-        controller.listeners.append(self._heard)
+        controller.listeners.append(self._heard, "scale")
         self._place()
 
     def remove(self) -> None:

@@ -75,7 +75,7 @@ class Board:
         self.joysticks = Joysticks(self)
         self.limits = {axis.number: Limits(self, axis) for axis in self.all_axes}
         self.inputs = Inputs(self)
-        self.controller.listeners.append(self._happened)
+        self.controller.listeners.append(self._happened, "idle", "fault", "home")
         self.reset()
 
     def reset(self) -> None:

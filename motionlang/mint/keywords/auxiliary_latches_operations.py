@@ -142,7 +142,7 @@ class Indexes:
         self._found: dict[int, Index] = {}
         for channel in [*controller.axes, *controller.encoders]:
             self.of(channel)
-        controller.listeners.append(self._heard)
+        controller.listeners.append(self._heard, "scale")
 
     def of(self, channel: int) -> Index:
         """The marks of an encoder; auxiliary ones are numbered from `AUXILIARY` on."""

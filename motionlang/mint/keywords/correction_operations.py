@@ -36,7 +36,7 @@ class TimeScales:
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
         self._seconds: dict[int, float] = {}
-        environment.controller.listeners.append(self._heard)
+        environment.controller.listeners.append(self._heard, "scale")
 
     def set(self, axis: int, seconds: float) -> None:
         self._seconds[axis] = seconds

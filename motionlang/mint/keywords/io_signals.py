@@ -24,7 +24,7 @@ class Signals:
         self._controller = environment.controller
         self.enabled: dict[int, int] = {}
         self.errors = NONE
-        self._controller.listeners.append(self._heard)
+        self._controller.listeners.append(self._heard, "fault", "switched", "cleared")
 
     def assign(self, axis: int, output: int) -> None:
         self.enabled[axis] = output

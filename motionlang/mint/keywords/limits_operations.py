@@ -57,7 +57,7 @@ class AxisErrors:
         self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
         self._inputs: dict[tuple[int, int, int], Undirected] = {}
         self._going_off: set[int] = set()
-        self._controller.listeners.append(self._heard)
+        self._controller.listeners.append(self._heard, "fault", "idle")
 
     # ---------------------------------------------------------------------------------------------- modes
 

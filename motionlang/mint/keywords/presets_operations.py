@@ -40,7 +40,7 @@ class Presets:
         self._going_on: dict[int, int] = {}
         self._starts = 0
         environment.part(Inputs).listeners.append(self._changed)
-        self.controller.listeners.append(self._heard)
+        self.controller.listeners.append(self._heard, "idle")
 
     def entry(self, name: str, preset: int, format: int = 0) -> float:
         return self.table.get((name, preset, format), 0.0)

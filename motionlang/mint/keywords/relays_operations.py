@@ -175,7 +175,7 @@ class Brakes:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._brakes: dict[int, Brake] = {}
-        environment.controller.listeners.append(self._heard)
+        environment.controller.listeners.append(self._heard, "switched")
 
     def brake(self, axis: int) -> Brake:
         if axis_of(self._environment, axis) not in self._brakes:

@@ -102,7 +102,7 @@ class IdleWindows:
         self._controller = environment.controller
         self._settings: dict[tuple[str, int], float] = {}
         self._since: dict[int, float] = {}
-        self._controller.listeners.append(self._heard)
+        self._controller.listeners.append(self._heard, "idle")
         environment.settled = self.settled
 
     def setting(self, name: str, axis: int) -> float:
@@ -335,7 +335,7 @@ class Wraps:
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._counts: dict[int, float] = {}
-        environment.controller.listeners.append(self._heard)
+        environment.controller.listeners.append(self._heard, "scale")
 
     def set(self, axis: int, value: float) -> None:
         self._environment.wraps[axis] = value

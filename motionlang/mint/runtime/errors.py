@@ -86,7 +86,7 @@ class Errors:
         self.calling: Error | None = None  # the first one of those for which ONERROR is yet to begin
         # Whether an error calls no ONERROR, where a program says so.
         self.masked: Callable[[Error], bool] | None = None
-        environment.controller.listeners.append(self._heard)
+        environment.controller.listeners.append(self._heard, "fault", "misc")
         environment.controller.take_mishaps(self._mishap)
 
     # ----------------------------------------------------------------------------------------- noting

@@ -144,7 +144,7 @@ def listen(environment: Environment) -> None:
         _ = environment.errors  # from now on they are noted
     if kinds & {"axisidle", "mblow"} and "machine" not in events.listening:
         events.listening.add("machine")
-        controller.listeners.append(lambda what, axis: _heard(environment, what, axis))
+        controller.listeners.append(lambda what, axis: _heard(environment, what, axis), "idle", "buffer-low")
 
 
 def _heard(environment: Environment, what: str, axis: int) -> None:

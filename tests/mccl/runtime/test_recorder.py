@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from motionlang.controller.io.inputs import Channels
+from motionlang.controller.listeners import Listeners
 from motionlang.controller.verbs import VERBS, Recorder
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
@@ -24,7 +25,7 @@ class Written(Recorder):
     def __init__(self, **answers: Any) -> None:
         super().__init__(2, 1, {"setting": 100.0, "target": 500.0, **answers})
         self.inputs, self.analogue_inputs = Channels(self.clock), Channels(self.clock)
-        self.listeners: list[Any] = []
+        self.listeners = Listeners()
 
 
 def calls(text: str, **answers: Any) -> list[tuple[Any, ...]]:
