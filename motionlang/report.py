@@ -7,13 +7,17 @@ those in force when it started. Only axes that the program touched are listed: t
 from __future__ import annotations
 
 from itertools import islice
+from marshal import dumps
+
+from motionlang.controller.plain_moves import move_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
+    from motionlang.controller.move import Move
     from motionlang.controller.record.history import MoveFigures
     from motionlang.errors import Diagnostic
     from motionlang.result import Run
@@ -30,6 +34,8 @@ _FIRST = ("schema", "program", "dialect", "status", "time", "output")
 _LISTS = ("moves", "events")
 # Moves that are written in one piece.
 AT_ONCE = 1000
+# Moves that are kept written out, for those that are alike.
+MOST_ALIKE = 4096
 
 
 def build(run: Run) -> Row:
@@ -55,14 +61,14 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     tail = _tail(run)
     if whole:
         tail["readings"] = readings(run)
-    return _document(_head(run), {"moves": moves(run), "events": events(run)}, tail)
+    return _document(_head(run), {"moves": _move_lines(run), "events": map(_encoder(), events(run))}, tail)
 
 
 def rendered(document: Row) -> str:
     """A report that is there as data, in the same form."""
     head = {name: value for name, value in document.items() if name in _FIRST}
-    lists: dict[str, Iterator[Row]] = {
-        name: iter(document.get(name, ()))  # type: ignore[call-overload]
+    lists: dict[str, Iterator[str]] = {
+        name: map(_encoder(), document.get(name, ()))  # type: ignore[call-overload]
         for name in _LISTS
         if name in document
     }
@@ -81,43 +87,75 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
 
 def moves(run: Run) -> Iterator[Row]:
     """Every move that was started, in the order of its start, what is still under way cut at the end of the run."""
-    running = {id(axis.move) for axis in run.controller.axes.values() if axis.move is not None}
+    running = _running(run.controller)
     figures = _motor_figures(run.controller)
     for number, move in enumerate(run.controller.log.moves):
-        profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
-        assert profile is not None
-        ended = move.ended
-        if id(move) in running or (move.overlaid and start + profile.duration > run.time):
-            profile, ended = profile.cut(run.time - start), END_OF_RUN
-        size = abs(scale)
-        row: Row = {
-            "axis": move.axis,
-            "command": move.command,
-            "line": move.line,
-            "profile": profile.shape,
-            "start_time": start,
-            "duration": profile.duration,
-            "start": (profile.start - zero) / scale,
-            "end": (profile.end - zero) / scale,
-            "distance": (profile.end - profile.start) / scale,
-            "peak_speed": profile.peak_speed / size,
-            **({} if move.asked is None else {"asked_speed": move.asked / size}),
-            "phases": [
-                {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
-                for phase in profile.phases
-            ],
+        yield _move(run, move, id(move) in running, figures.get(number))
+
+
+def _move_lines(run: Run) -> Iterator[str]:
+    """The same as lines of the document: of moves that differ in their start time alone one is written out."""
+    line = _encoder()
+    figures = _motor_figures(run.controller)
+    running = _running(run.controller)
+    known: dict[bytes, tuple[str, str]] = {}
+    for number, move in enumerate(run.controller.log.moves.as_kept()):
+        if not isinstance(move, tuple):
+            yield line(_move(run, move, id(move) in running, figures.get(number)))
+            continue
+        axis, start_time, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
+        # To the last bit: 0.0 is not -0.0. What the recipe does not share with all plain moves is in these four.
+        ramps = recipe[1], recipe[3], recipe[4], recipe[7]
+        key = dumps((axis, command, at, start, end, duration, ramps, asked, scale, zero), 2)
+        around = known.get(key)
+        if around is None:
+            if len(known) >= MOST_ALIKE:
+                known.clear()
+            text = line(_move(run, move_of(move), False, None))
+            before, after = text.split(f'"start_time": {start_time!r}', 1)
+            around = known[key] = f'{before}"start_time": ', after
+        yield f"{around[0]}{start_time!r}{around[1]}"
+
+
+def _running(controller: Controller) -> set[int]:
+    """The identities of the moves that are under way."""
+    return {id(axis.move) for axis in controller.axes.values() if axis.move is not None}
+
+
+def _move(run: Run, move: Move, is_running: bool, motor: MoveFigures | None) -> Row:
+    profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
+    assert profile is not None
+    ended = move.ended
+    if is_running or (move.overlaid and start + profile.duration > run.time):
+        profile, ended = profile.cut(run.time - start), END_OF_RUN
+    size = abs(scale)
+    row: Row = {
+        "axis": move.axis,
+        "command": move.command,
+        "line": move.line,
+        "profile": profile.shape,
+        "start_time": start,
+        "duration": profile.duration,
+        "start": (profile.start - zero) / scale,
+        "end": (profile.end - zero) / scale,
+        "distance": (profile.end - profile.start) / scale,
+        "peak_speed": profile.peak_speed / size,
+        **({} if move.asked is None else {"asked_speed": move.asked / size}),
+        "phases": [
+            {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
+            for phase in profile.phases
+        ],
+    }
+    if ended:
+        row["ended"] = ended
+    if motor is not None:
+        row["motor"] = {
+            "peak_following_error": motor.peak_error / size,
+            "settle_time": motor.settle_time,
+            "rms_torque": motor.rms_torque,
+            "peak_output": motor.peak_output,
         }
-        if ended:
-            row["ended"] = ended
-        motor = figures.get(number)
-        if motor is not None:
-            row["motor"] = {
-                "peak_following_error": motor.peak_error / size,
-                "settle_time": motor.settle_time,
-                "rms_torque": motor.rms_torque,
-                "peak_output": motor.peak_output,
-            }
-        yield row
+    return row
 
 
 def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:
@@ -149,7 +187,7 @@ def events(run: Run) -> Iterator[Row]:
 
 def axes(run: Run) -> list[Row]:
     """The state at the end of the run of every axis that the program touched."""
-    moved = {move.axis for move in run.controller.log.moves}
+    moved = run.controller.log.moves.moved()
     return [
         _axis(axis, run.time)
         for axis in run.controller.axes.values()
@@ -225,11 +263,26 @@ def _tail(run: Run) -> Row:
     return tail
 
 
-def _document(head: Row, lists: dict[str, Iterator[Row]], tail: Row) -> Iterator[str]:
-    """A field a line, and a move or an event a line.
+def _document(head: Row, lists: dict[str, Iterator[str]], tail: Row) -> Iterator[str]:
+    """A field a line, and a move or an event a line: those of `lists` are lines already.
 
     json's own indenting is written in Python and takes three times as long.
     """
+    line = _encoder()
+    fields = [f'"{name}": {line(value)}' for name, value in head.items()]
+    yield "{" + ",\n ".join(fields) + ",\n "
+    for name, rows in lists.items():
+        between = "\n  "
+        yield f'"{name}": ['
+        while some := list(islice(rows, AT_ONCE)):
+            yield between + ",\n  ".join(some)
+            between = ",\n  "
+        yield "],\n " if between == "\n  " else "\n],\n "
+    yield ",\n ".join(f'"{name}": {line(value)}' for name, value in tail.items()) + "}\n"
+
+
+def _encoder() -> Callable[[object], str]:
+    """What makes a line of JSON of a value."""
     from json import JSONEncoder
 
     encode = JSONEncoder(allow_nan=False).encode
@@ -240,16 +293,7 @@ def _document(head: Row, lists: dict[str, Iterator[Row]], tail: Row) -> Iterator
         except ValueError:
             return encode(finite(value))
 
-    fields = [f'"{name}": {line(value)}' for name, value in head.items()]
-    yield "{" + ",\n ".join(fields) + ",\n "
-    for name, rows in lists.items():
-        between = "\n  "
-        yield f'"{name}": ['
-        while some := [line(row) for row in islice(rows, AT_ONCE)]:
-            yield between + ",\n  ".join(some)
-            between = ",\n  "
-        yield "],\n " if between == "\n  " else "\n],\n "
-    yield ",\n ".join(f'"{name}": {line(value)}' for name, value in tail.items()) + "}\n"
+    return line
 
 
 def finite(value: object) -> object:

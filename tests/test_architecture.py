@@ -57,7 +57,8 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
         ("scheduler",),
     ),
     "controller": (
-        ("clock", "scale", "faults", "move", "watches"),
+        ("clock", "scale", "faults", "move", "watches", "listeners"),
+        ("plain_moves",),
         ("axis",),
         ("triggers",),
         ("servo",),

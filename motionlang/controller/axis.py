@@ -3,6 +3,9 @@
 The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began; the
 last profile goes on for ever (it holds its end position, or keeps its end velocity), so position and velocity are
 known at any time, exactly. What lies far back is packed in the log (`record/log.py`).
+
+Moves that nobody looks at are rows of numbers (`plain_moves.py`). Whoever asks for the move, the buffer or the track
+of the axis is such a look, and finds them as if there were no other kind.
 """
 
 from __future__ import annotations
@@ -10,6 +13,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
+from motionlang.controller.plain_moves import entry_of, move_of, write
 from motionlang.controller.scale import Scale
 from motionlang.controller.watches import Watches
 from motionlang.profile import hold
@@ -21,7 +25,8 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Event
     from motionlang.controller.move import Move
-    from motionlang.controller.record.moves import Profiles
+    from motionlang.controller.plain_moves import Entry, Row
+    from motionlang.controller.record.moves import Moves, Profiles
     from motionlang.controller.servo.feedback import Feedback
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit
@@ -48,14 +53,18 @@ class Axis:
 
     __slots__ = (
         "_accel_jerk",
+        "_arrival",
+        "_buffer",
         "_decel_jerk",
+        "_move",
+        "_profiles",
+        "_starts",
         "accel",
         "accel_jerk_time",
         "accel_time",
-        "arrival",
+        "bell",
         "blend_distance",
         "blend_mode",
-        "buffer",
         "buffer_low",
         "buffer_size",
         "contour_angle",
@@ -65,6 +74,7 @@ class Axis:
         "decel_jerk_time",
         "decel_time",
         "enabled",
+        "ends",
         "error_decel",
         "faults",
         "feedback",
@@ -80,26 +90,28 @@ class Axis:
         "last_id",
         "lent",
         "limits",
+        "loaded",
         "locks",
+        "logged",
         "max_accel",
         "max_decel",
         "max_speed",
-        "move",
         "move_id",
         "offset_status",
         "older",
         "override",
         "own_rates",
-        "profiles",
+        "plain",
+        "present",
         "ramp",
         "s_ramp",
         "scale",
         "sequence",
         "shape",
         "speed",
-        "starts",
         "suspend_time",
         "target",
+        "under_way",
         "watches",
     )
 
@@ -146,17 +158,27 @@ class Axis:
         self.offset_status = 0  # bits, see `offset`
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free places above which the listeners are told; -1: never
-        self.buffer: list[Move] = []
+        self._buffer: list[Move] = []
         self.move_id = 0  # the mark of moves loaded from now on
         self.last_id = 0  # the mark of the last move that left the buffer
-        self.move: Move | None = None
+        self._move: Move | None = None
         # What has the axis to itself for several motions in a row; what the buffer holds waits for its end.
         self.sequence: Homing | None = None
-        self.arrival: Event | None = None
+        self._arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0
-        self.starts = [0.0]
-        self.profiles: list[Profile] = [hold(0.0)]
+        self._starts = [0.0]
+        self._profiles: list[Profile] = [hold(0.0)]
+        # The plain moves since the track was last written: the one in the buffer, those that were started, whether the
+        # last of them is under way, until when it is or was, and the event of its end.
+        self.loaded: Entry | None = None
+        self.plain: list[Row] = []
+        self.under_way = False
+        self.ends = 0.0
+        self.bell: Event | None = None
+        # The profile in force, where the track is written.
+        self.present: Profile | None = self._profiles[-1]
+        self.logged: Moves | None = None  # the log of moves, where the axis is one of a controller's
         # What began before those, packed.
         self.older: Profiles | None = None
         self.watches = Watches()
@@ -171,6 +193,95 @@ class Axis:
         self.index_every = 0.0
         self.index_origin = 0.0  # one of the marks, in counts of the machine
 
+    # ------------------------------------------------------------------------------- what others look at
+
+    @property
+    def move(self) -> Move | None:
+        """The move in progress."""
+        if self.under_way:
+            self._show()
+        return self._move
+
+    @move.setter
+    def move(self, move: Move | None) -> None:
+        if self.under_way:
+            self._show()
+        self._move = move
+
+    @property
+    def arrival(self) -> Event | None:
+        """The event of its end."""
+        if self.under_way:
+            self._show()
+        return self._arrival
+
+    @arrival.setter
+    def arrival(self, event: Event | None) -> None:
+        if self.under_way:
+            self._show()
+        self._arrival = event
+
+    @property
+    def buffer(self) -> list[Move]:
+        """The moves that wait, the next one first."""
+        if self.under_way:
+            self._show()
+        if self.loaded is not None:
+            entry, self.loaded = self.loaded, None
+            self._buffer.append(entry_of(self.index, entry))
+        return self._buffer
+
+    @buffer.setter
+    def buffer(self, entries: list[Move]) -> None:
+        self.loaded, self._buffer = None, entries
+
+    @property
+    def starts(self) -> list[float]:
+        """When each of `profiles` began."""
+        if self.plain:
+            self._write()
+        return self._starts
+
+    @property
+    def profiles(self) -> list[Profile]:
+        """The profiles of its track."""
+        if self.plain:
+            self._write()
+        return self._profiles
+
+    @property
+    def moves(self) -> bool:
+        """Whether a move is in progress, for who asks for no more."""
+        return self.under_way or self._move is not None
+
+    def put_on(self, start: float, profile: Profile) -> None:
+        """Have its track begin with a profile."""
+        self._starts[:], self._profiles[:], self.present = [start], [profile], profile
+
+    def _write(self) -> None:
+        """Write the plain moves on the track."""
+        if self.under_way:
+            self._show()
+            return
+        write(self.plain, self._starts, self._profiles, False)
+        self.plain.clear()
+        self.present = self._profiles[-1]
+
+    def _show(self) -> None:
+        """Let everybody see the plain move that is under way."""
+        assert self.logged is not None
+        row = self.plain[-1]
+        self.under_way = False
+        write(self.plain, self._starts, self._profiles, True)
+        self.plain.clear()
+        self.present = self._profiles[-1]
+        self._move = move = move_of(row)
+        move.profile = self.present
+        self._arrival, self.bell = self.bell, None
+        self.logged.show(row, move)
+
+    # ---------------------------------------------------------------------------------------- at a time
+
     def at(self, time: float) -> State:
         """Position, velocity, acceleration and jerk at `time`, counts and seconds."""
         start, profile = self.in_force(time)
@@ -178,14 +289,20 @@ class Axis:
 
     def position(self, time: float) -> float:
         """The demanded position at `time`; without a simulated motor, the actual one too."""
-        began = self.starts[-1]
+        if self.plain:
+            if not self.under_way and time > self.ends:
+                return self.plain[-1][3] + 0.0
+            self._write()
+        began = self._starts[-1]
         if time >= began:
-            return self.profiles[-1].position(time - began)
+            return self._profiles[-1].position(time - began)
         start, profile = self.in_force(time)
         return profile.position(time - start)
 
     def velocity(self, time: float) -> float:
         """The demanded velocity at `time`, counts/s."""
+        if self.plain and not self.under_way and time > self.ends:
+            return 0.0
         began = self.starts[-1]
         if time >= began:
             return self.profiles[-1].velocity(time - began)
@@ -215,13 +332,17 @@ class Axis:
 
     def end_of_motion(self) -> float:
         """The time at which the present profile is done: infinite while jogging."""
+        if self.plain:
+            return self.ends
         last = self.profiles[-1]
         return self.starts[-1] if last.shape == "hold" else self.starts[-1] + last.duration
 
     @property
     def stands(self) -> bool:
         """Whether it is idle, or in a motion that rests as long as nobody else moves, such as following."""
-        move = self.move
+        if self.under_way:
+            return False
+        move = self._move
         return move is None or (move.action is not None and move.action.resting)
 
     @property

@@ -198,7 +198,7 @@ class AxisVerbs(Core):
     def room(self, axis: int) -> int:
         """How many moves the buffer can still take, the one being executed not counted."""
         a = self.axes[axis]
-        return a.buffer_size - len(a.buffer)
+        return a.buffer_size - len(a._buffer if a.loaded is None else a.buffer)
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Put a move to `position` into the buffer."""
@@ -224,7 +224,11 @@ class AxisVerbs(Core):
 
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
+        now, all_axes = self.clock.now, self.axes
         for axis in axes:
+            a = all_axes[axis]
+            if a.loaded is not None and self.start_plain(a, now):
+                continue
             a = self.movable(axis)
             for move in a.buffer:
                 if move.action is None:

@@ -23,9 +23,9 @@ class Event:
 
     __slots__ = ("call", "time")
 
-    def __init__(self, time: float, call: Callable[[], None]) -> None:
+    def __init__(self, time: float, call: Callable[[], object]) -> None:
         self.time = time
-        self.call: Callable[[], None] | None = call
+        self.call: Callable[[], object] | None = call
 
     def cancel(self) -> None:
         self.call = None
@@ -47,8 +47,11 @@ class Clock:
         self._kept = 0  # places in the order that are kept for events entered later
         self._heap: list[tuple[float, int, Event]] = []
 
-    def at(self, time: float, call: Callable[[], None]) -> Event:
-        """Call `call` at `time`; events of one time run in the order in which they were made."""
+    def at(self, time: float, call: Callable[[], object]) -> Event:
+        """Call `call` at `time`; events of one time run in the order in which they were made.
+
+        A call that answers true was no news: nobody has heard of it but those who knew when it would be.
+        """
         event = Event(time, call)
         self.made += 1
         heappush(self._heap, (time, self.made + self._kept, event))
@@ -56,13 +59,21 @@ class Clock:
             self.horizon = time
         return event
 
+    def again(self, event: Event, time: float) -> None:
+        """Let an event that has happened happen once more."""
+        event.time = time
+        self.made += 1
+        heappush(self._heap, (time, self.made + self._kept, event))
+        if time < self.horizon:
+            self.horizon = time
+
     def keep(self, count: int) -> int:
         """Keep `count` places in the order of events, as if they were made now; the last of those before them."""
         first = self.made + self._kept
         self._kept += count
         return first
 
-    def at_kept(self, time: float, order: int, call: Callable[[], None]) -> Event:
+    def at_kept(self, time: float, order: int, call: Callable[[], object]) -> Event:
         """The same as `at`, in a place that was kept for it."""
         event = Event(time, call)
         heappush(self._heap, (time, order, event))
@@ -83,11 +94,33 @@ class Clock:
         heap = self._heap
         while heap and heap[0][0] <= time:
             due, _, event = heappop(heap)
-            if event.call is not None:
+            call = event.call
+            if call is not None:
                 if due > self.now:
                     self.now = due
                 self.fired += 1
-                event.call()
+                call()
         if time > self.now:
             self.now = time
-        self.next_time()
+        while heap and heap[0][2].call is None:
+            heappop(heap)
+        self.horizon = heap[0][0] if heap else INFINITY
+
+    def advance_to_news(self, end: float) -> bool:
+        """The same, no further than the first moment at which there is news; true where there is none."""
+        heap, time, quiet = self._heap, end, True
+        while heap and heap[0][0] <= time:
+            due, _, event = heappop(heap)
+            call = event.call
+            if call is not None:
+                if due > self.now:
+                    self.now = due
+                self.fired += 1
+                if not call():
+                    time, quiet = self.now, False
+        while heap and heap[0][2].call is None:
+            heappop(heap)
+        self.horizon = heap[0][0] if heap else INFINITY
+        if time > self.now:
+            self.now = time
+        return quiet

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.entries import Make, Table
     from motionlang.controller.moves.geometry import Arc, Line
     from motionlang.controller.moves.guide import Guide
-    from motionlang.controller.readers import Reader, Writer
+    from motionlang.controller.readers import Loader, Reader, Writer
     from motionlang.controller.record.trace import Trace
     from motionlang.controller.triggers.latch import Compare, Latch
     from motionlang.controller.triggers.limit import Limit
@@ -53,6 +53,10 @@ class Controller(AxisVerbs):
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
         """What sets one of `SETTINGS` again and again, to values in `unit`."""
         return readers.writer(self, name, axis, unit)
+
+    def loader(self, axis: int, relative: bool, command: str) -> Loader:
+        """What loads a plain move to a place or by a distance, user units, for a line; false: it cannot."""
+        return readers.loader(self, axis, relative, command)
 
     # ------------------------------------------------------------------------------- hearing of an axis
 

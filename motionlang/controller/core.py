@@ -14,9 +14,9 @@ from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
 from motionlang.controller.triggers import events
 from motionlang.controller.triggers.conditions import Together, refuse_motion, release
-from motionlang.controller.triggers.next_watches import follow
+from motionlang.controller.triggers.next_watches import follow, free_way
 from motionlang.profile import hold
-from motionlang.profile.trapezoid import plan_trapezoid
+from motionlang.profile.trapezoid import from_rest, plan_trapezoid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -143,9 +143,13 @@ class Core(Readings):
 
     def extend_track(self, a: Axis, profile: Profile) -> None:
         """The axis does `profile` from now on: watches are solved anew, followers told, limits looked at."""
+        if self.orders is not None:
+            self.orders.add(a)
         now = self.clock.now
         a.starts.append(now)
         a.profiles.append(profile)
+        a.present = profile
+        a.watches.free = None
         log = self.log
         log.room -= 1
         if log.room < 0:
@@ -155,18 +159,92 @@ class Core(Readings):
         else:
             if a.watches.all:
                 follow(a, self.clock)
-            if a.profiles[-1] is not profile:  # what was passed has given it another one, and told of that
+            if a.present is not profile:  # what was passed has given it another one, and told of that
                 return
         for follower in tuple(a.followers):
             follower(profile)
         for limit in a.limits:
             limit.look()
 
-    def _arrive(self, a: Axis) -> None:
+    def start_plain(self, a: Axis, now: float) -> bool:
+        """Start the plain move that the buffer holds; false where it is none, or the axis is not alone with it."""
+        entry = a.loaded
+        if entry is None or (
+            a._move is not None
+            or a.faults & a.locks
+            or not a.enabled
+            or a.index in self.braked
+            or a.held
+            or a.shape != "trapezoid"
+            or a.sequence is not None
+            or a.feedback is not None
+            or a.followers
+            or a.buffer_low >= 0
+        ):
+            return False
+        target, base, _, line, speed, mark = entry
+        if speed is None:
+            speed = a.speed
+        accel = a.accel if a.accel_time is None else speed / a.accel_time
+        decel = a.decel if a.decel_time is None else speed / a.decel_time
+        if speed > a.max_speed or accel > a.max_accel or decel > a.max_decel:
+            return False
+        plain = a.plain
+        if plain:
+            start = plain[-1][3]
+        else:
+            last = a._profiles[-1]
+            if last.shape != "hold":
+                return False
+            start = last.end
+        if base is not None and base != a.target:
+            target += a.target - base
+        if a.limits or a.watches.all:
+            low, high = a.watches.free or free_way(a, start)
+            if not (low < start < high and low < target < high):
+                return False
+        ramps = from_rest(target - start, speed, accel, decel)
+        if ramps is None:
+            return False
+        duration, recipe = ramps
+        scale, log = a.scale, self.log
+        row = a.index, now, start, target, duration, recipe, speed, scale.counts, scale.zero, entry
+        plain.append(row)
+        a.loaded, a.target, a.last_id, a.under_way = None, target, mark, True
+        a.ends = end = now + duration
+        a.present = None
+        bell = a.bell
+        if bell is None:
+            a.bell = self.clock.at(end, lambda: self._arrive(a))
+        else:
+            self.clock.again(bell, end)
+        if self.orders is not None:
+            self.orders.add_plain(a, line, speed, (accel, decel))
+        log.moves.append(row)  # type: ignore[arg-type]
+        log.room -= 1
+        if log.room < 0:
+            log.make_room((*self.axes.values(), *self.encoders.values()))
+        return True
+
+    def _arrive(self, a: Axis) -> bool:
+        """The motion of an axis has run out; whether that is no news."""
+        if a.under_way and self.clock.now == a.ends and not a.followers:
+            a.under_way = False
+            log = self.log
+            if self.orders is not None:
+                self.orders.add(a)
+            log.room -= 1
+            if log.room < 0:
+                log.make_room((*self.axes.values(), *self.encoders.values()))
+            if self.listeners.of_rest:
+                self.tell("idle", a.index)
+                return False
+            return True
         a.arrival = None
         a.move = None
         self.extend_track(a, hold(a.profiles[-1].end))
         self.go_on(a)
+        return False
 
     def go_on(self, a: Axis) -> None:
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
@@ -265,6 +343,8 @@ class Core(Readings):
 
     def freeze(self, a: Axis, ended: str) -> None:
         """Stand still at once where the axis is."""
+        if self.orders is not None:
+            self.orders.freeze(a, ended)
         release(a)
         if a.sequence is not None:
             a.sequence.cancel()

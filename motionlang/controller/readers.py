@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     Reader = Callable[..., Any]
     Writer = Callable[[Any], object]
+    Loader = Callable[[float, int], bool]
 
     class Asked(Protocol):
         """Whoever asks for what is read: `notes` is None while nobody does."""
@@ -116,7 +117,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
         if power is not None:
             rate, per_unit = factors[power]
             value = value * per_unit / rate
-        if live and a.move is not None:
+        if live and a.moves:
             configure(axis, name, value)
             return
         if getattr(a, name) != value:
@@ -128,9 +129,44 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
     return write
 
 
+def loader(controller: AxisVerbs, axis: int, relative: bool, command: str) -> Loader:
+    """What loads a plain move to a place or by a distance, user units, for a line; it answers false where it cannot."""
+    a, braked = controller.axes[axis], controller.braked
+    scale = a.scale
+
+    def load(value: float, line: int) -> bool:
+        if (
+            a.under_way
+            or a._move is not None
+            or a.loaded is not None
+            or a._buffer
+            or a.own_rates is not None
+            or a.feedrate_mode > 1
+            or a.buffer_size < 1
+            or a.feedback is not None
+            or a.faults & a.locks
+            or not a.enabled
+            or axis in braked
+            or not -1e300 < value < 1e300
+        ):
+            return False
+        base = None
+        if relative:
+            base = a.target
+            if not -1e300 < base < 1e300:
+                return False
+            value = base + value * scale.counts
+        else:
+            value = scale.position_to_counts(value)
+        a.loaded = value, base, command, line, a.speed if a.feedrate_mode else None, a.move_id
+        return True
+
+    return load
+
+
 def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = True) -> Reader:
     """The position; the piece of the profile that the axis is on is kept, as loops that poll ask for nothing else."""
-    clock, scale, profiles = controller.clock, a.scale, a.profiles
+    clock, scale = controller.clock, a.scale
     asked, note, wraps, axis = hearing.asked, hearing.note, hearing.wraps, a.index
     begun = since = c0 = c1 = c2 = c3 = 0.0
     until = -1.0
@@ -144,7 +180,7 @@ def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = T
             found = a.feedback.position
         else:
             time = clock.now - begun
-            if since < time < until and profiles[-1] is profile:
+            if since < time < until and a.present is profile:
                 x = time - since
                 found = ((c3 * x + c2) * x + c1) * x + c0
             else:
@@ -161,7 +197,7 @@ def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = T
 
 def _velocity(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = True) -> Reader:
     """The velocity, from the piece of the profile that is kept."""
-    clock, factors, profiles = controller.clock, a.scale.factors, a.profiles
+    clock, factors = controller.clock, a.scale.factors
     asked, note = hearing.asked, hearing.note
     begun = since = c1 = twice_c2 = thrice_c3 = 0.0
     until = -1.0
@@ -175,7 +211,7 @@ def _velocity(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = T
             found = a.feedback.velocity
         else:
             time = clock.now - begun
-            if since < time < until and profiles[-1] is profile:
+            if since < time < until and a.present is profile:
                 x = time - since
                 found = (thrice_c3 * x + twice_c2) * x + c1 if twice_c2 or thrice_c3 else c1
             else:
@@ -198,7 +234,7 @@ def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[flo
 
 
 def _is_idle(controller: AxisVerbs, a: Axis, hearing: Hearing) -> Reader:
-    return lambda: a.move is None
+    return lambda: not a.under_way and a._move is None
 
 
 _WRITTEN_OUT: dict[tuple[str, str], Callable[..., Reader]] = {

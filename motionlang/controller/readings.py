@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.faults import Refusal
     from motionlang.controller.record.log import Log
+    from motionlang.controller.record.orders import Orders
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
@@ -51,6 +52,8 @@ class Readings:
         self.listeners = Listeners()
         # The conditions to be looked at when all axes of a motion have it; None where they are at once.
         self.looks_later: list[Condition] | None = None
+        # What is kept of a run that is to be proved.
+        self.orders: Orders | None = None
         # Told of what goes wrong while the program does something else; answers whether that was all.
         self.handles_mishap: Callable[[Refusal], bool] | None = None
 
@@ -160,7 +163,7 @@ class Readings:
         return channel is None or self.inputs.inverted(channel)
 
     def is_idle(self, axis: int) -> bool:
-        return self.axes[axis].move is None
+        return not self.axes[axis].moves
 
     def faults(self, axis: int) -> int:
         return self.axes[axis].faults
@@ -168,7 +171,19 @@ class Readings:
     def idle_time(self, axis: int) -> float:
         """The time at which the axis will be idle if nothing else happens; infinite while it jogs."""
         a = self.axes[axis]
-        return self.clock.now if a.move is None else a.end_of_motion()
+        return a.end_of_motion() if a.moves else self.clock.now
+
+    def end_of_moves(self, axes: tuple[int, ...]) -> float:
+        """The time at which all of some axes will be idle; -1 where they are."""
+        end = -1.0
+        for axis in axes:
+            a = self.axes[axis]
+            if a.under_way:
+                if a.ends > end:
+                    end = a.ends
+            elif a._move is not None:
+                end = max(end, a.end_of_motion())
+        return end
 
     def stands(self, axis: int) -> bool:
         """Whether the axis is idle, or follows what stands."""

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from motionlang.controller.readers import Reader, Writer
+    from motionlang.controller.readers import Loader, Reader, Writer
     from motionlang.controller.triggers.limit import Limit
 
 # verb -> what it does. Every verb is a method of `Controller`; the dialects call no other.
@@ -38,6 +38,7 @@ VERBS: dict[str, str] = {
     "setting": "Read a setting back.",
     "reader": "A reading of an axis, to be called again and again, in its unit.",
     "writer": "What sets a setting of an axis, to be called again and again.",
+    "loader": "What loads moves of an axis again and again, as long as nothing is special about them.",
     "set_units": "Set the units of speeds and of accelerations of an axis.",
     "set_time_unit": "Set the seconds in the unit of time of an axis.",
     "set_scale": "Set the counts per user unit (and the time base) of an axis.",
@@ -133,6 +134,7 @@ VERBS: dict[str, str] = {
     "idle_time": "The time at which an axis will be idle if nothing else happens.",
     "stands": "Whether an axis is idle, or follows a master that stands.",
     "standing_time": "The time at which an axis will stand, following or not, if nothing else happens.",
+    "end_of_moves": "The time at which all of some axes will be idle.",
     "crossing_time": "The time at which an axis will pass a position if nothing else happens.",
     "watch": "Be told whenever an axis passes a position, at the exact time.",
     "unwatch": "Be told no longer.",
@@ -197,6 +199,10 @@ class Recorder:
         """Every setting is written down, in counts."""
         scale = self.axes[axis].scale
         return lambda value: self.configure(axis, name, scale.to_counts(value, unit))
+
+    def loader(self, axis: int, relative: bool, command: str) -> Loader:
+        """No move is plain: the verbs that load them are written down."""
+        return lambda value, line: False
 
     def __getattr__(self, verb: str) -> Any:
         if verb not in VERBS:

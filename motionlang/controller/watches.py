@@ -21,7 +21,7 @@ class Watches:
     count, at which the sides of all others were right. `count` is how many were ever set.
     """
 
-    __slots__ = ("all", "count", "loose", "machine", "program", "seen")
+    __slots__ = ("all", "count", "free", "loose", "machine", "program", "seen")
 
     def __init__(self) -> None:
         self.all: dict[Watch, None] = {}
@@ -30,6 +30,8 @@ class Watches:
         self.machine: list[Key] = []
         self.seen = [0.0, 0.0]
         self.count = 0
+        # From where to where the axis may go and pass none, nor meet a limit; None where that is not known.
+        self.free: tuple[float, float] | None = None
 
     def __iter__(self) -> Iterator[Watch]:
         return iter(self.all)
@@ -43,6 +45,7 @@ class Watches:
     def append(self, watch: Watch) -> None:
         """Set one more; who does so solves it."""
         self.count += 1
+        self.free = None
         watch.order = self.count
         self.all[watch] = self.loose[watch] = None
         insort(self.machine if watch.physical else self.program, (watch.position, watch.order, watch))
@@ -50,6 +53,7 @@ class Watches:
     def remove(self, watch: Watch) -> None:
         """End one, and what it waits for."""
         del self.all[watch]
+        self.free = None
         self.loose.pop(watch, None)
         keys = self.machine if watch.physical else self.program
         del keys[bisect_left(keys, (watch.position, watch.order))]

@@ -84,6 +84,9 @@ class Scheduler:
         # How many turns in a row have brought nothing about.
         self._calm = 0
         self.until = INFINITY
+        # The waits of tasks none of which can run, as `_runnable` has found them.
+        self._asked: list[Wait] = []
+        self._due = INFINITY
         self._recurrence: Recurrence | None = None
         self._turn = 0
         self._stalls = 0
@@ -120,31 +123,38 @@ class Scheduler:
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
-        clock = self.clock
+        clock, outside = self.clock, self.outside is not None
+        advance = clock.advance if self.by_itself else self._advance
         self.until, self._end = until, 0.0
         while not self.parent.done:
-            if clock.now >= until:
+            now = clock.now
+            if now >= until:
                 return False
             task = self.current if self._end else self._runnable()
             if task is None:
                 self._jump(until)
                 continue
-            horizon = min(clock.next_time(), until)
-            several = len(self.tasks) > 1 or self.outside is not None
-            event, self.began = horizon, clock.now
+            horizon = clock.next_time()
+            if horizon > until:
+                horizon = until
+            several = outside or len(self.tasks) > 1
+            event, self.began = horizon, now
             if not self._end:
-                self.turn_began = clock.now
+                self.turn_began = now
             if several:
                 if not self._end:
                     # Less than whole, as a number of statements may fill it exactly.
-                    self._end = clock.now + min(self._turn_length(horizon) - ROUNDING, task.turn)
+                    length = (
+                        QUANTUM if task.busy < 2 * QUANTUM and not self._left else self._turn_length(horizon)
+                    )
+                    self._end = now + min(length - ROUNDING, task.turn)
                 horizon = min(horizon, self._end, self._next_due(task))
-            time, task.wait = task.resume(self.began, horizon)
-            self._advance(time)
+            time, task.wait = task.resume(now, horizon)
+            advance(time)
             while clock.now < time:
-                self._advance(time)
+                advance(time)
             if several:
-                self._took_turn(task, self.began)
+                self._took_turn(task, now)
             if self._end and not (event <= time < self._end and self._goes_on(task)):
                 self._end = 0.0
                 self._compare(task)
@@ -170,6 +180,23 @@ class Scheduler:
             clock.advance(time)
         return False
 
+    def comes_to_rest(self, since: float, controller: Controller, axes: tuple[int, ...]) -> bool:
+        """The same of the wait from `since` until axes are at rest, of which the end is known without asking."""
+        clock, until = self.clock, self.until
+        if not self.by_itself or self._end:
+            return False
+        if clock.horizon <= since or clock.now != since:
+            clock.advance(since)
+        while clock.now < until and len(self.tasks) == 1 and not self.interrupts:
+            end = controller.end_of_moves(axes)
+            if end < 0.0:
+                return True
+            if not clock.now < end < until:
+                return False
+            if clock.advance_to_news(end):
+                return True
+        return False
+
     def reach(self) -> float:
         """Until when the running task has the machine for itself, if it does nothing; 0 where others can run, too."""
         return min(self.next_change(), self.until) if self._alone and self.outside is None else 0.0
@@ -192,6 +219,9 @@ class Scheduler:
     def _took_turn(self, task: Task, began: float) -> None:
         """Note how long a task has had the machine; those that take turns without a wait are one record."""
         if not self._took:
+            if task.wait is not None or task.done:
+                self._log.turns.add((began, self.clock.now, (task.name,), (self.clock.now - began,)))
+                return
             self._turns_began = began
         self._took[task.name] = self._took.get(task.name, 0.0) + self.clock.now - began
         if task.wait is not None or task.done:
@@ -280,13 +310,24 @@ class Scheduler:
 
     def _next_due(self, task: Task) -> float:
         """When the first of the others that still wait may go on: a turn does not outlast it, so nobody oversleeps."""
-        self._waiting.clear()
+        waiting, now = self._waiting, self.clock.now
+        waiting.clear()
         first = INFINITY
-        for other in self.interrupts[-1:] or self.tasks:
-            self.current = other
-            if other.wait is not None and not other.wait.ready():
-                self._waiting.append(other)
-                first = min(first, other.wait.due())
+        for other in self.interrupts[-1:] if self.interrupts else self.tasks:
+            wait = other.wait
+            if wait is None:
+                continue
+            due = wait.ends
+            if due is None:
+                self.current = other
+                if wait.ready():
+                    continue
+                due = wait.due()
+            elif now >= due - ROUNDING:
+                continue
+            waiting.append(other)
+            if due < first:
+                first = due
         self.current = task
         return (
             first - 0.5 * ROUNDING
@@ -307,47 +348,69 @@ class Scheduler:
                 tasks.remove(task)
 
     def _runnable(self) -> Task | None:
-        """The next task that does not wait or whose wait is over: of the highest priority, in turn."""
-        tasks = self.interrupts[-1:] or self.tasks
-        count = len(tasks)
-        highest = tasks[0].priority
-        for task in tasks:
-            if task.priority > highest:
-                highest = task.priority
+        """The next task that does not wait or whose wait is over: of the highest priority, in turn.
+
+        Where there is none, `_asked` has the waits that had to be asked, `_due` is when the first of the others ends.
+        """
+        tasks = self.interrupts[-1:] if self.interrupts else self.tasks
+        count, now = len(tasks), self.clock.now
+        start = self._turn % count
+        highest, due, asked = None, INFINITY, self._asked
         found: Task | None = None
         self._alone = False
-        for k in range(count):
-            task = tasks[(self._turn + k) % count]
+        asked.clear()
+        for k in range(start, start + count):
+            task = tasks[k if k < count else k - count]
             if found is not None and task.priority <= found.priority:
                 continue
-            if task.wait is not None:
-                self.current = task
-                if not task.wait.ready():
+            wait = task.wait
+            if wait is not None:
+                ends = wait.ends
+                if ends is None:
+                    self.current = task
+                    if not wait.ready():
+                        asked.append(wait)
+                        continue
+                elif now < ends - ROUNDING:
+                    if ends < due:
+                        due = ends
                     continue
-            self._alone = found is None and k == count - 1
-            found, turn = task, (self._turn + k + 1) % count
+            self._alone = found is None and k == start + count - 1
+            found, turn = task, (k + 1) % count
+            if highest is None:
+                highest = max([each.priority for each in tasks]) if count > 1 else task.priority
             if task.priority == highest:
                 break
-        if found is not None:
-            if found.wait is not None:
-                self._waited(found, found.wait)
-                found.wait = None
-            self._turn = turn
-            self.current = found
+        if found is None:
+            self._due = due
+            return None
+        wait = found.wait
+        if wait is not None:
+            self._waited(found, wait)
+            found.wait = None
+        self._turn = turn
+        self.current = found
         return found
 
     def _jump(self, until: float) -> None:
         """All wait: go to the next moment at which something can change."""
         clock = self.clock
-        tasks = self.interrupts[-1:] or self.tasks
-        due = min((task.wait.due() for task in tasks if task.wait is not None), default=INFINITY)
-        time = min(due, clock.next_time(), until)
-        hopeless = self.outside is None or not self.outside.may_act()
-        if hopeless and (time == INFINITY or (time == until and min(due, clock.next_time()) == INFINITY)):
-            waiting = tasks[0]
+        due = clock.next_time()
+        if self._due < due:
+            due = self._due
+        for wait in self._asked:
+            each = wait.due()
+            if each < due:
+                due = each
+        time = due if due < until else until
+        if due == INFINITY and (self.outside is None or not self.outside.may_act()):
+            waiting = (self.interrupts or self.tasks)[-1 if self.interrupts else 0]
             assert waiting.wait is not None
             raise Stuck(waiting, waiting.wait)
         # A wait that could end now and does not (rounding of its time) is asked again a little later, never for ever.
         self._stalls = self._stalls + 1 if time <= clock.now else 0
         late = 1e-9 * 2.0 ** min(self._stalls - STALLS, 30) if self._stalls > STALLS else 0.0
-        self._advance(min(max(time, clock.now + late), max(until, clock.now)))
+        if late or time <= clock.now or not self.by_itself:
+            self._advance(min(max(time, clock.now + late), max(until, clock.now)))
+        else:
+            clock.advance(time)

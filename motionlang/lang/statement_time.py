@@ -65,7 +65,7 @@ class StatementTime:
         """
         base, cost = self.base, self.cost
         if base != self._known:
-            return None
+            self._known, self._units = base, units(base)
         end_units = self._units + round((count * cost + seconds) * UNITS)
         end = end_units / UNITS
         statements = (self.until - end) / cost - 1.0  # one less, whatever rounding makes of it
@@ -116,4 +116,6 @@ class StatementTime:
 def units(moment: float) -> int:
     """A moment in whole units, the nearest ones where it is none."""
     nearest = round(moment * UNITS)
+    if nearest / UNITS == moment:
+        return nearest
     return next((each for each in (nearest, nearest - 1, nearest + 1) if each / UNITS == moment), nearest)

@@ -12,6 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
     from types import FrameType
+    from typing import Any
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
@@ -34,9 +35,10 @@ class Wait:
     `due()`   the earliest time at which `ready` may become true if nothing else happens (infinite if never)
     `why`     how a person would say it, for the report of a wait that never ends
     `cause`   what kind of thing ends it, and `what` its numbers: one of `record.records.CAUSES`
+    `ends`    the moment at which it ends whatever happens, where there is one: then neither of the two need be asked
     """
 
-    __slots__ = ("cause", "due", "ready", "since", "what", "why")
+    __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
 
     def __init__(
         self,
@@ -49,38 +51,40 @@ class Wait:
     ) -> None:
         self.since, self.ready, self.due, self.why = since, ready, due, why
         self.cause, self.what = cause, what
+        self.ends: float | None = None
 
 
 class Delay(Wait):
     """A wait for a moment; programs have millions of them, so its reason is put into words when somebody asks."""
 
-    __slots__ = ("_clock", "_time")
+    __slots__ = ("_clock",)
 
     cause = "time"
     what = ()
+    ends: float
 
     def __init__(self, clock: Clock, since: float, time: float) -> None:
-        self.since, self._clock, self._time = since, clock, time
+        self.since, self._clock, self.ends = since, clock, time
 
     @property
     def length(self) -> float:
         """How long all of it takes, s, to a nanosecond."""
-        return round(self._time - self.since, 9)
+        return round(self.ends - self.since, 9)
 
     def move(self, time: float) -> None:
         """It ends at another moment, and began as much earlier or later."""
-        self.since += time - self._time
-        self._time = time
+        self.since += time - self.ends
+        self.ends = time
 
     def ready(self) -> bool:
-        return self._clock.now >= self._time - ROUNDING
+        return self._clock.now >= self.ends - ROUNDING
 
     def due(self) -> float:
-        return self._time
+        return self.ends
 
     @property
     def why(self) -> str:  # type: ignore[override]
-        return f"for {self._time - self.since:g} s"
+        return f"for {self.ends - self.since:g} s"
 
 
 def wait_until(machine: Controller | Machine, since: float, time: float) -> Wait:
@@ -198,17 +202,25 @@ class GeneratorTask(Task):
     @property
     def stack(self) -> tuple[int, ...]:
         """The places of its subs, the innermost last; not while it is running."""
+        generator: Any = self._generator
+        if generator is not None and generator.gi_yieldfrom is None and generator.gi_frame is not None:
+            return (self._places[generator.gi_frame.f_lineno],)
         places = []
-        inner: object = self._generator
+        inner = generator
         while (frame := getattr(inner, "gi_frame", None)) is not None:
             if frame.f_code.co_filename == self._file:
                 places.append(self._places[frame.f_lineno])
             inner = getattr(inner, "gi_yieldfrom", None)
         return tuple(places) or (self._places[0],)
 
-    def callers(self) -> tuple[int, ...]:
-        """The same while it is running and without the innermost one, for what the program's code has called."""
-        frame: FrameType | None = _getframe(2)
+    def callers(self, above: int = 2) -> tuple[int, ...]:
+        """The same while it is running and without the innermost one, for what the program's code has called.
+
+        `above` says how many calls above this one that code is.
+        """
+        if _getframe(above + 1).f_code is RESUMES:
+            return ()
+        frame: FrameType | None = _getframe(above)
         found = []
         while (
             frame is not None and frame.f_back is not None and frame.f_back.f_code.co_filename == self._file
@@ -257,3 +269,7 @@ class GeneratorTask(Task):
             time, self.busy = out  # type: ignore[misc,unused-ignore]
             return time, None
         return out.since, out  # type: ignore[union-attr,return-value,unused-ignore]
+
+
+# Behind this no further code of a program stands.
+RESUMES = GeneratorTask.resume.__code__

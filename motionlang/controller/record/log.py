@@ -114,6 +114,8 @@ class Log:
     def power_up(self, axes: Mapping[int, Axis]) -> None:
         """A controller with these axes begins to write: a program that moves nothing has none."""
         self.moves, self.dropped = Moves(self.store, axes), Moves(self.store, axes)
+        for a in axes.values():
+            a.logged = self.moves
 
     def make_room(self, axes: Iterable[Axis]) -> None:
         """Pack the profiles of axes but the newest ones of each; those that a simulated motor follows stay.

@@ -6,6 +6,7 @@ from bisect import bisect_right
 from marshal import dumps, loads
 
 from motionlang.controller.move import CONTINUED, Action, Move
+from motionlang.controller.plain_moves import move_of
 from motionlang.controller.record.stream import PART, Parts, Place, Store, Stream
 from motionlang.profile.packed import packed, unpacked
 
@@ -15,10 +16,13 @@ if TYPE_CHECKING:
     from typing import Any
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.plain_moves import Row
     from motionlang.profile import Profile
 
 # What a move is told by that was a path, a jog or the like: what it was is not kept.
 _OTHER = Action()
+# Velocities at both ends, which are all of a recipe that is none of ramps.
+_ENDS = 2
 # Pieces of entries that were continued which may wait for being packed.
 MOST_WAITING = 16_000
 
@@ -39,6 +43,44 @@ class Moves(Stream[Move]):
         self._left_out: dict[int, Move | Place] = {}
         self._waiting = 0  # pieces of continued entries that are not packed
         self.axes = axes
+
+    def show(self, row: Row, move: Move) -> None:
+        """Somebody looks at a plain move: from now on it is the `Move` that he sees."""
+        tail = self._tail
+        for place in range(len(tail) - 1, -1, -1):
+            if tail[place] is row:  # type: ignore[comparison-overlap]
+                tail[place] = move
+                return
+
+    def pack(self, count: int) -> None:
+        """Pack the oldest records of the tail, so many of them."""
+        self._live()  # looks at all that is under way
+        super().pack(count)
+
+    def as_kept(self) -> Iterator[Move | Row]:
+        """All of them, the plain ones that are not packed as rows."""
+        self._live()
+        for number in range(len(self._parts)):
+            yield from self._parts.part(number)
+        yield from self._tail
+
+    def moved(self) -> set[int]:
+        """The axes that have moved."""
+        parts = (self._parts.part(number) for number in range(len(self._parts)))
+        found = {move.axis for part in parts for move in part}
+        rows: list[Any] = self._tail
+        return found | {each[0] if each.__class__ is tuple else each.axis for each in rows}
+
+    def _newest(self, place: int) -> Move:
+        tail: list[Any] = self._tail
+        self._live()
+        if tail[place].__class__ is tuple:
+            tail[place] = move_of(tail[place])
+        return tail[place]  # type: ignore[no-any-return]
+
+    def _typed(self, rows: list[Any]) -> list[Move]:
+        self._live()
+        return [move_of(each) if each.__class__ is tuple else each for each in rows]
 
     def split(self, move: Move, done: Profile, now: float) -> None:
         """A move goes on as another entry: the one that it was keeps what it has done up to now."""
@@ -67,7 +109,7 @@ class Moves(Stream[Move]):
             if isinstance(each, Move) and id(each) not in live:
                 self._left_out[number] = self._store.put(dumps(_row(each, None)))  # type: ignore[arg-type]
         rows: list[tuple[object, ...] | None] = []
-        for number, move in enumerate(records, first):
+        for number, move in enumerate(self._typed(records), first):
             if id(move) in live:
                 self._left_out[number] = move
                 rows.append(None)
@@ -160,10 +202,17 @@ def _place(a: Axis, move: Move) -> int | None:
     """The number of the profile in the track of the axis that is all of a move; None where there is none."""
     k = bisect_right(a.starts, move.start_time) - 1
     while k >= 0 and a.starts[k] == move.start_time:
-        if a.profiles[k] is move.profile and a.feedback is None:
+        if a.feedback is None and _is_of(a.profiles[k], move.profile):
             return k + (0 if a.older is None else a.older.count)
         k -= 1
     return None
+
+
+def _is_of(profile: Profile, other: Profile | None) -> bool:
+    """Whether they are one, or one is what the row of a plain move tells of the other."""
+    return profile is other or (
+        other is not None and len(profile._recipe) > _ENDS and profile._recipe is other._recipe
+    )
 
 
 def _profile(a: Axis, number: int) -> Profile:

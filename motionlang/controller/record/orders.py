@@ -105,17 +105,20 @@ class Orders:
         self._nth: dict[PathMove, int] = {}
         self._counts: dict[tuple[int, float], int] = {}
         self._controller = controller
-        self._extend, self._freeze = controller.extend_track, controller.freeze
-        controller.extend_track = self._extended  # type: ignore[method-assign]
-        controller.freeze = self._frozen  # type: ignore[method-assign]
+        controller.orders = self
 
-    def _extended(self, a: Axis, profile: Profile) -> None:
+    def add(self, a: Axis) -> None:
+        """The track of an axis gets another profile."""
         if self._controller.axes.get(a.index) is a:
             move = a.move
             path = move is not None and isinstance(move.action, PathMove)
             self.of[a.index].append(self._path(a) if path else _order(a))
             self.data[a.index].append(a.datum)
-        self._extend(a, profile)
+
+    def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:
+        """An axis begins a plain move."""
+        self.of[a.index].append(Order("move", line, speed, rates, ENDLESS, a.shape))
+        self.data[a.index].append(a.datum)
 
     def _path(self, a: Axis) -> Order:
         """That of a path; those that begin at one moment are numbered."""
@@ -128,9 +131,9 @@ class Orders:
             self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
         return _path(action, move, self._nth[action])
 
-    def _frozen(self, a: Axis, ended: str) -> None:
+    def freeze(self, a: Axis, ended: str) -> None:
+        """An axis is about to be told to stand at once."""
         self.stands[a.index, self._controller.clock.now] = ended
-        self._freeze(a, ended)
 
 
 def _order(a: Axis) -> Order:

@@ -162,12 +162,14 @@ class Stream(_Of[T]):
     where one is given. A subclass that keeps something else says how that is packed.
     """
 
-    __slots__ = ("_kind", "_parts", "_tail")
+    __slots__ = ("_kind", "_parts", "_tail", "append")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
         self._parts = Parts(store, self._records)
         self._tail: list[T] = []
+        # Appends a record without a look whether some are to be packed, for who looks himself.
+        self.append = self._tail.append
 
     def add(self, record: T | tuple[object, ...]) -> None:
         """Append a record."""
@@ -220,7 +222,7 @@ class Stream(_Of[T]):
                 return [self[i] for i in range(max(begin, self._parts.first), end, step)]
             index += len(self) if index < 0 else 0
             behind = index - self._parts.count
-            return self._typed([self._tail[behind]])[0] if behind >= 0 else self._parts.record(index)
+            return self._newest(behind) if behind >= 0 else self._parts.record(index)
 
     def forget(self, kept: int) -> None:
         """Forget all but the newest records, about `kept` of them; the numbers of the others stay what they are."""
@@ -248,6 +250,10 @@ class Stream(_Of[T]):
     def _records(self, rows: list[Any], first: int) -> list[T]:
         """The same the other way round."""
         return self._typed(rows)
+
+    def _newest(self, place: int) -> T:
+        """The record of a place among those that are not packed."""
+        return self._typed([self._tail[place]])[0]
 
     # -------------------------------------------------------------------------------------------- inside
 

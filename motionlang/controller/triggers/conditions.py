@@ -73,6 +73,7 @@ class Condition:
 
         `towards` is the direction in which the axis has just come upon it.
         """
+        self.controller.axes[self.axis].watches.free = None
         if self._event is not None:
             self._event.cancel()
             self._event = None
@@ -86,6 +87,11 @@ class Condition:
         raised, self._raised = self._raised, self._bars(towards)
         if self._raised and not raised:
             self.act()
+
+    @property
+    def is_quiet(self) -> bool:
+        """Whether it has nothing to say of an axis that neither moves nor passes anything."""
+        return self._event is None and not self._raised and not self.met
 
     def act(self) -> None:
         """Raise the fault."""

@@ -108,6 +108,23 @@ def _sorted_by(key: Key) -> tuple[float, int]:
     return key[:2]
 
 
+def free_way(axis: Axis, here: float) -> tuple[float, float]:
+    """From where to where an axis that stands `here` passes no watch, and no limit has to be looked at; it is kept."""
+    low, high = -float("inf"), float("inf")
+    if all(limit.is_quiet for limit in axis.limits):
+        for watch in axis.watches:
+            at = place(axis, watch)
+            gap = _NEAR + _RELATIVE * (abs(at) + abs(axis.datum))
+            if at < here:
+                low = max(low, at + gap)
+            else:
+                high = min(high, at - gap)
+    else:
+        low, high = high, low
+    axis.watches.free = low, high
+    return low, high
+
+
 def follow(axis: Axis, clock: Clock) -> None:
     """The axis has a new profile: what falls due in this very moment happens first, then the next ones are solved."""
     watches, now = axis.watches, clock.now

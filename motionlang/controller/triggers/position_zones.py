@@ -72,7 +72,7 @@ class Cells:
         """A track of what the source does as it is viewed."""
         source, controller = self._source, self._controller
         made = Axis(source.index)
-        made.starts, made.profiles = [source.starts[-1]], [view(source.profiles[-1])]
+        made.put_on(source.starts[-1], view(source.profiles[-1]))
         made.datum = source.datum
 
         def follow(profile: Profile) -> None:

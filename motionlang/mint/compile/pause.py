@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from motionlang.mint.compile.expressions import condition
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.traversal import meant
 from motionlang.mint.syntax.unparse import shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
-    from motionlang.mint.syntax import nodes
 
 
 def pause(b: Body, node: nodes.Pause) -> None:
@@ -25,7 +26,22 @@ def pause(b: Body, node: nodes.Pause) -> None:
         b.emit(f"while not {test}: t, H = yield {b.whole.use('env', 'tick')}(t)")
     else:
         why = f"until {shown(node.condition)}"
-        pause = f"{b.whole.use('env', 'pause')}(t, lambda: {test}, {why!r}, {b.at})"
+        axes = _at_rest(node.condition)
+        arguments = f"t, lambda: {test}, {why!r}, {b.at}" + (f", {(*axes,)}" if axes else "")
+        pause = f"{b.whole.use('env', 'pause')}({arguments})"
         b.emit(f"if not {test}: t, H = {pause} or (yield E.wait)")
     b.noted = True
     b.pending += 1
+
+
+def _at_rest(node: nodes.Expr) -> list[int]:
+    """The axes, given by their numbers, of a condition that asks for nothing but that they are at rest; else none."""
+    node = meant(node)
+    if type(node) is nodes.Binary and node.op == "And":
+        left, right = _at_rest(node.left), _at_rest(node.right)
+        return left + right if left and right else []
+    if type(node) is not nodes.Name or node.row is None or node.row.verb != "is_idle":
+        return []
+    args = node.args or ()
+    axes = [each.value for each in args if type(each) is nodes.Number and isinstance(each.value, int)]
+    return axes if len(axes) == len(args) else []

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import Each, axis_of, no_axis, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 def load_load_by(environment: Environment, row: Row) -> Operation:
     """Answers true while the buffer is full."""
-    room, load = environment.controller.room, environment.controller.load_by
+    controller, name = environment.controller, row.name
+    room, load = controller.room, controller.load_by
 
     def by(axis: int, value: float, line: int) -> bool:
         scale = scale_of(environment, axis)
@@ -25,17 +26,19 @@ def load_load_by(environment: Environment, row: Row) -> Operation:
         refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
-        load(axis, value * scale.counts, row.name, line)
+        load(axis, value * scale.counts, name, line)
         if environment.loaded is not None:
             environment.loaded(axis)
         return False
 
+    by.plain = _plain(environment, True, name)  # type: ignore[attr-defined]
     return by
 
 
 def load_load_to(environment: Environment, row: Row) -> Operation:
     """Answers true while the buffer is full."""
-    room, load = environment.controller.room, environment.controller.load_to
+    controller, name = environment.controller, row.name
+    room, load = controller.room, controller.load_to
 
     def to(axis: int, value: float, line: int) -> bool:
         scale = scale_of(environment, axis)
@@ -43,12 +46,19 @@ def load_load_to(environment: Environment, row: Row) -> Operation:
         refuse_stopping(environment, axis)
         if room(axis) <= 0:
             return True
-        load(axis, scale.position_to_counts(value + environment.turn(axis)), row.name, line)
+        load(axis, scale.position_to_counts(value + environment.turn(axis)), name, line)
         if environment.loaded is not None:
             environment.loaded(axis)
         return False
 
+    to.plain = _plain(environment, False, name)  # type: ignore[attr-defined]
     return to
+
+
+def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, Callable[[float, int], bool]]:
+    """What loads a move about which nothing is special, by axis; it answers false where anything is."""
+    loader = environment.controller.loader
+    return Each(lambda axis: loader(axis_of(environment, axis), relative, name))  # type: ignore[return-value]
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:
@@ -67,10 +77,13 @@ def finite(row: Row, value: float) -> None:
 def do_go(environment: Environment, row: Row) -> Operation:
     """GO: an axis that there is not starts none."""
 
+    known, start = environment.controller.axes, environment.controller.go
+
     def go(axes: tuple[int, ...], line: int) -> None:
         for axis in axes:
-            scale_of(environment, axis)
-        environment.controller.go(axes)
+            if axis not in known:
+                raise no_axis(environment, axis)
+        start(axes)
 
     return go
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from math import ceil, floor
 
 from motionlang.controller.faults import Refusal
-from motionlang.lang.attention import TICK, Attention, Condition
-from motionlang.lang.task import Wait, wait_until
+from motionlang.lang.attention import Attention
+from motionlang.lang.task import Wait
 from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
+from motionlang.mint.runtime.waits import Waits
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def mint_settings(controller: Controller, axis: int) -> None:
     controller.configure(axis, "live_speed", True)
 
 
-class Environment:
+class Environment(Waits):
     """One program on one machine. `task` is the task that is running; each has its own TIME.
 
     `blocks` holds the tasks and event handlers by "task blink", "event timer"; `files` the places in the program of
@@ -76,6 +77,7 @@ class Environment:
         # When its statements are, and what it notes of its readings.
         self.statements = machine.statements
         self.attention = Attention(machine.clock)
+        self._waited = machine.log.waits.add
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
         # How often the program has done something; a loop that polls does nothing.
@@ -241,7 +243,19 @@ class Environment:
                 return None
             return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
 
-        return at
+        plain = getattr(operation, "plain", None)
+        if plain is None:
+            return at
+        wraps = self.wraps
+
+        def plainly(count: float, horizon: float, axis: int, value: float, line: int) -> float | None:
+            clock.now = statements.base + count * cost
+            if wraps or self.loaded is not None or not plain[axis](value, line):
+                return at(count, horizon, axis, value, line)
+            self.acts += 1
+            return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
+
+        return plainly
 
     def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
         """Wait until there is room for the move that was refused."""
@@ -312,69 +326,6 @@ class Environment:
         return f"\x1b[{max(number, 1)};1H"
 
     # --------------------------------------------------------------------------------------------- waits
-
-    def rest(self, t: float, milliseconds: float, at: int) -> tuple[float, float] | None:
-        """`WAIT` at a place: the statement after it, and its horizon; nothing where others act meanwhile: `wait`."""
-        if not 0 <= milliseconds < INFINITY:
-            raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
-        statements, scheduler = self.statements, self.machine.scheduler
-        if scheduler is not None and scheduler.by_itself and len(scheduler.tasks) == 1:
-            since = statements.base + t * statements.cost
-            found = statements.pass_by(t, milliseconds / 1000.0)
-            if found is not None:
-                self.clock.now = end = statements.base
-                callers = self.task.callers()
-                self.machine.log.waits.add((self.task.name, at, since, end, "time", (), "", callers))
-                return found
-        end = statements.rest(t, milliseconds / 1000.0)
-        self.wait = wait_until(self.machine, statements.reached, end)
-        return None
-
-    def tick(self, t: float) -> Wait:
-        """Wait for the next tick of the profiler."""
-        self.acts += 1
-        now = self.statements.leave(t)
-        return wait_until(self.machine, now, (int(now / TICK + 1e-6) + 1) * TICK)
-
-    def room(self, t: float, axes: tuple[int, ...]) -> Wait:
-        """A move waits for room in the buffers of all its axes."""
-        room = self.controller.room
-        names = ", ".join(map(str, axes))
-        buffers = f"move buffers of axes {names}" if len(axes) > 1 else f"move buffer of axis {names}"
-        self.controller.log.note(self.clock.now, "buffer full", axes[0], text=f"room in the {buffers}")
-        return Wait(
-            self.statements.leave(t),
-            lambda: all(room(axis) > 0 for axis in axes),
-            lambda: INFINITY,
-            f"for room in the {buffers}",
-            "axis",
-            axes,
-        )
-
-    def pause(self, t: float, ready: Callable[[], object], why: str, at: int) -> tuple[float, float] | None:
-        """`PAUSE` at a place: as `rest`; nothing where another task acts meanwhile: `wait`."""
-        self.acts += 1
-        task = self.task
-
-        def test() -> object:
-            self.task = task  # whose TIME the condition may read
-            return ready()
-
-        wait = self.wait = Condition(self.attention, test).wait(self.statements.leave(t), why)
-        scheduler = self.machine.scheduler
-        if self._errors is not None or "event onerror" in self.blocks:
-            return None  # what goes wrong meanwhile is not this statement's
-        if scheduler is None or not scheduler.passes(wait):
-            return None
-        clock, statements = self.clock, self.statements
-        callers = task.callers()
-        self.machine.log.waits.add(
-            (task.name, at, wait.since, clock.now, wait.cause, wait.what, why, callers)
-        )
-        if self.fired != clock.fired:
-            task.noticed(self)
-        t = statements.arrive(clock.now)
-        return t, statements.limit(min(clock.next_time(), scheduler.until))
 
     def input(self, t: float) -> Wait:
         """`INPUT` waits for the operator's answer."""

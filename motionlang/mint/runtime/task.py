@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.attention import Note
     from motionlang.mint.runtime.environment import Environment, Make
+    from motionlang.mint.runtime.waits import Waits
 
 
 class TaskEnd(Exception):
@@ -82,7 +83,7 @@ class MintTask(GeneratorTask):
         quantum = environment.quanta.get(self.name)
         return INFINITY if quantum is None else (quantum - 0.5) * environment.machine.instruction_time
 
-    def noticed(self, environment: Environment) -> None:
+    def noticed(self, environment: Waits) -> None:
         """Events have fired since the program last looked: whatever it polled may be another now."""
         environment.fired = environment.clock.fired
         environment.acts += 1

@@ -1,0 +1,154 @@
+"""Plain moves: a run is the same to the last bit as one in which every move is an object from the start."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from motionlang import run
+from motionlang.controller import readers
+from motionlang.controller.move import Move
+from motionlang.controller.record.track import WholeTrack
+from motionlang.report import text
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.cases import cases
+from tests.mint.motion_programs import program
+
+# A travel that some of the random moves come to, a switch, and a fault.
+MACHINE: dict[str, object] = {
+    "axis.0.travel": [-9.0, 19.0],
+    "axis.1.travel": [-30.0, 40.0],
+    "input": [{"channel": 3, "axis": 1, "between": [2.0, 5.0]}, {"channel": 4, "at": 0.5}],
+    "fault": [{"axis": 2, "kind": "drive", "at": 3.0}],
+}
+# What looks at an axis that has just begun a move, and what is done to it.
+LOOKS = (
+    "PRINT POS({k}); VEL({k}); POSREMAINING({k})",
+    "PRINT IDLE({k}); MOVEBUFFERFREE({k})",
+    "SPEED({k}) = {v}",
+    "STOP({k})",
+    "CANCEL({k})",
+    "SUSPEND({k}) = 1 : WAIT({v}) : SUSPEND({k}) = 0",
+    "POS({k}) = {v}",
+    "MOVER({k}) = {v} : GO({k})",
+    "INCR({k}) = {v}",
+    "DRIVEENABLE({k}) = 0 : DRIVEENABLE({k}) = 1",
+    "PAUSE POS({k}) > {v} - 60 Or IDLE({k})\n",
+    "FOLLOW({o}) = 1 : MASTERSOURCE({o}) = 0 : WAIT({v}) : STOP({o})",
+    "WAIT({v})",
+    "PAUSE IDLE({k})\n",
+    "PAUSE IDLE(0) And IDLE(1) And IDLE(2)\n",
+    "OUTX(1) = 1",
+    "ABORTMODE = 1",
+)
+
+
+def looked_at(seed: int) -> str:
+    """A program of plain moves, with looks at them at any moment."""
+    random = Random(seed)
+    lines = ["SPEED(0, 1, 2) = 20, 35, 50", "ACCEL(0, 1, 2) = 300;", "DECEL(0, 1, 2) = 200, 400, 300"]
+    for _ in range(random.randint(4, 14)):
+        for k in random.sample(range(3), random.randint(1, 3)):
+            word, value = random.choice((("MOVER", random.uniform(-4, 6)), ("MOVEA", random.uniform(-3, 8))))
+            lines.append(f"{word}({k}) = {value:.3f} : GO({k})")
+        for _ in range(random.randint(0, 2)):
+            look = random.choice(LOOKS).format(k=random.randrange(3), v=random.randint(1, 90), o=3)
+            lines.extend(each for each in look.split("\n") if each)
+        if random.random() < 0.6:
+            lines.append("PAUSE IDLE(0) And IDLE(1) And IDLE(2)")
+    return "\n".join(lines) + "\nPRINT TIME; POS(0); POS(1); POS(2)\n"
+
+
+def all_of(result: Run) -> list[object]:
+    """Everything that a run left behind."""
+    c, log = result.controller, result.machine.log
+    tracks = [
+        (start, profile.shape, profile.start, profile.end, profile.duration, profile.knots, profile.pieces)
+        for a in c.axes.values()
+        for start, profile in zip(*WholeTrack(a).between(0.0, result.time), strict=True)
+    ]
+    streams = (log.waits, log.turns, log.events, log.settings, log.prints, log.outputs, log.inputs)
+    moves = [
+        (
+            m.axis,
+            m.command,
+            m.line,
+            m.target,
+            m.asked,
+            m.base,
+            m.id,
+            m.speed,
+            m.released,
+            m.start_time,
+            m.ended,
+        )
+        for stream in (log.moves, log.dropped)
+        for m in stream
+    ]
+    rest = [(a.target, a.last_id, a.datum, a.move is None, len(a.buffer)) for a in c.axes.values()]
+    return [text(result), c.clock.fired, c.clock.now, tracks, [list(each) for each in streams], moves, rest]
+
+
+def orders(result: Run) -> list[object]:
+    """What was kept for the proof."""
+    kept = result.orders
+    assert kept is not None
+    found = [
+        each._replace(tie=each.tie and each.tie._replace(master=each.tie.master.index, curve=None))  # type: ignore[arg-type]
+        for each in (order for orders in kept.of.values() for order in orders)
+    ]
+    return [found, kept.data, kept.stands]
+
+
+def held_apart(text: str, monkeypatch: pytest.MonkeyPatch, machine: dict[str, object] | None) -> list[Run]:
+    """The program run with plain moves and without."""
+    source = Source("a.mnt", text)
+    first = run(source, cache=False, until=6.0, machine=machine, prove=True)
+    with monkeypatch.context() as patch:
+        patch.setattr(readers, "loader", lambda *_: lambda value, line: False)
+        second = run(source, cache=False, until=6.0, machine=machine, prove=True)
+    return [first, second]
+
+
+@cases("seed", range(60))
+def test_looks_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    for machine in (None, MACHINE):
+        plain, ordinary = held_apart(looked_at(seed), monkeypatch, machine)
+        assert all_of(plain) == all_of(ordinary)
+        assert orders(plain) == orders(ordinary)
+
+
+@cases("seed", range(40))
+def test_nor_do_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    plain, ordinary = held_apart(program(seed), monkeypatch, None)
+    assert all_of(plain) == all_of(ordinary)
+
+
+def kept(result: Run) -> list[type]:
+    return [type(each) for each in result.controller.log.moves.as_kept()]
+
+
+def test_a_move_that_nobody_looks_at_stays_a_row() -> None:
+    source = Source(
+        "a.mnt", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 5 : GO(0)\nPRINT VEL(0)\nPAUSE IDLE(0)"
+    )
+    result = run(source, cache=False)
+    assert kept(result) == [tuple, Move]
+    assert result.controller.axes[0].position(result.time) == 10.0
+
+
+def test_travel_limits_that_it_does_not_come_to_are_no_look() -> None:
+    source = Source("a.mnt", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = 9 : GO(0)\nPAUSE IDLE(0)")
+    result = run(source, cache=False, machine={"axis.0.travel": [-1.0, 10.0]})
+    assert kept(result) == [tuple, Move]
+    assert [each.ended for each in result.controller.log.moves] == ["", "fault"]
+
+
+def test_what_is_read_first_afterwards_is_what_there_was() -> None:
+    source = Source("a.mnt", "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nMOVER(0) = -2 : GO(0)\nPAUSE IDLE(0)")
+    a = run(source, cache=False).controller.axes[0]
+    ends = [(profile.shape, profile.end) for profile in a.profiles]
+    assert ends == [("hold", 0.0), ("trapezoid", 5.0), ("hold", 5.0), ("trapezoid", 3.0), ("hold", 3.0)]
+    assert a.starts == sorted(a.starts)
