@@ -62,6 +62,11 @@ BARS: dict[str, Bar] = {
     "start_table": _most(5.5),
     # Machine time against CPU time.
     "shift_speed": _least(250_000.0),
+    "shift_core_speed": _least(500_000.0),
+    "shift_travel": _most(8.0),
+    "shift_four_tasks": _most(10.0),
+    "shift_wait": _most(0.2),
+    "shift_move_and_pause": _most(5.0),
     "poll_stands": _least(20_000.0),
     "poll_error": _least(20_000.0),
     "poll_jog_panel": _least(20_000.0),

@@ -7,7 +7,6 @@ those in force when it started. Only axes that the program touched are listed: t
 from __future__ import annotations
 
 from itertools import islice
-from marshal import dumps
 
 from motionlang.controller.plain_moves import move_of
 
@@ -98,15 +97,16 @@ def _move_lines(run: Run) -> Iterator[str]:
     line = _encoder()
     figures = _motor_figures(run.controller)
     running = _running(run.controller)
-    known: dict[bytes, tuple[str, str]] = {}
+    known: dict[tuple[object, ...], tuple[str, str]] = {}
     for number, move in enumerate(run.controller.log.moves.as_kept()):
         if not isinstance(move, tuple):
             yield line(_move(run, move, id(move) in running, figures.get(number)))
             continue
         axis, start_time, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
-        # To the last bit: 0.0 is not -0.0. What the recipe does not share with all plain moves is in these four.
+        # What the recipe does not share with all plain moves is in these four. Zeros are told apart by their text.
         ramps = recipe[1], recipe[3], recipe[4], recipe[7]
-        key = dumps((axis, command, at, start, end, duration, ramps, asked, scale, zero), 2)
+        places = start or repr(start), end or repr(end), zero or repr(zero)
+        key = axis, command, at, places, duration, ramps, asked, scale
         around = known.get(key)
         if around is None:
             if len(known) >= MOST_ALIKE:

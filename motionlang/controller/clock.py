@@ -62,8 +62,8 @@ class Clock:
     def again(self, event: Event, time: float) -> None:
         """Let an event that has happened happen once more."""
         event.time = time
-        self.made += 1
-        heappush(self._heap, (time, self.made + self._kept, event))
+        self.made = made = self.made + 1
+        heappush(self._heap, (time, made + self._kept, event))
         if time < self.horizon:
             self.horizon = time
 

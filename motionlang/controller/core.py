@@ -20,7 +20,7 @@ from motionlang.profile.trapezoid import from_rest, plan_trapezoid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from motionlang.controller.axis import Axis
     from motionlang.profile import Profile
@@ -199,8 +199,9 @@ class Core(Readings):
             start = last.end
         if base is not None and base != a.target:
             target += a.target - base
-        if a.limits or a.watches.all:
-            low, high = a.watches.free or free_way(a, start)
+        watches = a.watches
+        if watches.all or a.limits:
+            low, high = watches.free or free_way(a, start)
             if not (low < start < high and low < target < high):
                 return False
         ramps = from_rest(target - start, speed, accel, decel)
@@ -213,11 +214,10 @@ class Core(Readings):
         a.loaded, a.target, a.last_id, a.under_way = None, target, mark, True
         a.ends = end = now + duration
         a.present = None
-        bell = a.bell
-        if bell is None:
-            a.bell = self.clock.at(end, lambda: self._arrive(a))
+        if a.bell is None:
+            a.bell = self.clock.at(end, self._arrival_of(a))
         else:
-            self.clock.again(bell, end)
+            self.clock.again(a.bell, end)
         if self.orders is not None:
             self.orders.add_plain(a, line, speed, (accel, decel))
         log.moves.append(row)  # type: ignore[arg-type]
@@ -226,25 +226,32 @@ class Core(Readings):
             log.make_room((*self.axes.values(), *self.encoders.values()))
         return True
 
-    def _arrive(self, a: Axis) -> bool:
-        """The motion of an axis has run out; whether that is no news."""
-        if a.under_way and self.clock.now == a.ends and not a.followers:
+    def _arrival_of(self, a: Axis) -> Callable[[], bool]:
+        """What is called at the end of each plain move of an axis; it answers whether that is no news."""
+        clock, log, listeners = self.clock, self.log, self.listeners
+
+        def arrive() -> bool:
+            if not a.under_way or clock.now != a.ends or a.followers:
+                self._arrive(a)
+                return False
             a.under_way = False
-            log = self.log
             if self.orders is not None:
                 self.orders.add(a)
             log.room -= 1
             if log.room < 0:
                 log.make_room((*self.axes.values(), *self.encoders.values()))
-            if self.listeners.of_rest:
+            if listeners.of_rest:
                 self.tell("idle", a.index)
                 return False
             return True
+
+        return arrive
+
+    def _arrive(self, a: Axis) -> None:
         a.arrival = None
         a.move = None
         self.extend_track(a, hold(a.profiles[-1].end))
         self.go_on(a)
-        return False
 
     def go_on(self, a: Axis) -> None:
         """Start what the buffer holds next, now that the axis is at rest; an entry that cannot begin is left out."""
