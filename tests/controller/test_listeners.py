@@ -1,0 +1,54 @@
+"""Who hears of what: kinds, order, and leaving while being told."""
+
+from __future__ import annotations
+
+from motionlang.controller.listeners import KINDS, Listeners
+
+
+def test_each_hears_of_what_it_asked_for_in_the_order_in_which_they_came() -> None:
+    heard: list[object] = []
+    listeners = Listeners()
+    listeners.append(lambda what, axis: heard.append(("faults", what, axis)), "fault", "cleared")
+    listeners.append(lambda what, axis: heard.append(("all", what, axis)))
+    listeners.put_first(lambda what, axis: heard.append(("first", what, axis)))
+    for what in ("fault", "scale"):
+        listeners.tell(what, 2)
+    assert heard == [
+        ("first", "fault", 2),
+        ("faults", "fault", 2),
+        ("all", "fault", 2),
+        ("first", "scale", 2),
+        ("all", "scale", 2),
+    ]
+
+
+def test_one_may_leave_and_another_come_while_they_are_told() -> None:
+    heard: list[str] = []
+    listeners = Listeners()
+
+    def once(what: str, axis: int) -> None:
+        listeners.remove(once)
+        listeners.append(lambda what, axis: heard.append("new"))
+        heard.append("once")
+
+    listeners.append(once)
+    listeners.append(lambda what, axis: heard.append("other"))
+    listeners.tell("idle", 0)
+    assert heard == ["once", "other"]
+    assert once not in listeners
+    listeners.tell("idle", 0)
+    assert heard == ["once", "other", "other", "new"]
+
+
+def test_it_is_known_whether_anybody_hears_of_rest() -> None:
+    listeners = Listeners()
+
+    def call(what: str, axis: int) -> None: ...
+
+    assert not listeners.of_rest
+    listeners.append(call, *(kind for kind in KINDS if kind != "idle"))
+    assert not listeners.of_rest
+    listeners.append(call, "idle")
+    assert listeners.of_rest
+    listeners.remove(call)
+    assert not listeners.of_rest
