@@ -117,7 +117,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
         if power is not None:
             rate, per_unit = factors[power]
             value = value * per_unit / rate
-        if live and a.moves:
+        if live and (a.under_way or a._move is not None):
             configure(axis, name, value)
             return
         if getattr(a, name) != value:
@@ -169,11 +169,11 @@ def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = T
     clock, scale = controller.clock, a.scale
     asked, note, wraps, axis = hearing.asked, hearing.note, hearing.wraps, a.index
     begun = since = c0 = c1 = c2 = c3 = 0.0
-    until = -1.0
+    still, until = False, -1.0
     profile: Profile | None = None
 
     def read(level: float | None = None) -> float:
-        nonlocal begun, since, until, profile, c0, c1, c2, c3
+        nonlocal begun, since, until, profile, still, c0, c1, c2, c3
         if asked.notes is not None:
             note(level)
         if actual and a.feedback is not None:
@@ -181,11 +181,16 @@ def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = T
         else:
             time = clock.now - begun
             if since < time < until and a.present is profile:
-                x = time - since
-                found = ((c3 * x + c2) * x + c1) * x + c0
+                if still:
+                    found = c0
+                else:
+                    x = time - since
+                    found = ((c3 * x + c2) * x + c1) * x + c0
             else:
                 found = a.position(clock.now)
                 profile, begun, since, until, (c0, c1, c2, c3) = _piece(a, clock.now)
+                still = c1 == c2 == c3 == 0.0
+                c0 += 0.0  # no minus zero, as there is none where the others are added
         found = (found - scale.zero) / scale.counts
         if wraps:
             wrap = wraps.get(axis)
