@@ -206,6 +206,11 @@ class Readings:
             else feedback.crossing_time(position)
         )
 
+    def error_crossing_time(self, axis: int, error: float) -> float:
+        """The time at which the following error of an axis passes `error`, as `crossing_time`."""
+        feedback = self.axes[axis].feedback
+        return INFINITY if feedback is None else feedback.error_crossing_time(error)
+
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """The same of the demanded position."""
         return self._crossing_time(self.axes[axis], position)

@@ -101,6 +101,7 @@ VERBS: dict[str, str] = {
     "close_loop": "Let an axis hold its position again.",
     "encoder_crossing_time": "The time at which an encoder channel will pass a position.",
     "demand_velocity_crossing_time": "The time at which the demanded velocity of an axis will next be a velocity.",
+    "error_crossing_time": "The time at which the following error of an axis will pass a value.",
     "turning_time": "The time at which the demand of an axis will next stand for a moment.",
     "turns": "Whether an encoder channel is being turned.",
     "demand_crossing_time": "The time at which the demand of an axis will pass a position.",

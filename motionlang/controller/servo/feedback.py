@@ -17,7 +17,15 @@ import numpy as np
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
 from motionlang.controller.servo.axis_loop import axis_loop
-from motionlang.controller.servo.lookahead import REST_ERROR, REST_TIME, Sight, Window, crossing, next_side
+from motionlang.controller.servo.lookahead import (
+    REST_ERROR,
+    REST_TIME,
+    Sight,
+    Window,
+    crossing,
+    next_other_side,
+    next_side,
+)
 from motionlang.controller.servo.replay import apply, run_to, sample_at, stands
 from motionlang.controller.servo.servo import Servo
 from motionlang.controller.servo.settings import make_plant
@@ -159,10 +167,17 @@ class Feedback:
         if self._servo is None:
             return INFINITY
         k, sight = self._ahead()
-        found = crossing(sight.encoder[k:], position + self._servo.offset)
-        if found is not None:
-            return (sight.first + k + found) / self._rate
-        return self._horizon(sight)
+        return self._sample_time(sight, k, crossing(sight.encoder[k:], position + self._servo.offset))
+
+    def error_crossing_time(self, error: float) -> float:
+        """The same of a following error, counts, or when it comes too near to it to tell which is more."""
+        if self._servo is None:
+            return INFINITY
+        k, sight = self._ahead()
+        return self._sample_time(sight, k, next_other_side(sight.error[k:], error))
+
+    def _sample_time(self, sight: Sight, k: int, found: int | None) -> float:
+        return self._horizon(sight) if found is None else (sight.first + k + found) / self._rate
 
     def settled_time(self, name: str = "rest") -> float:
         """When a window has been kept long enough, now where it has; else when to look again; inf if never."""

@@ -169,3 +169,11 @@ def next_side(position: Array, level: float, side: int) -> tuple[int | None, int
         return (int(found[0]) + 1, 1 if off[int(found[0]) + 1] > 0.0 else -1) if len(found) else (None, 0)
     found = np.flatnonzero(off[start:] * side <= margin)
     return (int(found[0]) + start, -side) if len(found) else (None, side)
+
+
+def next_other_side(values: Array, level: float) -> int | None:
+    """The first sample after the first one that is not clearly on the first one's side of a level."""
+    off = values - level
+    side = np.where(np.abs(off) <= _ON + 1e-9 * abs(level), 0.0, np.sign(off))
+    found = np.flatnonzero((side[1:] != side[0]) | (side[1:] == 0.0))
+    return int(found[0]) + 1 if len(found) else None

@@ -15,6 +15,8 @@ from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint.compile.polling import Poll
     from motionlang.mint.compile.splitting import Part
@@ -31,14 +33,15 @@ EACH = "each"
 class Value:
     """An expression in Python: its text, its Mint type, what is known of it, its value where that is known."""
 
-    __slots__ = ("const", "range", "solved", "text", "type")
+    __slots__ = ("const", "range", "solved", "text", "type", "unsigned")
 
     def __init__(
         self, text: str, type: str, range: intervals.Range = intervals.FLOAT, const: float | str | None = None
     ) -> None:
         self.text, self.type, self.range, self.const = text, type, range, const
-        # Of a reading that takes the level it is compared with: its operation and its arguments.
-        self.solved: tuple[str, list[str]] | None = None
+        # Of a reading that takes the level it is compared with: its text with that; and without its sign.
+        self.solved: Callable[[str], str] | None = None
+        self.unsigned: Callable[[str], str] | None = None
 
     @property
     def truth(self) -> str:

@@ -232,7 +232,7 @@ def _loaded(b: Body, text: str, type: Type, known: intervals.Range | None) -> Va
         b.observes = True
         operation = b.whole.use("env", "elapsed")
         found = Value(f"{operation}({text})", INTEGER, intervals.INTEGER)
-        found.solved = operation, [text]
+        found.solved = lambda level: f"{operation}({text}, {level})"
         return found
     if type.name == SEMAPHORE:
         return Answer(f"{text}[0] is not None")
@@ -344,8 +344,7 @@ def _compared(b: Body, reading: Value, level: Value, level_first: bool = False) 
         name = b.temp()
         worked_out = f"({name} := {text})"
         given, text = (name, worked_out) if level_first else (worked_out, name)
-    operation, arguments = reading.solved
-    told = Value(f"{operation}({', '.join([*arguments, given])})", reading.type, reading.range)
+    told = Value(reading.solved(given), reading.type, reading.range)
     return told, Value(text, level.type, level.range, level.const)
 
 

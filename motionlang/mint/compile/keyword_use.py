@@ -81,7 +81,9 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     )
     found = Value(text, kind, range_)
     if row.solved and id(node) not in b.levels:
-        found.solved = operation, arguments
+        found.solved = lambda level: f"{operation}({', '.join([*arguments, level])})"
+        if row.index == "axis":
+            found.unsigned = lambda level: f"{operation}({', '.join([*arguments, f'({level},)'])})"
     return found
 
 
@@ -119,7 +121,12 @@ def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     known_range = _same_range(row.verb, [each.range for each in found])
     if kind == INTEGER:
         known_range = intervals.to_integer(known_range)
-    return Value(f"{b.whole.use('fn', row.verb)}({texts})", kind, known_range)
+    function = b.whole.use("fn", row.verb)
+    made = Value(f"{function}({texts})", kind, known_range)
+    unsigned = found[0].unsigned if row.verb == "absolute" else None
+    if unsigned is not None:
+        made.solved = lambda level: f"{function}({unsigned(level)})"
+    return made
 
 
 def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:

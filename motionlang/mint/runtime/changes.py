@@ -49,9 +49,11 @@ def repeatable(make: Maker) -> Maker:
 def solved(find: Callable[[Changes, int, float], float]) -> Callable[[Changes, int, float | None], float]:
     """Of an axis that stands nothing changes; what is compared with no level may change at any time."""
 
-    def until(self: Changes, axis: int, level: float | None) -> float:
+    def until(self: Changes, axis: int, level: float | tuple[float] | None) -> float:
         if self.is_still(axis):
             return INFINITY
+        if isinstance(level, tuple):
+            return min(find(self, axis, level[0]), find(self, axis, -level[0]))
         return self.at_once() if level is None else find(self, axis, level)
 
     return until
@@ -61,7 +63,8 @@ class Changes:
     """The moments, from the clock's on, at which readings change; levels are in user units, or ms of a time.
 
     A reading that is compared with nothing, level None, changes for as long as something moves; one that is compared
-    with what it was before, INFINITY, until it turns round. -INFINITY: whatever it is, nobody asks.
+    with what it was before, INFINITY, until it turns round. -INFINITY: whatever it is, nobody asks. One whose sign is
+    taken off is compared with `(level,)`.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -126,10 +129,12 @@ class Changes:
     def demand_velocity(self, axis: int, level: float) -> float:
         return self._controller.demand_velocity_crossing_time(axis, self._counts(axis, level, "uu/s"))
 
-    def following_error(self, axis: int, level: float | None) -> float:
+    @solved
+    def following_error(self, axis: int, level: float) -> float:
         """Where no motor is simulated there is none."""
-        controller = self._controller
-        return self._clock.now if controller.has_motor(axis) and not self.is_still(axis) else INFINITY
+        if level == INFINITY:
+            return self._clock.now if self._controller.has_motor(axis) else INFINITY
+        return self._controller.error_crossing_time(axis, self._counts(axis, level, "uu"))
 
     @solved
     def remaining(self, axis: int, level: float) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from motionlang import run
@@ -158,6 +160,59 @@ def test_skipping_makes_no_difference(text: str, monkeypatch: pytest.MonkeyPatch
     turn_by_turn(monkeypatch)
     assert skipped == outcome(text, WORLD)
     assert skipped[2] == "ended"
+
+
+MOTOR: dict[str, object] = {
+    "controller.instruction_time": COST,
+    "axis.0.plant.inertia": 2e-5,
+    "axis.0.plant.coulomb": 0.01,
+}
+_STARTS = (
+    "n = 0\nSPEED = 20000 : ACCEL = 100000 : DECEL = 100000 : KPROP = 1 : KDERIV = 5 : MOVER = 4000 : GO\n"
+)
+WITH_A_MOTOR = {
+    "errors that come": "Loop\n  If ABS(FOLERROR) > 133 And n = 0 Then n = 1 : PRINT TIME, FOLERROR\n"
+    "  If FOLERROR < -2 And n < 2 Then n = 2 : PRINT TIME, POS\n  If TIME > 400 Then Exit Loop\nEnd Loop",
+    "an error of nothing": "While FOLERROR <= 0 : End While\nPRINT TIME, FOLERROR",
+    "the greatest error": "Dim e As Float, k As Integer\nRepeat\n  If FOLERROR > e Then e = FOLERROR\n"
+    "  k = k + 1\nUntil IDLE\nPRINT e, k, TIME",
+    "sizes": "Repeat : Until ABS(POS) > 2000\nPRINT POS, TIME\nPAUSE IDLE\nMOVER = -9000 : GO\nPAUSE POS < 0\n"
+    "While ABS(POS) < 2000 : End While\nPRINT POS, TIME\nRepeat : Until ABS(VELDEMAND) < 4000.5\nPRINT POS, TIME",
+}
+
+
+@pytest.mark.parametrize("quantised", [False, True])
+@pytest.mark.parametrize("name", WITH_A_MOTOR)
+def test_skipping_makes_no_difference_to_a_motor(
+    name: str, quantised: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    machine = MOTOR | {"axis.0.plant.quantised": quantised}
+    skipped = outcome(_STARTS + WITH_A_MOTOR[name], machine, until=3.0)
+    assert skipped[0]
+    turn_by_turn(monkeypatch)
+    assert skipped == outcome(_STARTS + WITH_A_MOTOR[name], machine, until=3.0)
+
+
+def test_an_error_of_a_motor_is_solved_with_or_without_its_sign(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = _STARTS + "Repeat\nUntil ABS(FOLERROR) > 5000 Or FOLERROR > 6000 Or IDLE"
+    monkeypatch.setattr(Site, "turn", counted := _Counted(Site.turn))
+    result = run(Source("a.mnt", text), machine=MOTOR, cache=False)
+    assert result.time > 0.2
+    assert counted.calls < 100
+
+
+class _Counted:
+    """A method, and how often it has been called."""
+
+    def __init__(self, original: Callable[..., object]) -> None:
+        self.original, self.calls = original, 0
+
+    def __get__(self, of: object, kind: type) -> Callable[..., object]:
+        def call(*arguments: object) -> object:
+            self.calls += 1
+            return self.original(of, *arguments)
+
+        return call
 
 
 @pytest.mark.parametrize("seed", range(24))
