@@ -188,7 +188,7 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     texts = [f"def {name}(pc):", f" {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}"]
     if own:
         texts.append(f" nonlocal {', '.join(sorted(own))}")
-    out = [Line(b.indent, text, function.at, names=b.outside) for text in texts] + b.lines
+    out = [Line(b.indent, text, function.at, names=[*b.outside]) for text in texts] + b.lines
     texts = []
     handlers = label_handlers(function)
     for number, (label, _) in enumerate(b.stretches()):
@@ -239,7 +239,7 @@ def _head(whole: Whole, b: Body) -> list[Line]:
     if not (whole.typed and function is whole.names.main):
         texts += _own_variables(function, b)
     out = [Line(b.indent - 1, f"def {function.python}({_parameters(function, shared_time)}):", function.at)]
-    out += [Line(b.indent, text, function.at, names=outside) for text in texts]
+    out += [Line(b.indent, text, function.at, names=[*outside]) for text in texts]
     for part in b.parts:
         if part.inside:
             out += part.written(_shared_by(part, function), b.indent - 1)

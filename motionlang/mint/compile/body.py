@@ -9,7 +9,7 @@ the machine time `S.base + t * dt`.
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.lines import PLAIN, YIELDS, Line
+from motionlang.mint.compile.lines import JUST_YIELDS, NONE, PLAIN, YIELDS, Line
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
 
@@ -196,7 +196,7 @@ class Body:
         self.whole, self.function, self.scope = whole, function, function.scope
         self.lines: list[Line] = []
         # What the next line has of variables.
-        self.names: set[str] = set()
+        self.names: list[str] = []
         self.indent = indent
         self.at = function.at
         self.pending = 0
@@ -231,19 +231,20 @@ class Body:
     # -------------------------------------------------------------------------------------------- lines
 
     def emit(self, text: str, kind: str = PLAIN, cost: int = 0) -> None:
-        names = self.names
-        self.lines.append(Line(self.indent, text, self.at, kind, names, cost))
-        if names:
-            self.names = set()
+        if self.names:
+            self.lines.append(Line(self.indent, text, self.at, kind, self.names, cost))
+            self.names = []
+        else:
+            self.lines.append(Line(self.indent, text, self.at, kind, NONE, cost))
 
     def spelt(self, symbol: Symbol) -> str:
         """A variable in the text of the next line."""
-        self.names.add(symbol.python)
+        self.names.append(symbol.python)
         return symbol.python
 
     def gives_way(self) -> None:
         """The next line holds a `yield`."""
-        self.names.add(YIELDS)
+        self.names.append(YIELDS)
         self.waits = True
 
     def temp(self) -> str:
@@ -263,23 +264,29 @@ class Body:
             self.pending = 0
 
     def horizon(self, answer: str = "t", then: str = "") -> None:
-        """Let others run when their time has come, `then` look again; `t` is up to date."""
-        self.gives_way()
-        self.emit(f"if t >= H: t, H = yield {answer}{then}")
-        self.noted = True
+        """Bring `t` up to date and let others run when their time has come, `then` look again."""
+        self.waits = self.noted = True
+        now, names = "t", JUST_YIELDS
+        if self.pending:
+            now, self.pending = f"(t := t + {self.pending}.0)", 0
+        if self.names:
+            names, self.names = [*self.names, YIELDS], []
+        self.lines.append(
+            Line(self.indent, f"if {now} >= H: t, H = yield {answer}{then}", self.at, PLAIN, names)
+        )
 
     def settle(self, tell: bool = True) -> None:
         """Before a statement that takes note of time: let everything happen that is due until then.
 
         `tell`: the clock is told, as what follows reads it.
         """
-        if self.observes or self.calls:
-            self.flush()
-            self.noted = True
         if self.observes:
             self.horizon()
             if tell:
                 self.emit("C.now = S.base + t * dt")
+        elif self.calls:
+            self.flush()
+            self.noted = True
 
     def act(self, text: str) -> None:
         """A statement of one line that may take note of time."""

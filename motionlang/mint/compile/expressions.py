@@ -102,8 +102,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
     if node.args is None:
         found = b.values.get(node.name)
         if found is not None:
-            assert node.symbol is not None
-            b.names.add(node.symbol.python)
+            b.names.append(found.text)
             return found
     symbol, row = node.symbol, node.row
     result = b.function.result
@@ -132,9 +131,9 @@ def _name(b: Body, node: nodes.Name) -> Value:
 
 
 def _remembered(b: Body, node: nodes.Name, symbol: Symbol) -> Value:
-    """The value of a variable; of one that is the same wherever it stands it is made once."""
+    """The value of a variable; of one that is its name and the same wherever it stands it is made once."""
     found = load(b, node, symbol)
-    if node.args is None and symbol.type.name in _SAME and not symbol.is_array and symbol not in b.analysed:
+    if found.text == symbol.python and symbol.type.name in _SAME and symbol not in b.analysed:
         b.values[node.name] = found
     return found
 

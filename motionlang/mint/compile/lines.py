@@ -4,14 +4,14 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-    from collections.abc import Set as AbstractSet
+    from collections.abc import Iterable, Sequence
 
 # Kinds: LOOP is the head of a loop, BREAK leaves the innermost one, LEAVES the function or the stretch between labels.
 PLAIN, LOOP, BREAK, LEAVES = "", "loop", "break", "leaves"
 # Among the names of a line: it holds a `yield`.
 YIELDS = "yield"
-NONE: AbstractSet[str] = frozenset()
+NONE: Sequence[str] = ()
+JUST_YIELDS: Sequence[str] = (YIELDS,)
 
 
 class Line:
@@ -29,7 +29,7 @@ class Line:
         text: str,
         at: int,
         kind: str = PLAIN,
-        names: AbstractSet[str] = NONE,
+        names: Sequence[str] = NONE,
         cost: int = 0,
     ) -> None:
         self.indent, self.text, self.at = indent, text, at

@@ -31,17 +31,17 @@ def body_of(b: Body, kind: str, body: list[nodes.Stmt], flag: str) -> None:
 def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
     """The end of a turn: pay for it, and let others run when it is time."""
     b.pending += cost
-    b.flush()
     if poll is None:
         b.horizon()
     else:
+        b.flush()
         polling.turn(b, poll)
         b.watching -= 1
 
 
 def flag_for(b: Body, kind: str, body: list[nodes.Stmt]) -> str:
     """A flag for an Exit that has to leave inner loops first, "" where there is none."""
-    if not leaves(body, kind, inside=True):
+    if not (b.function.exits and leaves(body, kind, inside=True)):
         return ""
     flag = b.temp()
     b.emit(f"{flag} = False")

@@ -116,5 +116,5 @@ def _part(b: Body, lines: list[Line]) -> list[Line]:
     b.whole.parts += 1
     part = Part(f"q{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
     b.parts.append(part)
-    call, names = (f"yield from {part.name}()", {YIELDS}) if part.waits else (f"{part.name}()", set())
+    call, names = (f"yield from {part.name}()", [YIELDS]) if part.waits else (f"{part.name}()", [])
     return [Line(b.indent, call, lines[0].at, names=names)]

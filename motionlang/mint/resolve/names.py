@@ -376,6 +376,8 @@ class Names:
                 function.observes = True
             elif kind in _JUMPS:
                 function.jumps = True
+            elif kind is nodes.Exit:
+                function.exits = True
 
     def _written(self, target: nodes.Expr) -> None:
         """What is only assigned to is not used, and a word may be simulated only where it is read."""

@@ -134,6 +134,7 @@ class Function:
         "at",
         "body",
         "calls",
+        "exits",
         "jumps",
         "kind",
         "loops",
@@ -157,7 +158,7 @@ class Function:
         self.parameters: list[Symbol] = []
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
-        self.observes = self.loops = self.jumps = self.plain = False
+        self.observes = self.loops = self.jumps = self.exits = self.plain = False
         self._graph: Graph | None = None
 
     @property
