@@ -64,14 +64,15 @@ def _lint(
 
 
 def _line(source: Source, line: Line, model: Model, axes: int) -> Iterator[Diagnostic]:
-    for k, (command, at) in enumerate(zip(line.commands, line.places, strict=True)):
+    for k, command in enumerate(line.commands):
         fault = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
         fault = fault or _wrong_here(line, k, command, model)
         if fault is not None:
-            yield _diagnostic(source, at, fault)
+            yield _diagnostic(source, line.places[k], fault)
         elif command.row is not None and not command.row.simulated:
             message = f"{command.name} is not simulated: the command has no effect"
-            yield _diagnostic(source, at, Fault(0, message, command.row.help, "not-simulated"), "warning")
+            fault = Fault(0, message, command.row.help, "not-simulated")
+            yield _diagnostic(source, line.places[k], fault, "warning")
 
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
@@ -139,7 +140,7 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
     """Calls of macros that no line of the file defines: they may be in the controller already, so a warning."""
     defined = {line.commands[0].number for line in lines if _defines(line)}
     for line in lines:
-        for command, at in zip(line.commands, line.places, strict=True):
+        for k, command in enumerate(line.commands):
             if command.row is None or command.row.verb not in _CALLS or problem(command):
                 continue
             number = command.number
@@ -147,7 +148,7 @@ def _macros(source: Source, lines: list[Line]) -> Iterator[Diagnostic]:
                 message = f"no line of this file defines macro {number}"
                 yield _diagnostic(
                     source,
-                    at,
+                    line.places[k],
                     Fault(0, message, f"{TABLE.doing(_DEFINES)}{number},... defines it", "unknown-word"),
                     "warning",
                 )
