@@ -318,13 +318,13 @@ class Controller(AxisVerbs):
 
         load_offset(self, self.movable(axis), distance, mode, over, command, line)
 
-    def load_profile(
+    def load_points(
         self, axis: int, make: Make, again: Make | None = None, command: str = "", line: int = 0
     ) -> None:
-        """Put a ready-made profile into the buffer, made from where the axis then is; `again` follows it for ever."""
-        from motionlang.controller.moves.entries import load_profile
+        """Put points at times into the buffer, made from where the axis then is; `again` follows them for ever."""
+        from motionlang.controller.moves.entries import load_points
 
-        load_profile(self, self.movable(axis), make, again, command, line)
+        load_points(self, self.movable(axis), make, again, command, line)
 
     def offset_remaining(self, axis: int) -> float:
         """What the offset under way still has to do, counts."""

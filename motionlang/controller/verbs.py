@@ -117,7 +117,7 @@ VERBS: dict[str, str] = {
     "load_fly": "Put a segment of a flying shear into the move buffer.",
     "load_cam": "Put a cam, whose table may change from cycle to cycle, into the move buffer.",
     "load_offset": "Put an offset on top of following into the move buffer.",
-    "load_profile": "Put a ready-made profile into the move buffer, for once or again and again.",
+    "load_points": "Put points with velocities and times into the move buffer, for once or again and again.",
     "offset": "Add a distance on top of following a master.",
     "offset_remaining": "What the offset under way still has to do.",
     "offset_status": "How the last offset went.",

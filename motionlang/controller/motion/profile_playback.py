@@ -21,13 +21,17 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
+    from motionlang.controller.moves.entries import Timed
     from motionlang.profile import Profile
 
 
 class Played(Action):
-    """A profile that is played; with `on_path` stop too comes to rest on it, in the axis's `suspend_time`."""
+    """A profile that is played; with `on_path` stop too comes to rest on it, in the axis's `suspend_time`.
 
-    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path")
+    `ordered` are the points, velocities and times that it was made of, where it was made of such.
+    """
+
+    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path", "ordered")
 
     def __init__(self, on_path: bool = False) -> None:
         self.on_path = on_path
@@ -36,6 +40,7 @@ class Played(Action):
         self._pace: Profile | None = None
         self._shown: Profile | None = None
         self._began = 0.0
+        self.ordered: Timed | None = None
 
     def suspend(self, controller: Core, a: Axis) -> bool:
         """Slow the profile's own time to a standstill within the axis's `suspend_time`."""

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.profile import Profile
 
+    Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
+
 # Parts of a cycle by which the master must be back before its beginning, and may lack to be at its end.
 _NEAR = 1e-9
 _AT_END = 1e-13
@@ -34,16 +36,18 @@ _SHORTEST = 1.0
 class CurveFollow(Follow):
     """A slave on `curve` (counts over counts of the master); `direction` is the one in which the master travels it.
 
-    `origin` is the master's position at which the curve begins; it moves when the master's zero does.
+    `origin` is the master's position at which the curve begins; it moves when the master's zero does. `ordered` is what
+    the curve was made of: places of the master, the slave's values there, and how they are joined.
     """
 
-    __slots__ = ("_event", "curve", "datum", "direction", "origin")
+    __slots__ = ("_event", "curve", "datum", "direction", "ordered", "origin")
 
     def __init__(
         self, controller: Core, a: Axis, master: Axis, move: FollowMove, curve: Profile, direction: int
     ) -> None:
         super().__init__(controller, a, master, move)
         self.curve, self.direction = curve, direction
+        self.ordered: Ordered | None = None
         self.origin, self.datum = master.position(controller.clock.now), master.datum
         self._event: Event | None = None
 
@@ -205,7 +209,9 @@ class Fly(Action):
         entry = FollowMove(a.index, move.command, move.line, "fly", here + self.distance)
         entry.id = move.id
         curve = _segment(here, self.distance, abs(self.over), ratio)
-        return Shear(controller, a, self.master, entry, curve, 1 if self.over > 0.0 else -1)
+        tie = Shear(controller, a, self.master, entry, curve, 1 if self.over > 0.0 else -1)
+        tie.ordered = (0.0, abs(self.over)), (0.0, self.distance), "even"
+        return tie
 
 
 class Shear(CurveFollow):
@@ -288,19 +294,18 @@ def start_cam(
     here = a.position(controller.clock.now)
     used, wanted = places[first:end], values[first:end]
     try:
-        curve = table_curve(
-            [place - used[0] for place in used],
-            [here + (value - wanted[0]) * amplitude for value in wanted],
-            kind,
-            cyclic,
-        )
+        along = [place - used[0] for place in used]
+        reached = [here + (value - wanted[0]) * amplitude for value in wanted]
+        curve = table_curve(along, reached, kind, cyclic)
     except ValueError as problem:
         raise Refusal("range", f"axis {a.index} cannot follow the table: {problem}") from None
     if curve.duration < _SHORTEST:
         raise Refusal("range", f"a cam of {curve.duration:g} counts of the master is too short")
     move = FollowMove(a.index, command, line, "cam", INFINITY if cyclic else curve.end)
     controller.end_move(a, "retarget")
-    Cam(controller, a, master, move, curve, cyclic, first).engage()
+    cam = Cam(controller, a, master, move, curve, cyclic, first)
+    cam.ordered = tuple(along), tuple(reached), kind
+    cam.engage()
 
 
 def load_fly(

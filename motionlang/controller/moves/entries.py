@@ -1,4 +1,4 @@
-"""Entries of the move buffer that are neither moves nor paths: cams, offsets, ready-made profiles.
+"""Entries of the move buffer that are neither moves nor paths: cams, offsets, points at times.
 
 Each begins when it is first of its buffer and released. An offset on an axis that follows a master does not wait for
 that to end: it begins as soon as it is released and the offset before it is done.
@@ -14,6 +14,7 @@ from motionlang.controller.motion.profile_playback import Played
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
 from motionlang.controller.moves.cam import Cam
+from motionlang.profile.pvt.motion import plan_pvt
 from motionlang.profile.table_motion import table_curve
 
 TYPE_CHECKING = False
@@ -26,7 +27,9 @@ if TYPE_CHECKING:
 
     Points = tuple[Sequence[float], Sequence[float]]
     Table = Callable[[float], Points]
-    Make = Callable[[float], Profile]
+    # Positions, the velocities there, and the times from each to the next one.
+    Timed = tuple[Sequence[float], Sequence[float], Sequence[float]]
+    Make = Callable[[float], Timed]
 
 # A cycle shorter than this, in counts of the master, would be over before anything could be done.
 _SHORTEST = 1.0
@@ -47,7 +50,9 @@ class TableCam(Cam):
         if self.cyclic:
             if forward:
                 start = self.curve.end
-                self.next_curve(curve_of(self.a, self.table(start), start), True)
+                points = self.table(start)
+                self.next_curve(curve_of(self.a, points, start), True)
+                self.ordered = tuple(points[0]), tuple(points[1]), "linear"
             else:
                 self.next_curve(self.curve.shifted(-self.rise), False)
         return self.cyclic
@@ -66,11 +71,12 @@ class CamEntry(Action):
         """Tie the axis to its master on a table read now. Refusal where it cannot be followed."""
         check_chain(a, self.master)
         here = a.position(controller.clock.now)
-        curve = curve_of(a, self.table(here), here)
+        points = self.table(here)
+        curve = curve_of(a, points, here)
         entry = FollowMove(a.index, move.command, move.line, "cam", INFINITY if self.cyclic else curve.end)
         entry.id = move.id
         cam = TableCam(controller, a, self.master, entry, curve, self.cyclic, self.first)
-        cam.table = self.table
+        cam.table, cam.ordered = self.table, (tuple(points[0]), tuple(points[1]), "linear")
         cam.engage()
 
 
@@ -141,11 +147,11 @@ def load_offset(
     buffer.put(a, move)
 
 
-# ------------------------------------------------------------------------------------------- ready-made profiles
+# ------------------------------------------------------------------------------------------------------ points
 
 
-class ProfileEntry(Action):
-    """Follow a profile that is made when it begins, from where the axis then is; `again` and again where it is set."""
+class PointsEntry(Action):
+    """Run through points that are made when it begins, from where the axis then is; `again` and again if it is set."""
 
     __slots__ = ("again", "make")
 
@@ -157,25 +163,35 @@ class ProfileEntry(Action):
         return self.again is not None and self.make is self.again
 
     def prolong(self, end: float) -> Profile | None:
-        return self.make(end) if self.again is not None else None
+        return plan_pvt(*self.make(end)) if self.again is not None else None
 
     def begin(self, controller: Core, a: Axis, move: Move) -> None:
         """Make the profile and play it; one that is made `again` waits in the buffer behind it."""
-        profile = self.make(a.position(controller.clock.now))
+        points = self.make(a.position(controller.clock.now))
+        profile = through(a, points)
         if self.again is not None:
             following = Move(a.index, move.command, move.line, profile.end)
-            following.action = ProfileEntry(self.again, self.again)
+            following.action = PointsEntry(self.again, self.again)
             following.id, following.released = move.id, True
             a.buffer.insert(0, following)
         played = Played(on_path=True)
+        played.ordered = points
         move.target, move.action = profile.end, played
         controller.run_profile(a, move, played.waiting(controller, profile) if a.suspended else profile)
 
 
-def load_profile(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
-    """Put a ready-made profile into the buffer; `make` is called with the position where it begins."""
+def through(a: Axis, points: Timed) -> Profile:
+    """The profile through points at times; Refusal for points that no axis can be at."""
+    try:
+        return plan_pvt(*points)
+    except ValueError as problem:
+        raise Refusal("range", f"axis {a.index} cannot follow the spline: {problem}") from None
+
+
+def load_points(controller: Core, a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
+    """Put points at times into the buffer; `make` is called with the position where they begin."""
     start = _start(controller, a)
-    move = Move(a.index, command, line, make(start).end)
+    move = Move(a.index, command, line, through(a, make(start)).end)
     move.base = start
-    move.action = ProfileEntry(make, again)
+    move.action = PointsEntry(make, again)
     buffer.put(a, move)

@@ -4,9 +4,10 @@ where it ends."""
 from __future__ import annotations
 
 from itertools import pairwise
-from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin
+from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
+from motionlang.controller.record.due import law, lead, move_time
 from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.spans import combined, rotation, spans
 
@@ -93,6 +94,14 @@ class Way:
                 k += 1
         return found
 
+    def bends(self) -> list[float]:
+        """The largest acceleration across it that each axis has at a speed of one along it, counts."""
+        plane = self.path.plane if self.unit is None else ()
+        return [
+            self.flat * self.turn * abs(k) if place in plane else 0.0
+            for place, k in enumerate(self.path.scales)
+        ]
+
     def off(self, places: Sequence[float]) -> float:
         """How far a point, counts, lies off the way, user units."""
         point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
@@ -136,6 +145,11 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
             break
     if along:
         _judge_along(proof, order, way, along, where)
+        reached = [profile.position(end - path.begun) for profile in profiles]
+        if all(
+            abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
+        ):
+            _judge_path_time(proof, order, way, along, where)
 
 
 def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
@@ -185,6 +199,41 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
             gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
             if gap > SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf)):
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
+
+
+def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
+    """What ends a path takes no longer than to stop, and to run the rest of it alone, from rest to rest.
+
+    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster. On arcs an axis
+    is counted on for half of its limits, as turning and speeding up share them.
+    """
+    path = order.path
+    assert path is not None
+    if not order.speed or not min(order.rates) > 0.0:
+        return
+    first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    speed, rates = order.speed, list(order.rates)
+    share = 1.0 if way.unit is not None else 0.5
+    slopes = way.slopes(0.0, way.length)
+    for slope, k, most, up, down in zip(
+        slopes, path.scales, path.most, path.most_accel, path.most_decel, strict=True
+    ):
+        steep = slope * abs(k)
+        if steep:
+            speed = min(speed, most / steep)
+            rates = [min(rates[0], share * up / steep), min(rates[1], share * down / steep)]
+    for figure, limit in zip(way.bends(), map(min, path.most_accel, path.most_decel), strict=True):
+        if figure:
+            speed = min(speed, sqrt(share * limit / figure))
+    by = law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
+    bent = first[2] if by.smooth else 0.0
+    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
+    hard = by._replace(rates=order.rates)
+    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
+    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
+    took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
+    if took > due * (1.0 + SLACK) + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
 
 
 def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:

@@ -11,11 +11,14 @@ from typing import TYPE_CHECKING, NamedTuple
 from motionlang.controller.motion.follow import Gear
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.motion.jog import Jog
+from motionlang.controller.motion.profile_playback import Played
 from motionlang.controller.moves.cam import CurveFollow
 from motionlang.controller.moves.geometry import Line
 from motionlang.controller.moves.path import PathMove
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
@@ -53,7 +56,10 @@ class PathOrder(NamedTuple):
 
 
 class Tie(NamedTuple):
-    """What an axis follows: a track, at a `ratio` (once it is `locked`), or on a `curve` from `origin` on."""
+    """What an axis follows: a track, at a `ratio` (once it is `locked`), or on a `curve` from `origin` on.
+
+    `table` is what the curve was ordered as: places of the master, values there, and how they are joined.
+    """
 
     master: Axis
     ratio: float = 0.0
@@ -61,6 +67,7 @@ class Tie(NamedTuple):
     curve: Profile | None = None
     origin: float = 0.0
     direction: int = 1
+    table: tuple[tuple[float, ...], tuple[float, ...], str] | None = None
 
 
 class Order(NamedTuple):
@@ -68,7 +75,8 @@ class Order(NamedTuple):
 
     `kind` is "rest", "move", "jog", "stop", "path", or the name of the action that makes the profile; of the last the
     bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite but for
-    S-ramps. `goal` is the velocity that a jog goes to.
+    S-ramps. `goal` is the velocity that a jog goes to, `ramp` the ratio of a PMC S-curve;
+    `points` are those, with their velocities and the times between them, that a profile is to run through.
     """
 
     kind: str
@@ -78,8 +86,10 @@ class Order(NamedTuple):
     jerks: tuple[float, float] = ENDLESS
     shape: str = ""
     goal: float = 0.0
+    ramp: float = 0.0
     path: PathOrder | None = None
     tie: Tie | None = None
+    points: tuple[Sequence[float], Sequence[float], Sequence[float]] | None = None
 
 
 REST = Order("rest", 0)
@@ -145,6 +155,8 @@ def _order(a: Axis) -> Order:
         return Order(type(action).__name__, move.line, rates=_rates(a, move), tie=_tie(action))
     if isinstance(action, Gear):
         return _stopped(a, move)
+    if isinstance(action, Played):
+        return Order("Played", move.line, points=action.ordered)
     if action is not None and not isinstance(action, (Stopping, Jog)):
         return Order(type(action).__name__, move.line)
     speed, rates, jerks = _bounds(a, move)
@@ -152,20 +164,21 @@ def _order(a: Axis) -> Order:
         return _stopped(a, move)
     if isinstance(action, Jog):
         goal = max(-a.max_speed, min(action.velocity, a.max_speed))
-        return Order("jog", move.line, abs(goal), rates, jerks, a.shape, goal)
+        return Order("jog", move.line, abs(goal), rates, jerks, a.shape, goal, a.ramp)
     if not speed:  # an override of 0
         return _stopped(a, move)
-    return Order("move", move.line, min(speed, a.max_speed), rates, jerks, a.shape)
+    return Order("move", move.line, min(speed, a.max_speed), rates, jerks, a.shape, ramp=a.ramp)
 
 
 def _stopped(a: Axis, move: Move) -> Order:
-    return Order("stop", move.line, INFINITY, *_bounds(a, move)[1:], a.shape)
+    return Order("stop", move.line, INFINITY, *_bounds(a, move)[1:], a.shape, ramp=a.ramp)
 
 
 def _tie(action: Gear | CurveFollow) -> Tie:
     if isinstance(action, Gear):
         return Tie(action.master, action.ratio, action.locked)
-    return Tie(action.master, curve=action.curve, origin=action.origin, direction=action.direction)
+    way = action.origin, action.direction
+    return Tie(action.master, 0.0, INFINITY, action.curve, *way, action.ordered)
 
 
 def _rates(a: Axis, move: Move) -> tuple[float, float]:
@@ -198,13 +211,13 @@ def _jerks(a: Axis) -> tuple[float, float]:
 
 def _path(action: PathMove, move: Move, nth: int) -> Order:
     master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
-    shape, k = master.shape, abs(master.scale.counts)
+    shape, k, ramp = master.shape, abs(master.scale.counts), master.ramp
     if guide is None:
         speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
         through = master.contour_angle if master.contour_mode else 0.0
     else:
         pace = guide.pace()
-        shape, k, through = pace.shape, 1.0, STRAIGHT
+        shape, k, through, ramp = pace.shape, 1.0, STRAIGHT, pace.ramp
         speed, rates, jerks = pace.speed, (pace.accel, pace.decel), ENDLESS
     run = action.run
     if guide is None and run is not None and run.ended and run.hard:
@@ -229,4 +242,4 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
         through,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
-    return Order("path", move.line, *bounds, shape, path=path)
+    return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)

@@ -9,7 +9,8 @@ from math import acos, degrees, fsum, inf, isfinite, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Proof, Run
-from motionlang.controller.record.judge_axes import PLANNED, judge_profile, judge_tie
+from motionlang.controller.record.judge_axes import PLANNED, judge_profile
+from motionlang.controller.record.judge_followers import judge_points, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.judge_views import judge_report, judge_trace
 from motionlang.controller.record.spans import half_angle
@@ -46,11 +47,13 @@ def prove(
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
             if end > begin:
-                judge_profile(proof, a, i, order, end - begin)
+                judge_profile(proof, a, i, order, records[max(i - 1, 0)], end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     judge_path(proof, run, a, i, order, end)
                 elif order.tie is not None:
                     judge_tie(proof, run, a, i, order, end)
+                elif order.points is not None:
+                    judge_points(proof, a, i, order)
             if i:
                 _judge_join(proof, run, a, i)
     for move in run.moves:

@@ -118,58 +118,6 @@ def _angles(angle: float, omega: float, phase: float, length: float) -> list[flo
     return [(sign * angle + 2.0 * pi * k - phase) / omega for k in turns for sign in (1.0, -1.0)]
 
 
-# ------------------------------------------------------------------------------------------------- due times
-
-
-def due(v0: float, a0: float, v1: float, rates: tuple[float, float], jerks: tuple[float, float]) -> float:
-    """How long it takes from velocity v0 and acceleration a0 to v1, by the rules of `docs/decisions.md`.
-
-    `rates` and `jerks` are those of speeding up and of slowing down, infinite jerks a trapezoid's. Velocities of
-    opposite signs meet at rest.
-    """
-    if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and v1 < 0.0))):
-        v0, a0, v1 = -v0, -a0, -v1
-    if v1 < 0.0:
-        return due(v0, a0, 0.0, rates, jerks) + due(0.0, 0.0, v1, rates, jerks)
-    up, down = (rates[0], jerks[0]), (rates[1], jerks[1])
-    if not a0 or jerks[0] == float("inf"):
-        return _ramp_time(v1 - v0, *up) if v1 > v0 else _ramp_time(v0 - v1, *down)
-    rate, jerk = up if a0 > 0.0 else down
-    eased = v0 + 0.5 * a0 * abs(a0) / jerk
-    gain = (v1 - v0) if a0 > 0.0 else (v0 - v1)
-    if gain * 1.0 >= 0.5 * a0 * a0 / jerk:
-        size = abs(a0)
-        if size > rate:  # beyond what is allowed now: it is taken back to that first
-            return (size - rate) / jerk + (gain - 0.5 * size * size / jerk) / rate + rate / jerk
-        return _ramp_time(gain + 0.5 * a0 * a0 / jerk, rate, jerk) - size / jerk
-    return abs(a0) / jerk + due(eased, 0.0, v1, rates, jerks)
-
-
-def _ramp_time(change: float, rate: float, jerk: float) -> float:
-    if jerk == float("inf"):
-        return change / rate
-    return change / rate + rate / jerk if change >= rate * rate / jerk else 2.0 * sqrt(change / jerk)
-
-
-def due_from_rest(
-    distance: float, speed: float, rates: tuple[float, float], jerks: tuple[float, float]
-) -> float:
-    """How long a move from rest to rest takes, by halving the speeds that it may have."""
-
-    def ramps(v: float) -> tuple[float, float]:
-        times = _ramp_time(v, rates[0], jerks[0]), _ramp_time(v, rates[1], jerks[1])
-        return times[0] + times[1], 0.5 * v * (times[0] + times[1])
-
-    time, way = ramps(speed)
-    if way <= distance:
-        return time + (distance - way) / speed
-    low, high = 0.0, speed
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if ramps(middle)[1] <= distance else (low, middle)
-    return ramps(high)[0]
-
-
 def rotation(x: float, y: float, degrees: float) -> tuple[float, float]:
     """A vector turned by an angle."""
     angle = degrees * pi / 180.0

@@ -22,7 +22,6 @@ from motionlang.mint.keywords.table_motion_cams import (
     span,
 )
 from motionlang.mint.runtime.binding import axis_of, scale_of
-from motionlang.profile.pvt.motion import plan_pvt
 from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.profile.table_motion import spline_slopes
 
@@ -30,9 +29,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.controller.moves.entries import Timed
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
-    from motionlang.profile import Profile
 
     Operation = Callable[..., object]
     Array = list[float]
@@ -65,8 +64,8 @@ class Splines:
         for name in DEFAULTS:
             self._settings.pop((name, axis), None)
 
-    def profile(self, axis: int, mode: int, start: float, first_time: bool) -> Profile:
-        """The motion through the table from `start`, counts; from rest the first time, else as the last one ended."""
+    def motion(self, axis: int, mode: int, start: float, first_time: bool) -> Timed:
+        """The way through the table from `start`, counts; from rest the first time, else as the last one ended."""
         points, velocities, times = self._points(axis, mode, start)
         cyclic = bool(mode & CONTINUOUS)
         try:
@@ -76,7 +75,7 @@ class Splines:
                 velocities = choose(points, times, 0.0 if first_time else last, last)
             else:
                 velocities = [0.0 if first_time else velocities[-1], *velocities]
-            return plan_pvt(points, velocities, times)
+            return points, velocities, times
         except ValueError as problem:
             raise Refusal("range", f"axis {axis} cannot follow the spline: {problem}") from None
 
@@ -168,13 +167,13 @@ def load_spline(environment: Environment, row: Row) -> Operation:
             raise Refusal("moving", f"axis {axis} is moving, or its buffer is not empty",
                           "a spline needs the axis idle and nothing else in its buffer")  # fmt: skip
 
-        def make(start: float) -> Profile:
-            return splines.profile(axis, mode, start, True)
+        def make(start: float) -> Timed:
+            return splines.motion(axis, mode, start, True)
 
-        def again(start: float) -> Profile:
-            return splines.profile(axis, mode, start, False)
+        def again(start: float) -> Timed:
+            return splines.motion(axis, mode, start, False)
 
-        controller.load_profile(axis, make, again if mode & CONTINUOUS else None, row.name, line)
+        controller.load_points(axis, make, again if mode & CONTINUOUS else None, row.name, line)
         splines.modes[axis] = mode
 
     return loader(environment, put)

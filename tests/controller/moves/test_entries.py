@@ -6,8 +6,6 @@ import pytest
 
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Refusal
-from motionlang.profile import Profile
-from motionlang.profile.pvt.motion import plan_pvt
 
 
 def ready(axes: int = 2) -> Controller:
@@ -86,14 +84,14 @@ def test_an_offset_of_an_axis_that_follows_nobody_is_a_move() -> None:
     assert controller.is_idle(0)
 
 
-def test_a_profile_begins_where_the_move_before_it_ends_and_again_and_again() -> None:
+def test_points_begin_where_the_move_before_it_ends_and_again_and_again() -> None:
     controller = ready()
 
-    def make(start: float) -> Profile:
-        return plan_pvt([start, start + 1.0, start], [0.0, 0.0, 0.0], [0.5, 0.5])
+    def make(start: float) -> tuple[list[float], list[float], list[float]]:
+        return [start, start + 1.0, start], [0.0, 0.0, 0.0], [0.5, 0.5]
 
     controller.load_by(0, 20.0)
-    controller.load_profile(0, make, make)
+    controller.load_points(0, make, make)
     controller.go([0])
     end = controller.idle_time(0)
     controller.clock.advance(end + 7.5)

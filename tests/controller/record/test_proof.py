@@ -148,6 +148,15 @@ CAM = (
     "Dim rise(3) As Float = 2, 5, 9\nMASTERSOURCE(1) = _msPOS : MASTERDISTANCE(1) = 10\nCAMTABLE(1, rise)\n"
     "CAM(1) = 0 : GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
 )
+SPLINE = (
+    "Dim way(5) As Float = 4, 5, 10, 10, 5\nSPLINETABLE(0, way)\nSPLINETIME(0) = 500\nSPLINE(0) = 0\nGO(0)\n"
+    "PAUSE IDLE(0)\n"
+)
+FLY = (
+    "MASTERSOURCE(1) = _msPOS : MASTERDISTANCE(1) = 10\nMOVEBUFFERSIZE(1) = 5\nFLY(1) = 5 : FLY(1) = 10 : FLY(1) = 5\n"
+    "GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
+)
+SLOWER = "FEEDRATEMODE(0) = 0\nMOVER(0) = 100 : GO(0)\nWAIT 1000\nSPEED(0) = 10\nPAUSE IDLE(0)\n"
 RATES = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
 Forge = Callable[[Order], Order]
 
@@ -158,6 +167,11 @@ def path_of(order: Order, **other: object) -> Order:
 
 def tie_of(order: Order, **other: object) -> Order:
     return order if order.tie is None else order._replace(tie=order.tie._replace(**other))  # type: ignore[arg-type]
+
+
+def off(order: Order, place: float, value: float, kind: str) -> Order:
+    """A tie to a table of one segment."""
+    return tie_of(order, table=((0.0, place), (0.0, value), kind))
 
 
 BROKEN: dict[str, tuple[str, Forge, str]] = {
@@ -184,6 +198,31 @@ BROKEN: dict[str, tuple[str, Forge, str]] = {
         "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n",
         lambda o: o._replace(speed=21.0) if o.kind == "move" else o,
         "it takes 5.2 s where",
+    ),
+    "a move in motion that dawdles": (SLOWER, lambda o: o._replace(speed=11.0) if o.speed == 10.0 else o, "s are due"),
+    "a path that dawdles": (LINE, lambda o: o._replace(speed=21.0), "it takes 2.7 s where 2.59095 s are due"),
+    "an arc that dawdles": (
+        ARC,
+        lambda o: path_of(o._replace(speed=100.0), most_accel=(1e9, 1e9), most=(1e9, 1e9)),
+        "s are due at the most",
+    ),
+    "a cam beside its table": (CAM, lambda o: off(o, 10.0, 2.1, "linear"), "ordered is 2.1"),
+    "a cam of another length": (CAM, lambda o: off(o, 9.0, 4.5, "linear"), "long, ordered is 9"),
+    "a segment beside its distance": (FLY, lambda o: off(o, 10.0, 6.0, "even"), "ordered is 6"),
+    "a segment that begins at another ratio": (
+        FLY,
+        lambda o: tie_of(o, table=None) if o.tie and o.tie.table and o.tie.table[1][1] == 5.0 else o,
+        "its segment begins at a ratio of 1, due is 0",
+    ),
+    "a spline beside its points": (
+        SPLINE,
+        lambda o: o._replace(points=([0.0, 5.0, 15.1, 25.0, 30.0], *o.points[1:])) if o.points else o,
+        "point 2 is 15.1 at",
+    ),
+    "a spline at other velocities": (
+        SPLINE,
+        lambda o: o._replace(points=(o.points[0], [1.0] * 5, o.points[2])) if o.points else o,
+        "at 1 counts/s, it is at 0 at 0 counts/s",
     ),
     "another ratio": (SLAVE, lambda o: tie_of(o, ratio=0.51), "its master has it at"),
     "another place on a cam": (CAM, lambda o: tie_of(o, origin=0.5), "its master has it at"),

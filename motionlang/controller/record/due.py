@@ -1,0 +1,150 @@
+"""How long motion may take: times and ways of ramps, stops and moves, worked out from what was ordered alone.
+
+The proof's own arithmetic, no planner's. A move is as fast as the rules of `docs/decisions.md` let it be: it turns at
+rest, and velocities of opposite signs meet there. Velocities and accelerations are counted in one direction; rates and
+jerks are pairs, of speeding up and of slowing down.
+"""
+
+from __future__ import annotations
+
+from math import fsum, inf, pi, sqrt
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    # A time, and the signed way gone in it.
+    Leg = tuple[float, float]
+
+# Halves of an interval of speeds after which nothing changes any more.
+_HALVES = 70
+
+
+class Law(NamedTuple):
+    """How velocities change: at rates, with jerks, or in a shape that takes `stretch` times as long as a straight ramp.
+
+    Of a ramp between two speeds `heavy` is the part of the way that goes by the higher one.
+    """
+
+    rates: tuple[float, float]
+    jerks: tuple[float, float] = (inf, inf)
+    stretch: float = 1.0
+    heavy: float = 0.5
+
+    @property
+    def smooth(self) -> bool:
+        """Whether accelerations have a slope that is bounded."""
+        return self.jerks[0] < inf
+
+
+def law(shape: str, rates: tuple[float, float], jerks: tuple[float, float], ramp: float) -> Law:
+    """The law of a shape; TN1069's have T = (pi/2) V/A, V/(A (1 - n)) and 2 V/A with two thirds of V T."""
+    if jerks[0] < inf or shape == "trapezoid":
+        return Law(rates, jerks)
+    if shape == "sinusoidal":
+        return Law(rates, stretch=0.5 * pi)
+    if shape == "parabolic":
+        return Law(rates, stretch=2.0, heavy=2.0 / 3.0)
+    return Law(rates, stretch=1.0 / (1.0 - ramp))
+
+
+def ramp(u: float, v: float, by: Law) -> Leg:
+    """From speed u >= 0 to v >= 0, with no acceleration at either end."""
+    side = 0 if v > u else 1
+    rate, jerk, change = by.rates[side], by.jerks[side], abs(v - u)
+    if jerk < inf:
+        time = change / rate + rate / jerk if change >= rate * rate / jerk else 2.0 * sqrt(change / jerk)
+    else:
+        time = by.stretch * change / rate
+    return time, time * (by.heavy * max(u, v) + (1.0 - by.heavy) * min(u, v))
+
+
+def lead(v0: float, a0: float, v1: float, by: Law) -> Leg:
+    """From velocity v0 and acceleration a0 to velocity v1 and none."""
+    if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and v1 < 0.0))):
+        time, way = lead(-v0, -a0, -v1, by)
+        return time, -way
+    if v1 < 0.0:
+        return _both(lead(v0, a0, 0.0, by), lead(0.0, 0.0, v1, by))
+    if not a0 or not by.smooth:
+        return ramp(v0, v1, by)
+    side = 0 if a0 > 0.0 else 1
+    rate, jerk, size = by.rates[side], by.jerks[side], abs(a0)
+    eased = 0.5 * size * size / jerk
+    gain = v1 - v0 if a0 > 0.0 else v0 - v1
+    if gain < eased:  # it does not serve: it is taken back first
+        return _both(
+            _steps(v0, a0, [(-a0, size / jerk)]), lead(v0 + (eased if side == 0 else -eased), 0.0, v1, by)
+        )
+    sign = 1.0 if side == 0 else -1.0
+    if size > rate:  # beyond what is allowed now: it is taken back to that first
+        held = (gain - eased) / rate
+        return _steps(
+            v0, a0, [(-sign * (size - rate), (size - rate) / jerk), (0.0, held), (-sign * rate, rate / jerk)]
+        )
+    peak = min(rate, sqrt(jerk * (gain + eased)))
+    held = max(0.0, (gain + eased) / peak - peak / jerk) if peak else 0.0
+    return _steps(
+        v0, a0, [(sign * (peak - size), (peak - size) / jerk), (0.0, held), (-sign * peak, peak / jerk)]
+    )
+
+
+def _steps(v: float, a: float, steps: list[tuple[float, float]]) -> Leg:
+    """Stretches in which the acceleration changes evenly by so much in so much time."""
+    way = 0.0
+    for change, time in steps:
+        way += time * (v + time * (0.5 * a + change / 6.0))
+        v += time * (a + 0.5 * change)
+        a += change
+    return fsum(time for _, time in steps), way
+
+
+def _both(first: Leg, second: Leg) -> Leg:
+    return first[0] + second[0], first[1] + second[1]
+
+
+def move_time(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
+    """From a velocity and an acceleration to rest after `distance`, at `speed` at most."""
+    if v0 < 0.0 or (v0 == 0.0 and (a0 < 0.0 or (not a0 and distance < 0.0))):
+        v0, a0, distance = -v0, -a0, -distance
+    time, way = lead(v0, a0, 0.0, by)
+    if way > distance or _turns(v0, a0, by):
+        return time + _travel(0.0, 0.0, abs(distance - way), speed, by)
+    return _travel(v0, a0, distance, speed, by)
+
+
+def _turns(v0: float, a0: float, by: Law) -> bool:
+    """Whether a velocity is through zero before its acceleration can be taken back."""
+    return by.smooth and a0 < 0.0 and 0.5 * a0 * a0 / by.jerks[1] > v0 * (1.0 + 1e-9)
+
+
+def _travel(v0: float, a0: float, distance: float, speed: float, by: Law) -> float:
+    """The same where a stop has the room that it needs: up, or down, to the highest speed that leaves it."""
+
+    def room(v: float) -> float:
+        return distance - lead(v0, a0, v, by)[1] - ramp(v, 0.0, by)[1]
+
+    jerk = by.jerks[0 if a0 > 0.0 else 1]
+    eased = v0 + (0.5 * a0 * abs(a0) / jerk if by.smooth else 0.0)
+    if room(speed) >= 0.0:
+        top = speed
+    elif eased <= speed:
+        crest = room(eased) >= 0.0
+        top = _last(eased if crest else 0.0, speed if crest else eased, room)
+    elif room(eased) >= 0.0:  # two brakings need more room than one: a higher speed between them needs less
+        top = _last(eased, speed, room)
+    else:
+        top = _last(0.0, speed, room)
+    left = max(0.0, room(top))
+    held = left / top if top > 0.0 else 0.0
+    return lead(v0, a0, top, by)[0] + ramp(top, 0.0, by)[0] + held
+
+
+def _last(fits: float, other: float, room: Callable[[float], float]) -> float:
+    """The speed farthest from one that fits, towards another one, that fits too."""
+    for _ in range(_HALVES):
+        middle = 0.5 * (fits + other)
+        if middle in (fits, other):
+            break
+        fits, other = (middle, other) if room(middle) >= 0.0 else (fits, middle)
+    return fits

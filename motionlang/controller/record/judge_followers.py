@@ -1,0 +1,204 @@
+"""The judge of what follows: slaves beside their masters, curves and splines beside the tables they were made of."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from itertools import pairwise
+from math import fsum, isfinite
+from typing import TYPE_CHECKING
+
+from motionlang.controller.record.judge import SLACK, Uses, position
+from motionlang.controller.record.spans import derivatives
+
+if TYPE_CHECKING:
+    from motionlang.controller.record.judge import Proof, Run
+    from motionlang.controller.record.orders import Order, Tie
+    from motionlang.controller.record.track import WholeTrack
+    from motionlang.profile import Profile
+
+# Places of a span at which two motions are compared: two cubics that agree at four of them are one.
+FOUR = (0.05, 0.35, 0.65, 0.95)
+# Stretches, beyond which only the ends of each are compared.
+MANY = 24
+
+
+def judge_tie(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+    """A slave is where its ratio, or its table, has it wherever its master is; before that it ramps at its rates."""
+    tie = order.tie
+    assert tie is not None
+    track, begin = run.track(tie.master), a.starts[i]
+    where = f"axis {a.index} from {begin:.6f} s"
+    if tie.curve is None and tie.locked > begin:
+        _judge_chase(proof, run, a, i, order, end)
+        begin = tie.locked
+    if tie.curve is not None and tie.table is not None:
+        _judge_table(proof, run, a, i, order, tie.curve)
+    times = [t for t in _moments(a, track, begin, end) if t < end]
+    base: float | None = None
+    for time in times:
+        offset = _offset(run, a, time)
+        done = position(a, time) - offset
+        master = position(track, time)
+        if tie.curve is None:
+            wanted = done if base is None else base + tie.ratio * master
+            base = done - tie.ratio * master if base is None else base
+        else:
+            along = tie.direction * (master - tie.origin)
+            wanted = _wanted(tie, tie.curve, along)
+            base = done - wanted if base is None else base
+            wanted += base
+        size = max(1.0, abs(done), abs(wanted))
+        speed = abs(a.profiles[i].velocity(time - a.starts[i]))
+        if abs(done - wanted) > SLACK * size + 8e-16 * (1.0 + time) * speed:
+            proof.breaks(
+                order.line, f"{where}: at {time:.6f} s it is at {done:g}, its master has it at {wanted:g}"
+            )
+            return
+
+
+def _judge_chase(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, end: float) -> None:
+    """Until it has the velocity of its ratio a slave changes its own at its rates."""
+    tie = order.tie
+    assert tie is not None
+    if _offset_moves(run, a, a.starts[i]):
+        return
+    until = min(end, tie.locked)
+    uses = Uses(proof)
+    for share in FOUR:
+        time = a.starts[i] + share * (until - a.starts[i])
+        state = a.profiles[i].at(time - a.starts[i])
+        side = 0 if state.velocity * state.acceleration > 0.0 else 1
+        uses.look("rate of a slave", abs(state.acceleration), order.rates[side])
+    uses.tell(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
+
+
+def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
+    """The ends of every stretch on which both master and slave are one piece, and of the first ones four places."""
+    knots = {begin, end}
+    for track in (a, master):
+        k = track.place(begin)
+        while k < len(track.starts) and track.starts[k] < end:
+            knots.update(t for t in (track.starts[k] + x for x in track.profiles[k].knots) if begin < t < end)
+            k += 1
+    ordered = sorted(t for t in knots if isfinite(t))
+    inside = [x + share * (y - x) for x, y in list(pairwise(ordered))[:MANY] for share in FOUR]
+    return sorted((*ordered[1:], *inside))
+
+
+def _judge_table(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+    """The curve leads through its table; between its places it is straight, smooth, or changes evenly."""
+    tie = order.tie
+    assert tie is not None
+    assert tie.table is not None
+    places, values, kind = tie.table
+    where = f"axis {a.index} from {a.starts[i]:.6f} s"
+    first = _on(curve, 0.0)
+    size = SLACK * max(1.0, *(abs(value) for value in values))
+    for place, value in zip(places, values, strict=True):
+        gone, wanted = _on(curve, place) - first, value - values[0]
+        if abs(gone - wanted) > size:
+            proof.breaks(
+                order.line,
+                f"{where}: its curve has {gone:g} at {place:g} of its master, ordered is {wanted:g}",
+            )
+            return
+    if curve.duration != places[-1]:
+        proof.breaks(order.line, f"{where}: its curve is {curve.duration:g} long, ordered is {places[-1]:g}")
+    for (left, right), (low, high) in zip(pairwise(places), pairwise(values), strict=True):
+        if (
+            kind == "linear"
+            and abs(_on(curve, 0.5 * (left + right)) - first - 0.5 * (low + high) + values[0]) > size
+        ):
+            proof.breaks(
+                order.line, f"{where}: its curve is not straight from {left:g} to {right:g} of its master"
+            )
+            return
+    for left_piece, right_piece, width in zip(
+        curve.pieces, curve.pieces[1:], (y - x for x, y in pairwise(curve.knots)), strict=False
+    ):
+        gap = derivatives(right_piece, 0.0)[1] - derivatives(left_piece, width)[1]
+        if kind == "cubic" and abs(gap) * places[-1] > size:
+            proof.breaks(order.line, f"{where}: the slope of its curve jumps by {gap:g}")
+            return
+    if kind == "even":
+        _judge_segment(proof, run, a, i, order, curve)
+
+
+def _judge_segment(proof: Proof, run: Run, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+    """The ratio of a flying shear begins at rest, or where the segment before it ends, and changes evenly."""
+    tie = order.tie
+    assert tie is not None
+    before = run.orders.of[a.index][i - 1].tie if i else None
+    begins, bends = derivatives(curve.pieces[0], 0.0)[1], curve.pieces[0][3]
+    wanted = 0.0
+    if before is not None and before.curve is not None and before.table is not None:
+        last = before.curve
+        if before.table == tie.table and (before.origin == tie.origin or last.start == curve.start):
+            return  # the same segment, looked at again
+        on = before.master is tie.master and before.direction == tie.direction
+        if on and before.table[2] == "even":
+            wanted = derivatives(last.pieces[-1], last.knots[-1] - last.knots[-2])[1]
+    if abs(begins - wanted) > SLACK * max(1.0, abs(wanted)) or bends or len(curve.pieces) != 1:
+        where = f"axis {a.index} from {a.starts[i]:.6f} s"
+        proof.breaks(order.line, f"{where}: its segment begins at a ratio of {begins:g}, due is {wanted:g}")
+
+
+def _wanted(tie: Tie, curve: Profile, along: float) -> float:
+    """Where a slave is on its curve: of a table with straight lines worked out from its numbers."""
+    if tie.table is None or tie.table[2] != "linear":
+        return _on(curve, along)
+    places, values, _ = tie.table
+    k = min(max(bisect_right(places, along) - 1, 0), len(places) - 2)
+    slope = (values[k + 1] - values[k]) / (places[k + 1] - places[k])
+    return values[k] + slope * (along - places[k])
+
+
+def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+    """What runs through points is at each of them at its time, at its velocity, on one cubic from one to the next."""
+    assert order.points is not None
+    points, velocities, times = order.points
+    profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
+    ends = abs(profile.end - points[-1]) <= SLACK * max(1.0, abs(points[-1]))
+    if isfinite(profile.duration) and not ends:
+        proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, ordered is {points[-1]:g}")
+    if not profile.pieced or abs(profile.duration - fsum(times)) > SLACK:
+        return  # it is suspended, or goes on after that
+    if len(profile.pieces) != len(times):
+        proof.breaks(order.line, f"{where}: it has {len(profile.pieces)} segments, ordered are {len(times)}")
+        return
+    size = max(1.0, *(abs(point) for point in points))
+    fast = max(1.0, *(abs(velocity) for velocity in velocities))
+    for k, (piece, time) in enumerate(zip(profile.pieces, times, strict=True)):
+        for at, n in ((0.0, k), (time, k + 1)):
+            place, speed, _, _ = derivatives(piece, at)
+            if abs(place - points[n]) > SLACK * size or abs(speed - velocities[n]) > SLACK * fast:
+                words = f"point {n} is {points[n]:g} at {velocities[n]:g} counts/s"
+                proof.breaks(order.line, f"{where}: {words}, it is at {place:g} at {speed:g} counts/s")
+                return
+
+
+def _on(curve: Profile, along: float) -> float:
+    """A curve over its distance; straight on before its beginning and beyond its end."""
+    knots = curve.knots
+    x = min(max(along, 0.0), knots[-1])
+    k = max(0, min(bisect_right(knots, x), len(curve.pieces)) - 1)
+    p, slope, _, _ = derivatives(curve.pieces[k], x - knots[k])
+    return p + slope * (along - x)
+
+
+def _offset(run: Run, a: WholeTrack, time: float) -> float:
+    """What offsets on top of following have added up to a time."""
+    total = 0.0
+    for move in run.offsets.get(a.index, ()):
+        if move.start_time <= time and move.profile is not None:
+            total += move.profile.position(time - move.start_time) - move.profile.start
+    return total
+
+
+def _offset_moves(run: Run, a: WholeTrack, time: float) -> bool:
+    return any(
+        move.start_time <= time
+        and move.profile is not None
+        and time < move.start_time + move.profile.duration
+        for move in run.offsets.get(a.index, ())
+    )
