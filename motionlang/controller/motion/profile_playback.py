@@ -76,6 +76,7 @@ class Played(Action):
             return False
         path, pace = self._on_the_way(controller, a)
         controller.empty(a, ended)
+        self.ordered = None  # it will not come to its last point
         self._follow(controller, a, path, pace, path.shape, ended)
         move = a.move
         assert move is not None

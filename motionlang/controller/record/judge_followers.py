@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from itertools import pairwise
-from math import fsum, isfinite
+from math import fsum, isfinite, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Uses, position
-from motionlang.controller.record.spans import derivatives
+from motionlang.controller.record.spans import Span, derivatives
 
 if TYPE_CHECKING:
     from motionlang.controller.record.judge import Proof, Run
@@ -175,6 +175,52 @@ def judge_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
                 words = f"point {n} is {points[n]:g} at {velocities[n]:g} counts/s"
                 proof.breaks(order.line, f"{where}: {words}, it is at {place:g} at {speed:g} counts/s")
                 return
+
+
+def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+    """A position that is written is where the profile ends; a speed is come to by its slopes, in their time."""
+    profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
+    if order.slopes is None:
+        if abs(profile.end - order.goal) > SLACK * max(1.0, abs(order.goal)):
+            proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, written is {order.goal:g}")
+        return
+    if not profile.pieced:
+        return
+    entry, endless = profile.at(0.0), not isfinite(profile.duration)
+    uses = Uses(proof)
+    fades = order.slopes[0 if entry.acceleration * entry.velocity >= 0.0 else 1][2]
+    eased = abs(entry.acceleration) if fades else 0.0
+    came = abs(entry.velocity) + eased * max(end for _, _, end in order.slopes)
+    for piece, begin, finish in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
+        span = Span(begin, finish - begin if isfinite(finish) else 1.0, piece)
+        uses.look("speed", span.peak(1), max(order.speed, came))
+        for power, left, right in span.sides():
+            rate = order.rates[0 if power > 0.0 else 1] if abs(power) > SLACK else max(order.rates)
+            uses.look("rate of a reference", max(abs(left[2]), abs(right[2])), max(rate, eased))
+    uses.tell(order.line, where, " counts")
+    took = profile.knots[-2] if endless else profile.knots[-1]
+    wanted = _reference_time(entry.velocity, entry.acceleration, order.goal, order.slopes)
+    if took > wanted * (1.0 + SLACK) + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
+
+
+def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:
+    """From a velocity and an acceleration, which fades first, to a velocity."""
+    up, down = slopes
+    rate, _, end = up if a0 * v0 >= 0.0 else down
+    if a0 and end:
+        fading = abs(a0) * end / rate
+        return fading + _reference_time(v0 + 0.5 * a0 * fading, 0.0, v1, slopes)
+    if v0 * v1 < 0.0:
+        return _slope_time(abs(v0), down) + _slope_time(abs(v1), up)
+    return _slope_time(abs(v1 - v0), down if abs(v1) < abs(v0) else up)
+
+
+def _slope_time(change: float, slope: tuple[float, float, float]) -> float:
+    """T = dv/A + (T_begin + T_end)/2, and a change too small for the rate in the time in which both slopes meet."""
+    rate, begin, end = slope
+    edges = begin + end
+    return change / rate + 0.5 * edges if 2.0 * change >= rate * edges else sqrt(2.0 * change * edges / rate)
 
 
 def _on(curve: Profile, along: float) -> float:

@@ -12,6 +12,7 @@ from motionlang.controller.motion.follow import Gear
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.motion.jog import Jog
 from motionlang.controller.motion.profile_playback import Played
+from motionlang.controller.motion.reference import PositionReference, SpeedReference
 from motionlang.controller.moves.cam import CurveFollow
 from motionlang.controller.moves.geometry import Line
 from motionlang.controller.moves.path import PathMove
@@ -75,7 +76,9 @@ class Order(NamedTuple):
 
     `kind` is "rest", "move", "jog", "stop", "path", or the name of the action that makes the profile; of the last the
     bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite but for
-    S-ramps. `goal` is the velocity that a jog goes to, `ramp` the ratio of a PMC S-curve;
+    S-ramps. `goal` is the velocity that a jog goes to, or the place or velocity of a reference, `ramp` the ratio of a
+    PMC S-curve;
+    `slopes` are those of a speed reference, rate, begin and end of speeding up and of slowing down;
     `points` are those, with their velocities and the times between them, that a profile is to run through.
     """
 
@@ -90,6 +93,7 @@ class Order(NamedTuple):
     path: PathOrder | None = None
     tie: Tie | None = None
     points: tuple[Sequence[float], Sequence[float], Sequence[float]] | None = None
+    slopes: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
 
 
 REST = Order("rest", 0)
@@ -157,6 +161,13 @@ def _order(a: Axis) -> Order:
         return _stopped(a, move)
     if isinstance(action, Played):
         return Order("Played", move.line, points=action.ordered)
+    if isinstance(action, SpeedReference) and not a.suspended:
+        up, down = action.slopes
+        goal = max(-a.max_speed, min(action.velocity, a.max_speed))
+        slopes = up.key(), down.key()
+        return Order("reference", move.line, abs(goal), (up.rate, down.rate), goal=goal, slopes=slopes)
+    if isinstance(action, PositionReference) and not a.suspended:
+        return Order("reference", move.line, goal=action.place)
     if action is not None and not isinstance(action, (Stopping, Jog)):
         return Order(type(action).__name__, move.line)
     speed, rates, jerks = _bounds(a, move)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile
-from motionlang.controller.record.judge_followers import judge_points, judge_tie
+from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.judge_views import judge_report, judge_trace
 from motionlang.controller.record.spans import half_angle
@@ -54,6 +54,8 @@ def prove(
                     judge_tie(proof, run, a, i, order, end)
                 elif order.points is not None:
                     judge_points(proof, a, i, order)
+                elif order.kind == "reference":
+                    judge_reference(proof, a, i, order)
             if i:
                 _judge_join(proof, run, a, i)
     for move in run.moves:

@@ -156,6 +156,7 @@ FLY = (
     "MASTERSOURCE(1) = _msPOS : MASTERDISTANCE(1) = 10\nMOVEBUFFERSIZE(1) = 5\nFLY(1) = 5 : FLY(1) = 10 : FLY(1) = 5\n"
     "GO(1) : JOG(0) = 20\nWAIT 2000\nSTOP(0)\nPAUSE IDLE(0)\n"
 )
+REFERENCE = "SPEEDREF(0) = 20\nWAIT 9000\nSPEEDREF(0) = 0\nWAIT 9000\n"
 SLOWER = "FEEDRATEMODE(0) = 0\nMOVER(0) = 100 : GO(0)\nWAIT 1000\nSPEED(0) = 10\nPAUSE IDLE(0)\n"
 RATES = "SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
 Forge = Callable[[Order], Order]
@@ -223,6 +224,16 @@ BROKEN: dict[str, tuple[str, Forge, str]] = {
         SPLINE,
         lambda o: o._replace(points=(o.points[0], [1.0] * 5, o.points[2])) if o.points else o,
         "at 1 counts/s, it is at 0 at 0 counts/s",
+    ),
+    "a speed reference that dawdles": (
+        REFERENCE,
+        lambda o: o._replace(slopes=((130.0, 0.0, 0.0), o.slopes[1])) if o.slopes else o,
+        "s are due",
+    ),
+    "a speed reference too hard": (
+        REFERENCE,
+        lambda o: o._replace(rates=(90.0, 90.0)) if o.slopes else o,
+        "the rate of a reference reaches",
     ),
     "another ratio": (SLAVE, lambda o: tie_of(o, ratio=0.51), "its master has it at"),
     "another place on a cam": (CAM, lambda o: tie_of(o, origin=0.5), "its master has it at"),
