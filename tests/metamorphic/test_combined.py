@@ -1,0 +1,242 @@
+"""The same relations for contours, with and without events in motion, and for masters with their slaves.
+
+`MOTIONLANG_LONG=500` asks for so many random programs a relation and kind.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Callable
+from random import Random
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.metamorphic.jobs import Contour, Train
+
+SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", "6")))
+KINDS: dict[str, Callable[[int], Contour | Train]] = {
+    "contours": lambda seed: Contour(seed, events=False),
+    "contours with events": lambda seed: Contour(seed, events=True),
+    "masters and slaves": Train,
+}
+AXES = (0, 1, 2)
+FINE = {"controller.instruction_time": 1e-9}
+ARGUMENTS = re.compile(r"\b([A-Z]{2,})\((\d(?:, \d)*)")
+POLLED = re.compile(r"PAUSE (IDLE\(\d\)(?: And IDLE\(\d\))?)(?: : )?")
+SCALED = re.compile(r"SCALEFACTOR\((\d)\) = ([\d.]+)")
+
+
+def text(kind: str, seed: int) -> str:
+    return KINDS[kind](seed).text
+
+
+def proved(program: str, until: float = 2000.0, name: str = "job.mnt", fine: float = 1e-9) -> Run:
+    machine = {"controller.instruction_time": fine}
+    result = run(Source(name, program), machine=machine, cache=False, prove=True, until=until)
+    told = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
+    assert told == [], program
+    return result
+
+
+def places(result: Run, times: list[float], first: int = 0) -> list[list[float]]:
+    axes = [result.controller.axes[first + axis] for axis in AXES]
+    return [[a.position(time) for time in times] for a in axes]
+
+
+def grid(result: Run, count: int = 41) -> list[float]:
+    return [result.time * k / count for k in range(count + 1)]
+
+
+def scaled(program: str, factor: float) -> str:
+    """The same user units, each of so many times as many counts."""
+    given = {int(axis): float(k) for axis, k in SCALED.findall(program)}
+    lines = [line for line in program.split("\n") if not SCALED.match(line)]
+    return "\n".join([f"SCALEFACTOR({axis}) = {given.get(axis, 1.0) * factor!r}" for axis in AXES] + lines)
+
+
+def elsewhere(program: str, by: int) -> str:
+    """The same on other axes."""
+
+    def moved(found: re.Match[str]) -> str:
+        return f"{found[1]}({', '.join(str(int(axis) + by) for axis in found[2].split(', '))}"
+
+    channel = re.sub(r"(MASTERCHANNEL\(\d\) = )(\d)", lambda m: f"{m[1]}{int(m[2]) + by}", program)
+    return ARGUMENTS.sub(moved, channel)
+
+
+def near(found: list[list[float]], wanted: list[list[float]], within: float = 1e-6) -> None:
+    for one, other in zip(found, wanted, strict=True):
+        assert one == pytest.approx(other, rel=within, abs=within)
+
+
+def mirrored(program: str) -> str:
+    """Everything in the other direction: contours turned by half a turn, masters and what lies on top the other way."""
+
+    def turned(found: re.Match[str]) -> str:
+        values = found[3].split(", ")
+        kept = {2} if found[2].startswith(("CIRCLE", "HELIX")) else set()
+        signed = [value if k in kept else repr(-float(value)) for k, value in enumerate(values)]
+        return f"{found[1]}{', '.join(signed)}"
+
+    words = r"((VECTOR[RA]|CIRCLER|HELIXR|MOVER|JOG|OFFSET)\([\d, ]+\) = )([-\d., ]*\d)"
+    return re.sub(words, turned, program)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_mirrored_program_does_the_mirrored_motion(kind: str) -> None:
+    """Of slaves those of gears: a cam and a flying shear have a direction, and a soft limit a side."""
+    done = 0
+    for seed in range(20 * len(SEEDS)):
+        program = text(kind, seed)
+        if kind == "masters and slaves" and re.search("CAM|FLY|SOFTLIMIT", program):
+            continue
+        one, other = proved(program), proved(mirrored(program))
+        assert other.time == pytest.approx(one.time, rel=1e-12), program
+        near(places(other, grid(one)), [[-p for p in row] for row in places(one, grid(one))], 1e-9)
+        done += 1
+        if done == len(SEEDS):
+            break
+    assert done
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_power_of_two_of_counts_a_unit_is_that_many_counts(kind: str) -> None:
+    for seed in SEEDS:
+        program = text(kind, seed)
+        one, other = proved(scaled(program, 1.0)), proved(scaled(program, 8.0))
+        assert other.time == pytest.approx(one.time, rel=1e-9), program
+        near(places(other, grid(one)), [[8.0 * p for p in row] for row in places(one, grid(one))])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_other_axes_do_the_same(kind: str) -> None:
+    for seed in SEEDS:
+        program = text(kind, seed)
+        one, other = proved(program), proved(elsewhere(program, 4))
+        assert other.time == one.time, program
+        assert places(other, grid(one), 4) == places(one, grid(one)), program
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_begins_later_is_the_same_later(kind: str) -> None:
+    for seed in SEEDS:
+        program = text(kind, seed)
+        one, other = proved("WAIT 1\n" + program), proved("WAIT 501\n" + program)
+        times = grid(one)
+        assert other.time == pytest.approx(one.time + 0.5, abs=1e-7), program
+        near(places(other, [time + 0.5 for time in times]), places(one, times), 1e-5)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_run_that_is_cut_is_the_beginning_of_the_whole(kind: str) -> None:
+    for seed in SEEDS:
+        program = text(kind, seed)
+        whole = proved(program)
+        for share in (0.13, 0.5, 0.91):
+            until = share * whole.time
+            part = run(Source("job.mnt", program), machine=FINE, cache=False, prove=True, until=until)
+            assert part.proof(views=False).violations == [], program
+            times = [until * k / 19 for k in range(20)]
+            assert places(part, times) == places(whole, times), program
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(kind: str) -> None:
+    """A loop whose turns count is run turn by turn; one that only looks is skipped."""
+    for seed in SEEDS:
+        program = text(kind, seed)
+        runs = []
+        for body in ("", "n = n + 1\nIF n > 30000 THEN\nn = 0\nEND IF\n"):
+            turns = rf"WHILE NOT (\1)\n{body}ENDWHILE\n"
+            polled = POLLED.sub(turns, program.replace(" : PAUSE", "\nPAUSE"))
+            runs.append(proved("Dim n As Integer = 0\n" + polled, fine=1e-3))
+        ends = [places(each, [each.time]) for each in runs]
+        # What slaves do between two waits depends on when these end, which a longer turn of a loop puts off.
+        if kind != "masters and slaves":
+            near(ends[1], ends[0], 1e-9)
+
+
+def absolute(program: str) -> str:
+    """The same contour with each path told from the zero of the axes."""
+    here = [0.0, 0.0, 0.0]
+    lines = []
+    for line in program.split("\n"):
+        found = re.match(r"(.*)(VECTOR|CIRCLE|HELIX)([RA])\((.*?)\) = (.*)", line)
+        if found is None:
+            lines.append(line)
+            continue
+        speed, word, way, axes, values = found.groups()
+        numbers = [float(value) for value in values.split(", ")]
+        if word == "VECTOR":
+            base = here if way == "R" else [0.0] * 3
+            here = [b + n for b, n in zip(base, [*numbers, *[0.0] * (3 - len(numbers))], strict=True)][
+                : len(numbers)
+            ] + here[len(numbers) :]
+            ends = here[: len(numbers)]
+        else:
+            x, y, angle, *rest = numbers
+            centre = here[0] + x, here[1] + y
+            turn = math.radians(angle)
+            c, s = math.cos(turn), math.sin(turn)
+            here = [centre[0] - x * c + y * s, centre[1] - x * s - y * c, here[2] + sum(rest)]
+            ends = [*centre, angle, *([here[2]] if rest else [])]
+        lines.append(f"{speed}{word}A({axes}) = {', '.join(map(repr, ends))}")
+    return "\n".join(lines)
+
+
+def test_relative_paths_and_absolute_ones_come_to_the_same() -> None:
+    for seed in SEEDS:
+        program = text("contours", seed)
+        one, other = proved(program), proved(absolute(program))
+        assert other.time == pytest.approx(one.time, abs=1e-6), program
+        near(places(other, grid(one)), places(one, grid(one)), 1e-5)
+
+
+def languages(seed: int) -> tuple[str, str]:
+    """The same contour in both languages: lines between whole counts and arcs by their angle, trapezoids, one pace."""
+    choose = Random(seed)
+    speed, accel, decel = (
+        round(choose.uniform(*range_)) for range_ in ((500, 5000), (2000, 50000), (2000, 50000))
+    )
+    mint = [f"MOVEBUFFERSIZE({axis}) = 20" for axis in (0, 1)]
+    mint += [
+        f"SPEED(0) = {speed} : ACCEL(0) = {accel} : DECEL(0) = {decel}",
+        "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 0.001",
+    ]
+    mccl = ["1MN,2MN,1CM1,2CM1,1SN", f"1VV{speed},1VA{accel},1VD{decel}"]
+    way = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
+    for _ in range(choose.randrange(3, 9)):
+        kind = choose.random()
+        if kind < 0.25:
+            x, y = (100 * choose.randrange(-9, 10) or 100 for _ in range(2))
+            angle = choose.choice((-1, 1)) * choose.randrange(20, 340)
+            mint.append(f"CIRCLER(0, 1) = {x}, {y}, {angle}")
+            mccl.append(f"1CP{3 if angle > 0 else 2},1CR{x},2CR{y},1ER{abs(angle)}")
+            continue
+        if kind < 0.6:  # another corner; else straight on
+            way = 100 * choose.randrange(-9, 10), 100 * choose.randrange(1, 10)
+        mint.append(f"VECTORR(0, 1) = {way[0]}, {way[1]}")
+        mccl.append(f"1CP1,1MR{way[0]},2MR{way[1]}")
+    mint += ["GO(0)", "PAUSE IDLE(0)", "PAUSE IDLE(1)"]
+    mccl += ["1GO", "1WS,2WS"]
+    return "\n".join(mint) + "\n", "\n".join(mccl) + "\n"
+
+
+def test_the_same_contours_in_both_languages() -> None:
+    for seed in SEEDS:
+        mint, mccl = languages(seed)
+        one, other = proved(mint), proved(mccl, name="job.mcl")
+        begins = [next(move.start_time for move in each.controller.log.moves) for each in (one, other)]
+        times = [begins[0] + (one.time - begins[0]) * k / 60 for k in range(61)]
+        assert other.time - begins[1] == pytest.approx(one.time - begins[0], abs=1e-6), mint
+        for axis in (0, 1):
+            ours = [one.controller.axes[axis].position(time) for time in times]
+            theirs = [
+                other.controller.axes[axis + 1].position(time - begins[0] + begins[1]) for time in times
+            ]
+            assert theirs == pytest.approx(ours, abs=1e-3), mint
