@@ -99,3 +99,31 @@ def test_a_stop_ends_a_path_that_was_to_stand_at_its_end(hold: str) -> None:
     for wait in (1376, 1410, 1516):
         path = f"FEEDRATEMODE(0) = 2\nVECTORR(0, 1) = 59.7, 13.1\nGO(0)\nWAIT {wait}\n"
         ends(proved(H + path + f"{hold}\nWAIT 30\nSTOP(0)\n" + END), 59.7, 13.1)
+
+
+RAMP = (
+    "SPEED(0) = 80 : ACCEL(0) = 400 : DECEL(0) = 250\n"
+    "PROFILEMODE(0) = 1 : ACCELJERK(0) = 4000 : DECELJERK(0) = 1500\n"
+)
+TURN = (
+    "SPEED(0) = 20 : ACCEL(0) = 50 : DECEL(0) = 50 : FEEDRATEMODE(0) = 2\n"
+    "PROFILEMODE(0) = 1 : ACCELJERK(0) = 400 : DECELJERK(0) = 400\n"
+)
+
+
+@pytest.mark.parametrize("word", ["STOP(0)", "SUSPEND(0) = 1"])
+def test_an_s_ramp_that_is_left_fades_at_the_jerk_of_its_own_side(word: str) -> None:
+    """After 0.08 s at 4000 it is at 0.3413, 12.8 and 320; these fade in 0.08 s, and 25.6 in two ramps at 1500."""
+    result = proved(f"{RAMP}MOVER(0) = 500 : GO(0)\nWAIT 80\n{word}\nWAIT 900\n")
+    faded = 0.3413333 + 12.8 * 0.08 + 320 * 0.08**2 / 2 - 4000 * 0.08**3 / 6
+    ends(result, faded + 25.6 * (25.6 / 1500) ** 0.5)
+
+
+@pytest.mark.parametrize("word", ["STOP(0)", "SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
+def test_a_path_that_is_left_in_its_s_ramp_fades_likewise(word: str) -> None:
+    """After 0.35 s: 0.125 s of jerk, then 50; that fades in 0.125 s, and a stop begins."""
+    mode = "FEEDRATEMODE(0) = 2\n" if "OVERRIDE" in word else ""
+    result = proved(
+        f"{TURN}{mode}VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\n{word.split(' : ')[-1]}\nWAIT 1500\n"
+    )
+    ends(result, 8.3125)
