@@ -119,6 +119,7 @@ class Played(Action):
             if more is None:
                 break
             path = path.then(more)
+            self.ordered = None  # it goes on beyond its last point
         return path
 
     def _aim(self, a: Axis, path: Profile) -> None:

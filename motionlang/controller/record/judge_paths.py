@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.due import law, lead, move_time
+from motionlang.controller.record.due import law, lead, move_time, ramp
 from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.spans import combined, rotation, spans
 
@@ -230,6 +230,10 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
     # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
     hard = by._replace(rates=order.rates)
     time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
+    if order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(rates):
+        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
+        time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
+        gone = 0.0
     due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
     took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
     if took > due * (1.0 + SLACK) + 1e-9:
