@@ -17,7 +17,7 @@ from statistics import median
 from parse_program import program
 from timing import seconds
 
-from motionlang.mint.program import compile_source
+from motionlang.mint.program import compile_source, load
 from motionlang.mint.syntax.parser import parse
 from motionlang.source import Source
 
@@ -56,10 +56,17 @@ def main(arguments: list[str]) -> int:
         native.append(seconds(lambda: compile(python, "big.py", "exec")))
         for name, step in steps.items():
             ratios[name].append(seconds(step) / native[-1])
+    compiled = runnable(source)
+    compiled.code.compile_all()
+    payload = compiled.payload()
+    cached = min(seconds(lambda: load(payload)) for _ in range(ROUNDS))
+    called = min(seconds(load(payload).code.compile_all) for _ in range(ROUNDS))
     print(f"compile_program {len(mint) / 1e6:.2f} MB")
     print(f"compile_python {median(native) * 1e3:.0f} ms")
     for name, values in ratios.items():
         print(f"compile_{name} {median(values):.2f} x_python")
+    print(f"compile_over_cached_load {min(ratios['everything']) * min(native) / cached:.0f} x")
+    print(f"compile_over_cached_load_of_all {min(ratios['everything']) * min(native) / called:.0f} x")
     for count in LINES:
         straight = Source("straight.mnt", "PRINT 1\n" * count)
         taken = min(seconds(lambda text=straight: whole(text)) for _ in range(2))  # type: ignore[misc]

@@ -67,24 +67,19 @@ def review(program: str, result: Run) -> bool:
     """
     report, printed = golden_files(program)
     new = json.loads(text(result, whole=False))
-    if not os.path.exists(report):
-        if ask(f"{program}: no golden files yet. Write them?", "ynq") != "y":
-            return False
-        write(program, text(result, whole=False), result.output)
-        return True
-    with open(report, encoding="utf-8") as file:
-        old = json.load(file)
-    found = difference(old, new)
+    name = os.path.basename(report)
+    try:
+        with open(report, encoding="utf-8") as file:
+            old = json.load(file)
+        found = difference(old, new)
+    except FileNotFoundError:
+        return _whole(program, result, f"there is no {name} yet. Write it?")
+    except ValueError:
+        return _whole(program, result, f"{name} is no report of which changes could be told. Write it anew?")
     all_of_them = changes(found)
     if not all_of_them:  # what was printed is kept twice, and only the other one is otherwise
-        answer = ask(
-            f"{program}: what is printed is not that of {os.path.basename(printed)}. Accept it?", "ynq"
-        )
-        if answer == "y":
-            write(program, text(result, whole=False), result.output)
-        if answer == "q":
-            raise Quit
-        return answer == "y"
+        other = os.path.basename(printed)
+        return _whole(program, result, f"what is printed is not that of {other}. Accept it?")
     accepted, ends = _asked(program, all_of_them, found)
     whole = len(accepted) == len(all_of_them)
     if accepted:
@@ -93,6 +88,16 @@ def review(program: str, result: Run) -> bool:
     if ends:
         raise Quit
     return whole
+
+
+def _whole(program: str, result: Run, question: str) -> bool:
+    """Ask whether the golden files are written as the run is."""
+    answer = ask(f"{program}: {question}", "ynq")
+    if answer == "q":
+        raise Quit
+    if answer == "y":
+        write(program, text(result, whole=False), result.output)
+    return answer == "y"
 
 
 def _asked(program: str, all_of_them: list[Change], found: object) -> tuple[list[Change], bool]:

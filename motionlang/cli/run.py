@@ -263,9 +263,21 @@ def _report(result: Run, options: Options) -> None:
         colour = wants_colour(sys.stdout)
         made = TimeProfile(result)
         table += "\n" + render_profile(made, width=width, colour=colour, everything=options.everything)
+    if options.everything:
+        table += _rests_on(result, options)
     if result.output:
         table = "\n" + table
     sys.stdout.write(table if drawn else plain(table))
+
+
+def _rests_on(result: Run, options: Options) -> str:
+    """How many open readings the run depends on: every program does on some, so that is told with everything only."""
+    from motionlang.report import readings
+
+    count = len(readings(result))
+    return (
+        f"\nnote: rests on {count} open readings; motionlang check --evidence {options.file} tells of them\n"
+    )
 
 
 def _write_files(result: Run, options: Options) -> int:

@@ -140,6 +140,12 @@ def test_new_golden_files_are_asked_for(cell: Cell, monkeypatch: pytest.MonkeyPa
     answers(monkeypatch, "y\n")
     assert cell("verify", "ballscrew.mcl", "--review").status == 0
     assert cell("verify", "ballscrew.mcl").status == 0
+    cell.write("ballscrew.golden.json", '{"schema": "motionlang.report/1", "mo')  # cut off
+    answers(monkeypatch, "n\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 1
+    answers(monkeypatch, "y\n")
+    assert cell("verify", "ballscrew.mcl", "--review").status == 0
+    assert cell("verify", "ballscrew.mcl").status == 0
 
 
 def test_what_has_no_golden_file_or_no_file_at_all(cell: Cell) -> None:

@@ -16,6 +16,8 @@ functions are stand-ins, which put the true ones in their places when they are c
 
 from __future__ import annotations
 
+from marshal import dumps, loads
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -48,10 +50,10 @@ class Unit:
     """Functions by their `names`, as text until somebody wants their code.
 
     The text begins with the third line of what is compiled; line n of that is line `before` + n of the whole program.
-    `cells` are the shared variables in it.
+    `cells` are the shared variables in it. One from the cache has its code `packed` until then.
     """
 
-    __slots__ = ("before", "cells", "codes", "names", "text")
+    __slots__ = ("before", "cells", "codes", "names", "packed", "text")
 
     def __init__(
         self,
@@ -59,13 +61,21 @@ class Unit:
         text: str,
         before: int,
         cells: tuple[str, ...],
-        codes: tuple[CodeType, ...] = (),
+        packed: bytes = b"",
     ) -> None:
-        self.names, self.text, self.before, self.cells, self.codes = names, text, before, cells, codes
+        self.names, self.text, self.before, self.cells, self.packed = names, text, before, cells, packed
+        self.codes: tuple[CodeType, ...] = ()
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether there is code of it."""
+        return bool(self.codes or self.packed)
 
     def compile(self) -> tuple[CodeType, ...]:
         """The code of the functions."""
-        if not self.codes:
+        if not self.codes and self.packed:
+            self.codes = loads(self.packed)
+        elif not self.codes:
             head = f"def _({', '.join([*TIME, *self.cells])}):\n global {', '.join(self.names)}"
             text = f"{head}\n{self.text}"
             module = compile(text, FILE, "exec")
@@ -77,7 +87,8 @@ class Unit:
 
     def payload(self) -> tuple[object, ...]:
         """What `Unit` needs to make it again."""
-        return self.names, "" if self.codes else self.text, self.before, self.cells, self.codes
+        packed = self.packed or (dumps(self.codes) if self.codes else b"")
+        return self.names, "" if packed else self.text, self.before, self.cells, packed
 
 
 def _moved(code: CodeType, lines: int) -> CodeType:
@@ -112,7 +123,7 @@ class Code:
     @property
     def size(self) -> int:
         """How many units are compiled."""
-        return sum(1 for unit in self.units if unit.codes)
+        return sum(1 for unit in self.units if unit.is_compiled)
 
     @property
     def text(self) -> str:
