@@ -9,6 +9,8 @@ from motionlang.mccl.axis.flags import FAULTS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.controller.controller import Controller
+    from motionlang.controller.readers import Writer
     from motionlang.mccl.axis.backlash import Backlash
     from motionlang.mccl.models import Model
 
@@ -48,6 +50,19 @@ class VectorSettings:
 
     def __init__(self) -> None:
         self.velocity, self.accel, self.decel, self.override = 40_000.0, 100_000.0, 100_000.0, 1.0
+
+
+class Writers(dict[str, "Writer"]):
+    """What writes the settings of an axis of the controller, counts and seconds, made when one is first written."""
+
+    __slots__ = ("_controller", "_number")
+
+    def __init__(self, controller: Controller, number: int) -> None:
+        self._controller, self._number = controller, number
+
+    def __missing__(self, name: str) -> Writer:
+        made = self[name] = self._controller.writer(name, self._number)
+        return made
 
 
 class AxisState:
@@ -97,10 +112,13 @@ class AxisState:
         "synchronised",
         "units",
         "vector",
+        "write",
     )
 
-    def __init__(self, number: int, model: Model) -> None:
+    def __init__(self, number: int, model: Model, controller: Controller) -> None:
         self.number, self.model = number, model
+        # What writes the settings of the controller's axis, by their name.
+        self.write = Writers(controller, number)
         self.rested = 0.0
         self.reset()
 

@@ -8,25 +8,24 @@ from motionlang.mccl.keywords.motion_operations import run_in_velocity_mode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.mccl.axis.axis import AxisState
     from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import Action, CommandTask
 
 
 def accel(task: CommandTask, command: Command) -> None:
     both = not task.board.model.separate_decel
-    for axis in _configure(task, command, "accel", "uu/s2"):
+    for axis in _write(task, command, "accel", "uu/s2"):
         if both:
-            value = task.board.controller.setting(axis, "accel")
-            task.board.controller.configure(axis, "decel", value)
+            axis.write["decel"](task.board.controller.setting(axis.number, "accel"))
 
 
 def decel(task: CommandTask, command: Command) -> None:
-    _configure(task, command, "decel", "uu/s2")
+    _write(task, command, "decel", "uu/s2")
 
 
 def speed(task: CommandTask, command: Command) -> None:
-    _configure(task, command, "speed", "uu/s")
-    for axis in task.axes(command):
+    for axis in _write(task, command, "speed", "uu/s"):
         if axis.running:
             run_in_velocity_mode(task, axis)
 
@@ -59,7 +58,7 @@ def shape_scurve(task: CommandTask, command: Command) -> None:
             "range",
         )
     for axis in task.axes(command):
-        task.board.controller.configure(axis.number, "ramp", ramp)
+        axis.write["ramp"](ramp)
     _shape(task, command, "scurve")
 
 
@@ -73,19 +72,16 @@ def half_step(task: CommandTask, command: Command) -> None:
         axis.half_steps = True
 
 
-def _configure(task: CommandTask, command: Command, name: str, unit: str) -> list[int]:
-    value = task.value(command)
-    controller = task.board.controller
-    done = []
-    for axis in task.axes(command):
-        controller.configure(axis.number, name, axis.rate(value, unit))
-        done.append(axis.number)
-    return done
+def _write(task: CommandTask, command: Command, name: str, unit: str) -> tuple[AxisState, ...]:
+    value, axes = task.value(command), task.axes(command)
+    for axis in axes:
+        axis.write[name](axis.rate(value, unit))
+    return axes
 
 
 def _shape(task: CommandTask, command: Command, shape: str) -> None:
     for axis in task.axes(command):
-        task.board.controller.configure(axis.number, "shape", shape)
+        axis.write["shape"](shape)
 
 
 ACTIONS: dict[str, Action] = {

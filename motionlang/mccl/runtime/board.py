@@ -55,7 +55,7 @@ class Board:
         self.complain = complain
         self._seen: dict[tuple[int, str], Diagnostic] = {}
         self.numbers = tuple(sorted(self.controller.axes))
-        self.axes = {number: AxisState(number, self.model) for number in self.numbers}
+        self.axes = {number: AxisState(number, self.model, self.controller) for number in self.numbers}
         self.all_axes = tuple(self.axes.values())
         self.tasks: list[CommandTask] = []
         self.background: dict[int, BackgroundTask] = {}
