@@ -168,7 +168,7 @@ class Follower:
         for function, before in self.before.items():
             for step in self.facts.graphs[function].steps:
                 if step in before:
-                    self._follow(function, step, before[step])
+                    self._follow(step, before[step])
         self._report = None
 
     # ---------------------------------------------------------------------------------------- following
@@ -187,7 +187,7 @@ class Follower:
 
         def follow(step: Step, state: State) -> tuple[State, State]:
             found[step] = state
-            return self._follow(function, step, state)
+            return self._follow(step, state)
 
         def join(one: State, other: State, step: Step, back: bool) -> State:
             joined = one.joined(other, step.turns)
@@ -198,22 +198,22 @@ class Follower:
         self.before[function] = found
         return found
 
-    def _follow(self, function: Function, step: Step, state: State) -> tuple[State, State]:
+    def _follow(self, step: Step, state: State) -> tuple[State, State]:
         for act in self.facts.acts[step]:
-            state = self._act(function, step, act, state)
+            state = self._act(step, act, state)
         node = step.node
         if type(node) in (nodes.Pause, nodes.Input, nodes.Run):
             state = state.passed()
         if type(node) is nodes.Pause:
-            state = self._refined(function, node.condition, True, state)
+            state = self._refined(node.condition, True, state)
         elif step.kind == TEST:
-            yes = self._refined(function, node, True, state)  # type: ignore[arg-type]
-            return yes, self._refined(function, node, False, state)  # type: ignore[arg-type]
+            yes = self._refined(node, True, state)  # type: ignore[arg-type]
+            return yes, self._refined(node, False, state)  # type: ignore[arg-type]
         return state, state
 
-    def _act(self, function: Function, step: Step, act: Act, state: State) -> State:
+    def _act(self, step: Step, act: Act, state: State) -> State:
         if act.role == "call":
-            return self._call(function, act, state)
+            return self._call(act, state)
         if act.row is not None and act.row.verb == "wait":
             return state.passed()
         follow = _FOLLOW.get(act.role)
@@ -221,7 +221,7 @@ class Follower:
             return state
         for number, key in enumerate(act.axes):
             old = self.known(state, key)
-            new = follow(self, function, step, act, number, old)
+            new = follow(self, step, act, number, old)
             if key is None:
                 if act.role not in ("read", "slot"):
                     state = ANYTHING
@@ -229,19 +229,19 @@ class Follower:
                 state = state.put(key, new)
         return state
 
-    def _call(self, function: Function, call: Act, state: State) -> State:
+    def _call(self, call: Act, state: State) -> State:
         callee = call.callee
         assert callee is not None
         state = state.passed()
         graph = self.facts.graphs[callee]
         after = self.before.get(callee, {}).get(graph.leave, ANYTHING)
         for key in self.facts.touched(callee, _CHANGES):
-            outer = self.facts.outer(function, call, key)
+            outer = self.facts.outer(call, key)
             if outer is None:
                 return ANYTHING
             state = state.put(outer, self._after_call(state[outer], after[key]))
         if any(isinstance(key, Symbol) for key in state.axes) and self.facts.touched(callee, _CHANGES):
-            named = {self.facts.outer(function, call, key) for key in self.facts.touched(callee, _CHANGES)}
+            named = {self.facts.outer(call, key) for key in self.facts.touched(callee, _CHANGES)}
             if any(not isinstance(key, Symbol) for key in named):
                 return ANYTHING
         return state
@@ -256,25 +256,25 @@ class Follower:
 
     # ------------------------------------------------------------------------------------ one axis, one word
 
-    def _read(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _read(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         watched = type(step.node) is nodes.Pause or step.turns
         if act.row is not None and act.row.verb == "position" and axis.fresh and not watched:
             self._tell("in-motion", step, act, act.axes[number], axis)
         return axis
 
-    def _move(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _move(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        target = self._target(function, act, number, axis, act.row.does("relative"))
-        loaded = self._loaded(self._entry(function, step, act, number, axis), act)
+        target = self._target(act, number, axis, act.row.does("relative"))
+        loaded = self._loaded(self._entry(step, act, number, axis), act)
         return self._checked(step, act, number, replace(loaded, target=target))
 
     def _loaded(self, axis: Axis, act: Act) -> Axis:
         """The axis with a move in its buffer."""
         return replace(axis, loaded=act.at) if axis.waiting == 1 else axis
 
-    def _target(self, function: Function, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
+    def _target(self, act: Act, number: int, axis: Axis, relative: bool) -> float | None:
         """Where the move ends."""
-        value = self.facts.number(function, act.value(number))
+        value = self.facts.number(act.value(number))
         if not relative or value is None:
             return value
         key = act.axes[number]
@@ -289,32 +289,32 @@ class Follower:
         self._tell("beyond-travel", step, act, key, axis)
         return replace(axis, target=None)
 
-    def _entry(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _entry(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.stale and axis.scaled:
             self._tell("scale-after-speed", step, act, act.axes[number], axis)
         return replace(axis, waiting=min(axis.waiting + 1, MOST_ENTRIES), stale=frozenset())
 
-    def _course(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
-        return replace(self._entry(function, step, act, number, axis), target=None)
+    def _course(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+        return replace(self._entry(step, act, number, axis), target=None)
 
-    def _path(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _path(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         """A move of several axes waits for the GO of the first one; where it ends is known for a line."""
         assert act.row is not None
         target = None
         if act.row.does("line") and number < len(act.values):
-            target = self._target(function, act, number, axis, act.row.does("relative"))
+            target = self._target(act, number, axis, act.row.does("relative"))
         if number == 0:
-            axis = self._loaded(self._entry(function, step, act, number, axis), act)
+            axis = self._loaded(self._entry(step, act, number, axis), act)
         return self._checked(step, act, number, replace(axis, target=target))
 
-    def _go(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _go(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         sure = axis.waiting > 0
         if sure and axis.motion == IDLE and axis.loaded is not None and axis.zeros:
             speed = "speed" in axis.zeros
             self._tell("zero-speed" if speed else "zero-acceleration", step, act, act.axes[number], axis)
         return replace(axis, motion=MOVES if sure else UNKNOWN, fresh=sure, waiting=0, loaded=None)
 
-    def _stop(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _stop(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         stands = axis.motion == IDLE or act.row.does("abrupt")
         kept = axis.target if axis.motion == IDLE and not axis.waiting else None
@@ -323,9 +323,9 @@ class Follower:
         )
         return replace(axis, target=None, frame=None) if act.row.does("datum") else axis
 
-    def _at_once(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _at_once(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
-        jogs = act.row.does("endless") and self.facts.number(function, act.value(number)) not in (None, 0)
+        jogs = act.row.does("endless") and self.facts.number(act.value(number)) not in (None, 0)
         return replace(
             axis,
             motion=MOVES if jogs else UNKNOWN,
@@ -335,7 +335,7 @@ class Follower:
             stale=frozenset(),
         )
 
-    def _slot(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _slot(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         slot = act.row.gives
         if slot == "speed":
@@ -345,7 +345,7 @@ class Follower:
         elif act.row.verb in ("accel_time", "decel_time") and not axis.speeded:
             axis = replace(axis, timed=act.at if axis.timed is None else axis.timed)
         in_units = act.row.unit.startswith("uu")
-        nothing = act.row.verb in _NEEDED and self.facts.number(function, act.value(number)) == 0
+        nothing = act.row.verb in _NEEDED and self.facts.number(act.value(number)) == 0
         return replace(
             axis,
             set=axis.set | {slot} if in_units else axis.set - {slot},
@@ -353,22 +353,22 @@ class Follower:
             zeros=axis.zeros | {slot} if nothing else axis.zeros - {slot},
         )
 
-    def _scale(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _scale(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.motion == MOVES:
             self._tell("scale-in-motion", step, act, act.axes[number], axis)
         target = axis.target if axis.target == 0 else None
         return replace(axis, stale=axis.set, scaled=act.at, set=frozenset(), target=target)
 
-    def _zero(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _zero(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         if axis.fresh:
             self._tell("in-motion", step, act, act.axes[number], axis)
-        value = self.facts.number(function, act.value(number))
+        value = self.facts.number(act.value(number))
         if axis.motion != IDLE or axis.waiting or value is None:
             return replace(axis, target=None, frame=None)
         moved = None if axis.frame is None or axis.target is None else axis.frame + axis.target - value
         return replace(axis, target=value, frame=moved)
 
-    def _use(self, function: Function, step: Step, act: Act, number: int, axis: Axis) -> Axis:
+    def _use(self, step: Step, act: Act, number: int, axis: Axis) -> Axis:
         assert act.row is not None
         if act.row.kind in ("command", "move") or act.row.does("switch"):
             return replace(
@@ -378,27 +378,25 @@ class Follower:
 
     # --------------------------------------------------------------------------------- what a condition tells
 
-    def _refined(self, function: Function, node: nodes.Expr, truth: bool, state: State) -> State:
+    def _refined(self, node: nodes.Expr, truth: bool, state: State) -> State:
         if type(node) is nodes.Unary and node.op == "Not":
-            return self._refined(function, node.operand, not truth, state)
+            return self._refined(node.operand, not truth, state)
         if type(node) is nodes.Binary:
             if node.op == ("And" if truth else "Or"):
-                return self._refined(
-                    function, node.right, truth, self._refined(function, node.left, truth, state)
-                )
-            number = self.facts.number(function, node.right)
+                return self._refined(node.right, truth, self._refined(node.left, truth, state))
+            number = self.facts.number(node.right)
             if number in (0, 1) and node.op in ("=", "<>"):
-                return self._refined(function, node.left, truth is ((node.op == "=") == (number == 1)), state)
+                return self._refined(node.left, truth is ((node.op == "=") == (number == 1)), state)
             return state
         if type(node) is not nodes.Name:
             return state
         if node.symbol is not None:
             known = isinstance(node.stands, nodes.Name)
-            return self._refined(function, node.stands, truth, state) if known else state  # type: ignore[arg-type]
+            return self._refined(node.stands, truth, state) if known else state  # type: ignore[arg-type]
         row = node.row
         if row is None or row.verb != "is_idle":
             return state
-        key = self.facts.key_of(function, node)
+        key = self.facts.key_of(node)
         if key is None:
             return state
         return state.put(key, replace(state[key], motion=IDLE if truth else MOVES, fresh=False))

@@ -37,14 +37,14 @@ class Buffers:
         for function, before in self.follower.before.items():
             for step in self.facts.graphs[function].steps:
                 if step in before:
-                    self._loads(function, step, before[step])
+                    self._loads(step, before[step])
                     if type(step.node) is nodes.For:
                         self._counted(function, step, step.node, before[step])
         self._never_started()
 
     # ------------------------------------------------------------------------------------- too many entries
 
-    def _loads(self, function: Function, step: Step, state: State) -> None:
+    def _loads(self, step: Step, state: State) -> None:
         """A load that waits for room, when only a GO behind it could make room."""
         for act in self.facts.acts[step]:
             if act.role in _LOADS:
@@ -75,8 +75,8 @@ class Buffers:
         return key in self.triggered or None in self.triggered
 
     def _counted(self, function: Function, step: Step, node: nodes.For, state: State) -> None:
-        turns = self._turns(function, node)
-        if turns is None or not self._counts_itself(function, node):
+        turns = self._turns(node)
+        if turns is None or not self._counts_itself(node):
             return
         acts = [act for each in self._inside(function, step) for act in self.facts.acts[each]]
         if any(act.role in ("go", "stop", "act", "course", "path", "call") for act in acts):
@@ -95,21 +95,19 @@ class Buffers:
             if known.waiting + turns * len(found) > size and known.waiting + len(found) <= size:
                 self._overfilled(found[0], key, size)
 
-    def _counts_itself(self, function: Function, node: nodes.For) -> bool:
+    def _counts_itself(self, node: nodes.For) -> bool:
         """Whether nothing in the body leaves the loop or changes its counter."""
-        counter = self.facts.symbol(function, node.variable)
+        counter = self.facts.symbol(node.variable)
         for inner in walk(node.body):
             if type(inner) in _BREAKS:
                 return False
-            if any(
-                self.facts.symbol(function, name) is counter for name in self.facts.written(function, inner)
-            ):
+            if any(self.facts.symbol(name) is counter for name in self.facts.written(inner)):
                 return False
         return True
 
-    def _turns(self, function: Function, node: nodes.For) -> int | None:
-        start, stop = self.facts.number(function, node.start), self.facts.number(function, node.stop)
-        step = 1.0 if node.step is None else self.facts.number(function, node.step)
+    def _turns(self, node: nodes.For) -> int | None:
+        start, stop = self.facts.number(node.start), self.facts.number(node.stop)
+        step = 1.0 if node.step is None else self.facts.number(node.step)
         return None if start is None or stop is None or not step else int((stop - start) // step) + 1
 
     def _inside(self, function: Function, head: Step) -> list[Step]:
@@ -126,7 +124,7 @@ class Buffers:
             keys = self._keys(function)
             number = {key: 1 << n for n, key in enumerate(keys)}
             last = self._behind_the_end(function, number, set().union(*elsewhere.values()))
-            behind = graph.backward(last, 0, partial(self._goes, function, number)) if keys else {}
+            behind = graph.backward(last, 0, partial(self._goes, number)) if keys else {}
             for step in graph.steps:
                 for act in self.facts.acts[step]:
                     if act.role in _LOADS and step in self.follower.before[function]:
@@ -167,7 +165,7 @@ class Buffers:
         any_axis = any(isinstance(key, Symbol) for key in act.axes)
         return bool(others & {*act.axes, None}) or (any_axis and bool(others))
 
-    def _goes(self, function: Function, number: dict[Key, int], step: Step, bits: int) -> int:
+    def _goes(self, number: dict[Key, int], step: Step, bits: int) -> int:
         for act in reversed(self.facts.acts[step]):
             if act.role == "go":
                 bits = self._with(bits, act.axes, number)
@@ -175,9 +173,7 @@ class Buffers:
                 for key in act.axes:
                     bits &= ~number.get(key, 0)
             elif act.callee is not None:
-                started = {
-                    self.facts.outer(function, act, key) for key in self.facts.touched(act.callee, _GO)
-                }
+                started = {self.facts.outer(act, key) for key in self.facts.touched(act.callee, _GO)}
                 bits = self._with(bits, tuple(started), number)
         return bits
 

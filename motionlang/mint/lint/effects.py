@@ -117,8 +117,8 @@ class Facts:
         found: dict[Symbol, set[Function]] = {}
         for function in self.functions:
             for node in walk(function.body):
-                for name in self.written(function, node):
-                    symbol = self.symbol(function, name)
+                for name in self.written(node):
+                    symbol = self.symbol(name)
                     if symbol is not None:
                         found.setdefault(symbol, set()).add(function)
         return found
@@ -138,7 +138,7 @@ class Facts:
                             begun.add(symbol)
         return kept, begun
 
-    def written(self, function: Function, node: nodes.Node) -> Iterator[nodes.Name]:
+    def written(self, node: nodes.Node) -> Iterator[nodes.Name]:
         """The names whose values a statement changes, arguments by reference and arrays among them."""
         if type(node) is nodes.Assign or type(node) is nodes.Input:
             target: nodes.Expr = node.target
@@ -155,18 +155,18 @@ class Facts:
                     if type(argument) is nodes.Name and (parameter.by_ref or parameter.is_array):
                         yield argument
 
-    def symbol(self, function: Function, name: nodes.Name) -> Symbol | None:
+    def symbol(self, name: nodes.Name) -> Symbol | None:
         """The variable that a name stands for, through a Define, too."""
         meaning = meant(name)
         return meaning.symbol if isinstance(meaning, nodes.Name) else name.symbol
 
-    def value(self, function: Function, node: nodes.Expr | None) -> Known | None:
+    def value(self, node: nodes.Expr | None) -> Known | None:
         """The value of an expression where it is known beforehand, through a Define, too."""
         return None if node is None else fold(meant(node))
 
-    def number(self, function: Function, node: nodes.Expr | None) -> float | None:
+    def number(self, node: nodes.Expr | None) -> float | None:
         """The value where it is a number."""
-        value = self.value(function, node)
+        value = self.value(node)
         return value if isinstance(value, (int, float)) else None
 
     # ---------------------------------------------------------------------------------------------- acts
@@ -208,9 +208,9 @@ class Facts:
             return
         if row.verb == "default_axes":
             self.default_axes = True
-        yield Act(_role(row, written), row, name, self._axes(function, name, row), values)
+        yield Act(_role(row, written), row, name, self._axes(name, row), values)
 
-    def _axes(self, function: Function, name: nodes.Name, row: Keyword) -> tuple[Key, ...]:
+    def _axes(self, name: nodes.Name, row: Keyword) -> tuple[Key, ...]:
         if row.does("all"):
             return (None,)
         kinds = row.index.split(", ")
@@ -221,11 +221,11 @@ class Facts:
         found = []
         for number, argument in enumerate(name.args):
             if kinds[min(number, len(kinds) - 1)] in ("axis", "axes"):
-                found.append(self._key(function, argument))
+                found.append(self._key(argument))
         return tuple(found)
 
-    def _key(self, function: Function, node: nodes.Expr) -> Key:
-        number = self.number(function, node)
+    def _key(self, node: nodes.Expr) -> Key:
+        number = self.number(node)
         if number is not None:
             return int(number) if number == int(number) else None
         symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
@@ -248,11 +248,11 @@ class Facts:
     def constants(self, word: str) -> dict[Key, list[float] | None]:
         """The constants that a word gives to each axis, None where one is not known."""
         found: dict[Key, list[float] | None] = {}
-        for function, _, act in self.all_acts():
+        for _, _, act in self.all_acts():
             if act.row is None or act.row.name != word or act.role == "read":
                 continue
             for number, key in enumerate(act.axes):
-                value = self.number(function, act.value(number))
+                value = self.number(act.value(number))
                 known = found.setdefault(key, [])
                 if value is None:
                     found[key] = None
@@ -260,10 +260,10 @@ class Facts:
                     known.append(value)
         return found
 
-    def key_of(self, function: Function, name: nodes.Name) -> Key:
+    def key_of(self, name: nodes.Name) -> Key:
         """The one axis that a keyword names."""
         row = name.row
-        axes = self._axes(function, name, row) if row is not None else ()
+        axes = self._axes(name, row) if row is not None else ()
         key = axes[0] if len(axes) == 1 else None
         return None if isinstance(key, Symbol) and key not in self._apart else key
 
@@ -288,17 +288,17 @@ class Facts:
                         known.update(act.axes)
                     elif act.callee is not None:
                         inner = self.touched(act.callee, roles)
-                        known.update(self.outer(function, act, key) for key in inner)
+                        known.update(self.outer(act, key) for key in inner)
         return known
 
-    def outer(self, function: Function, call: Act, key: Key) -> Key:
+    def outer(self, call: Act, key: Key) -> Key:
         """The axis that a key of the called sub stands for in its caller."""
         if not isinstance(key, Symbol):
             return key
         assert call.callee is not None
         for argument, parameter in zip(call.values, call.callee.parameters, strict=False):
             if parameter is key:
-                return self._key(function, argument)
+                return self._key(argument)
         return None
 
 

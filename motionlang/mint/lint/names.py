@@ -102,16 +102,12 @@ def _own_reads(facts: Facts) -> dict[Symbol, int]:
                 or node.target.args is not None
             ):
                 continue
-            symbol = facts.symbol(function, node.target)
+            symbol = facts.symbol(node.target)
             names = [each for each in walk(node.values) if type(each) is nodes.Name]
             # What a sub is told may be printed there.
-            if symbol is None or any(
-                each.kind == "sub" for name in names if (each := facts.symbol(function, name))
-            ):
+            if symbol is None or any(each.kind == "sub" for name in names if (each := facts.symbol(name))):
                 continue
-            found[symbol] = found.get(symbol, 0) + sum(
-                facts.symbol(function, name) is symbol for name in names
-            )
+            found[symbol] = found.get(symbol, 0) + sum(facts.symbol(name) is symbol for name in names)
     return found
 
 
@@ -173,7 +169,7 @@ def _after_run(facts: Facts, main: Function, task: Function) -> set[Key]:
             if act.role in _COMMANDS:
                 found.update(act.axes)
             elif act.callee is not None:
-                found.update(facts.outer(main, act, key) for key in facts.touched(act.callee, _COMMANDS))
+                found.update(facts.outer(act, key) for key in facts.touched(act.callee, _COMMANDS))
     return found
 
 

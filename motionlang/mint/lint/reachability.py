@@ -77,15 +77,15 @@ class Ways:
         node = step.node
         if type(node) is nodes.Pause:
             self._wait(function, step, node)
-            self._fixed(function, node.condition)
+            self._fixed(node.condition)
         elif step.kind == TEST:
             assert node is not None
-            self._fixed(function, node)
+            self._fixed(node)
 
-    def _fixed(self, function: Function, node: nodes.Node) -> None:
+    def _fixed(self, node: nodes.Node) -> None:
         """A comparison of constants, or a number beside And and Or that was meant to be compared."""
         if type(node) is nodes.Binary and node.op in _COMPARED:
-            value = self.facts.number(function, node)
+            value = self.facts.number(node)
             if value is not None:
                 self.add(
                     "constant-condition", f"this condition is always {'true' if value else 'false'}", node.at
@@ -95,9 +95,9 @@ class Ways:
                 if type(side) is nodes.Number:
                     self._lone_number(node, side)
                 else:
-                    self._fixed(function, side)
+                    self._fixed(side)
         elif type(node) is nodes.Unary and node.op == "Not":
-            self._fixed(function, node.operand)
+            self._fixed(node.operand)
 
     def _lone_number(self, node: nodes.Binary, side: nodes.Number) -> None:
         always = (
@@ -120,19 +120,19 @@ class Ways:
     def _wait(self, function: Function, step: Step, node: nodes.Pause) -> None:
         state = self.follower.before[function].get(step)
         names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
-        if state is None or not names or self.facts.value(function, node.condition) is not None:
+        if state is None or not names or self.facts.value(node.condition) is not None:
             return
-        words = [each for name in names for each in self._inner(function, name)]
+        words = [each for name in names for each in self._inner(name)]
         if any(self._may_change(function, each, state) for each in words):
             return
         readings = [name.name for name in words if name.symbol is None]
-        why = f"axis {self._axis(function, words)} stands still" if readings and self._stands(words) else (
+        why = f"axis {self._axis(words)} stands still" if readings and self._stands(words) else (
             "no entry of the machine file drives it" if readings else "no other task and no event changes it"
         )  # fmt: skip
         self.add("endless-wait", f"this waits for what cannot change: {why}", node.at,
                  "it goes on at once or never")  # fmt: skip
 
-    def _inner(self, function: Function, name: nodes.Name) -> list[nodes.Name]:
+    def _inner(self, name: nodes.Name) -> list[nodes.Name]:
         """A name, or those of the expression that a Define gives it."""
         if name.stands is None:
             return [name]
@@ -142,11 +142,11 @@ class Ways:
         rows = [each.row for each in words]
         return any(row is not None and row.changes == "motion" for row in rows)
 
-    def _axis(self, function: Function, words: list[nodes.Name]) -> str:
+    def _axis(self, words: list[nodes.Name]) -> str:
         for each in words:
             row = each.row
             if row is not None and row.changes == "motion":
-                key = self.facts.key_of(function, each)
+                key = self.facts.key_of(each)
                 return key.name if isinstance(key, Symbol) else str(key)
         return ""
 
@@ -161,9 +161,9 @@ class Ways:
         if row.kind == "function":
             return row.name == "Rnd"
         if row.changes == "motion":
-            return self.follower.known(state, self.facts.key_of(function, name)).motion != IDLE
+            return self.follower.known(state, self.facts.key_of(name)).motion != IDLE
         if row.driven == "input" and row.index == "input":
-            return self._input_may_change(function, name)
+            return self._input_may_change(name)
         return True
 
     def _variable_may_change(self, function: Function, symbol: Symbol) -> bool:
@@ -178,10 +178,10 @@ class Ways:
         writers = self.facts.writers.get(symbol, set())
         return any(self.facts.roots[writer] - mine for writer in writers)
 
-    def _input_may_change(self, function: Function, name: nodes.Name) -> bool:
+    def _input_may_change(self, name: nodes.Name) -> bool:
         if self.driven is None or not name.args:
             return True
-        channel = self.facts.number(function, name.args[0])
+        channel = self.facts.number(name.args[0])
         return channel is None or channel in self.driven
 
     # ---------------------------------------------------------------------------------- loops that nothing ends
@@ -189,11 +189,9 @@ class Ways:
     def _endless_loop(self, function: Function, node: nodes.While | nodes.Repeat) -> None:
         names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
         symbols = [each.symbol for each in names]
-        if not names or self.facts.value(function, node.condition) is not None:
+        if not names or self.facts.value(node.condition) is not None:
             return
-        inputs = [
-            name for name, symbol in zip(names, symbols, strict=True) if self._is_dead(function, name, symbol)
-        ]
+        inputs = [name for name, symbol in zip(names, symbols, strict=True) if self._is_dead(name, symbol)]
         for name, symbol in zip(names, symbols, strict=True):
             if symbol is None and name not in inputs:
                 row = name.row
@@ -208,12 +206,8 @@ class Ways:
         inside = list(walk(node.body))
         if any(isinstance(each, _LEAVES) for each in inside):
             return
-        written = {
-            self.facts.symbol(function, each)
-            for inner in inside
-            for each in self.facts.written(function, inner)
-        }
-        calls = [each for each in inside if type(each) is nodes.Name and self._calls(function, each)]
+        written = {self.facts.symbol(each) for inner in inside for each in self.facts.written(inner)}
+        calls = [each for each in inside if type(each) is nodes.Name and self._calls(each)]
         if written & set(symbols) or (calls and any(each and each.home is not function for each in symbols)):
             return
         word = "While" if type(node) is nodes.While else "Repeat"
@@ -224,11 +218,11 @@ class Ways:
         self.add("endless-loop", f"nothing in this {word} changes what its condition depends on", node.at,
                  "once in it, the program never leaves it")  # fmt: skip
 
-    def _is_dead(self, function: Function, name: nodes.Name, symbol: Symbol | None) -> bool:
+    def _is_dead(self, name: nodes.Name, symbol: Symbol | None) -> bool:
         """Whether a name is an input that nothing drives."""
         row = name.row
         is_input = row is not None and row.driven == "input" and row.index == "input"
-        return is_input and not self._input_may_change(function, name)
+        return is_input and not self._input_may_change(name)
 
     def _shared(self, symbol: Symbol) -> bool:
         """Another task or an event may change the variable meanwhile."""
@@ -237,7 +231,7 @@ class Ways:
         roots = {root for writer in self.facts.writers.get(symbol, ()) for root in self.facts.roots[writer]}
         return bool(roots - self.facts.roots[symbol.home]) or len(roots) > 1
 
-    def _calls(self, function: Function, name: nodes.Name) -> bool:
+    def _calls(self, name: nodes.Name) -> bool:
         return name.symbol is not None and name.symbol.kind == "sub"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.mint.lint.effects import Facts, spelt
-from motionlang.mint.resolve.symbols import Function, Symbol
+from motionlang.mint.resolve.symbols import Symbol
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -33,11 +33,9 @@ def check_turns(facts: Facts, add: Add) -> None:
             found = [acts[id(each)] for each in names if id(each) in acts]
             if any(act.role in _BLOCKS or act.role == "call" or _waits(act.row) for act in found):
                 continue
-            changing = _changing(facts, function, node)
+            changing = _changing(facts, node)
             for act in found:
-                if act.role == "act" and any(
-                    _depends(facts, function, each, changing) for each in act.values
-                ):
+                if act.role == "act" and any(_depends(facts, each, changing) for each in act.values):
                     assert act.row is not None
                     message = f"every turn of this loop gives axis {spelt(act.axes[0])} another motion, and none waits"
                     add("never-waits", message, act.at, "WAIT = 10 in the loop gives each its time")
@@ -48,20 +46,18 @@ def _waits(row: object) -> bool:
     return getattr(row, "verb", "") == "wait"
 
 
-def _changing(facts: Facts, function: Function, node: nodes.Node) -> set[Symbol | None]:
+def _changing(facts: Facts, node: nodes.Node) -> set[Symbol | None]:
     """The variables that have another value in every turn."""
     found: set[Symbol | None] = set()
     if type(node) is nodes.For:
-        found.add(facts.symbol(function, node.variable))
+        found.add(facts.symbol(node.variable))
     for each in walk(node.body):  # type: ignore[attr-defined]
         if type(each) is nodes.Assign and type(each.target) is nodes.Name and each.target.args is None:
-            symbol = facts.symbol(function, each.target)
-            if symbol is not None and any(
-                _depends(facts, function, value, {symbol}) for value in each.values
-            ):
+            symbol = facts.symbol(each.target)
+            if symbol is not None and any(_depends(facts, value, {symbol}) for value in each.values):
                 found.add(symbol)
     return found - {None}
 
 
-def _depends(facts: Facts, function: Function, value: nodes.Expr, on: set[Symbol | None]) -> bool:
-    return any(type(each) is nodes.Name and facts.symbol(function, each) in on for each in walk([value]))
+def _depends(facts: Facts, value: nodes.Expr, on: set[Symbol | None]) -> bool:
+    return any(type(each) is nodes.Name and facts.symbol(each) in on for each in walk([value]))

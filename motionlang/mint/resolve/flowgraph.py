@@ -9,11 +9,11 @@ numbers can be, what an axis does or where labels lead, is worked out on this on
 from __future__ import annotations
 
 from heapq import heappop, heappush
-from typing import TYPE_CHECKING
 
 from motionlang.mint.keywords.event_kinds import kind_and_number
 from motionlang.mint.syntax import nodes
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import TypeVar
