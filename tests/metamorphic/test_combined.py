@@ -13,10 +13,9 @@ from random import Random
 
 import pytest
 
-from motionlang import run
 from motionlang.result import Run
-from motionlang.source import Source
 from tests.metamorphic.jobs import Contour, Train
+from tests.metamorphic.runs import grid, proved
 
 SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", "6")))
 KINDS: dict[str, Callable[[int], Contour | Train]] = {
@@ -25,7 +24,6 @@ KINDS: dict[str, Callable[[int], Contour | Train]] = {
     "masters and slaves": Train,
 }
 AXES = (0, 1, 2)
-FINE = {"controller.instruction_time": 1e-9}
 ARGUMENTS = re.compile(r"\b([A-Z]{2,})\((\d(?:, \d)*)")
 POLLED = re.compile(r"PAUSE (IDLE\(\d\)(?: And IDLE\(\d\))?)(?: : )?")
 SCALED = re.compile(r"SCALEFACTOR\((\d)\) = ([\d.]+)")
@@ -35,21 +33,9 @@ def text(kind: str, seed: int) -> str:
     return KINDS[kind](seed).text
 
 
-def proved(program: str, until: float = 2000.0, name: str = "job.mnt", fine: float = 1e-9) -> Run:
-    machine = {"controller.instruction_time": fine}
-    result = run(Source(name, program), machine=machine, cache=False, prove=True, until=until)
-    told = [each.message for each in (*result.diagnostics, *result.proof(views=False).violations)]
-    assert told == [], program
-    return result
-
-
 def places(result: Run, times: list[float], first: int = 0) -> list[list[float]]:
     axes = [result.controller.axes[first + axis] for axis in AXES]
     return [[a.position(time) for time in times] for a in axes]
-
-
-def grid(result: Run, count: int = 41) -> list[float]:
-    return [result.time * k / count for k in range(count + 1)]
 
 
 def scaled(program: str, factor: float) -> str:
@@ -139,8 +125,7 @@ def test_a_run_that_is_cut_is_the_beginning_of_the_whole(kind: str) -> None:
         whole = proved(program)
         for share in (0.13, 0.5, 0.91):
             until = share * whole.time
-            part = run(Source("job.mnt", program), machine=FINE, cache=False, prove=True, until=until)
-            assert part.proof(views=False).violations == [], program
+            part = proved(program, until=until)
             times = [until * k / 19 for k in range(20)]
             assert places(part, times) == places(whole, times), program
 

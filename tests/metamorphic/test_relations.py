@@ -10,12 +10,10 @@ import random
 
 import pytest
 
-from motionlang import run
 from motionlang.result import Run
-from motionlang.source import Source
+from tests.metamorphic.runs import grid, proved
 
 SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", "12")))
-FINE = {"controller.instruction_time": 1e-9}
 
 
 class Job:
@@ -54,19 +52,8 @@ class Job:
         return "\n".join(lines) + "\n"
 
 
-def proved(text: str, name: str = "job.mnt", until: float | None = None) -> Run:
-    result = run(Source(name, text), machine=FINE, until=until, cache=False, prove=True)
-    assert result.diagnostics == []
-    assert result.proof(views=False).violations == []
-    return result
-
-
 def places(result: Run, axis: int, times: list[float]) -> list[float]:
     return [result.controller.axes[axis].position(time) for time in times]
-
-
-def grid(result: Run, count: int = 57) -> list[float]:
-    return [result.time * k / count for k in range(count + 1)]
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -121,13 +108,7 @@ def test_a_loop_that_is_skipped_ends_where_one_does_that_is_run_turn_by_turn(see
     text = Job(seed).text()
     polled = text.replace("PAUSE IDLE(0)", "WHILE NOT IDLE(0)\nENDWHILE")
     counted = text.replace("PAUSE IDLE(0)", "WHILE NOT IDLE(0)\nn = n + 1\nENDWHILE")
-    machine = {"controller.instruction_time": 1e-3}
-    runs = [
-        run(Source("job.mnt", "Dim n As Integer = 0\n" + each), machine=machine, cache=False, prove=True)
-        for each in (polled, counted)
-    ]
-    assert [each.diagnostics for each in runs] == [[], []]
-    assert [each.proof(views=False).violations for each in runs] == [[], []]
+    runs = [proved("Dim n As Integer = 0\n" + each, fine=1e-3) for each in (polled, counted)]
     ends = [each.controller.axes[0].position(each.time) for each in runs]
     assert ends[1] == pytest.approx(ends[0], abs=1e-3 if Job(seed).stops else 1e-9)
 
