@@ -13,22 +13,12 @@ from motionlang.execution import run
 from motionlang.report import rendered, text
 from motionlang.source import Source
 from motionlang.views.diff import change_lines
+from tests.diff.test_reports import CYCLE as TURNS
 
-CYCLE = """\
-Dim n
-SPEED(0, 1) = 200;
-ACCEL(0, 1) = 1000;
-DECEL(0, 1) = 1000;
-For n = 1 To 3
-  MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)
-  WAIT(100)
-  MOVEA(1) = 50 : GO(1) : PAUSE IDLE(1)
-  MOVEA(0, 1) = 0; : GO(0, 1) : PAUSE IDLE(0) And IDLE(1)
-  PRINT "turn ", n
-Next
-MOVEA(0) = 400 : GO(0) : WAIT(300) : STOP(0) : PAUSE IDLE(0)
-WAIT(50)
-"""
+# The turns of the other tests, told without the time, then a move that is stopped.
+CYCLE = TURNS.replace(', " after ", TIME', "") + (
+    "MOVEA(0) = 400 : GO(0) : WAIT(300) : STOP(0) : PAUSE IDLE(0)\nWAIT(50)\n"
+)
 EDITS = {
     "rate": [("ACCEL(0, 1) = 1000;", "ACCEL(0, 1) = 1000, 2000")],
     "wait": [("WAIT(100)", "WAIT(130)")],
