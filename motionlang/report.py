@@ -7,16 +7,20 @@ those in force when it started. Only axes that the program touched are listed: t
 from __future__ import annotations
 
 from itertools import islice
+from marshal import dumps
 
 from motionlang.controller.plain_moves import move_of
+from motionlang.profile.packed import RAMPS, packed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
+    from motionlang.controller.plain_moves import Row as PlainRow
     from motionlang.controller.record.history import MoveFigures
     from motionlang.errors import Diagnostic
     from motionlang.result import Run
@@ -97,24 +101,43 @@ def _move_lines(run: Run) -> Iterator[str]:
     line = _encoder()
     figures = _motor_figures(run.controller)
     running = _running(run.controller)
-    known: dict[tuple[object, ...], tuple[str, str]] = {}
+    known: dict[object, tuple[str, str]] = {}
     for number, move in enumerate(run.controller.log.moves.as_kept()):
-        if not isinstance(move, tuple):
+        if isinstance(move, tuple):
+            start_time, key = move[1], _key(move)
+        elif id(move) in running or move.overlaid or number in figures:
             yield line(_move(run, move, id(move) in running, figures.get(number)))
             continue
-        axis, start_time, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
-        # What the recipe does not share with all plain moves is in these four. Zeros are told apart by their text.
-        ramps = recipe[1], recipe[3], recipe[4], recipe[7]
-        places = start or repr(start), end or repr(end), zero or repr(zero)
-        key = axis, command, at, places, duration, ramps, asked, scale
+        else:
+            start_time, key = move.start_time, _long_key(move)
         around = known.get(key)
         if around is None:
             if len(known) >= MOST_ALIKE:
                 known.clear()
-            text = line(_move(run, move_of(move), False, None))
+            text = line(_move(run, move_of(move) if isinstance(move, tuple) else move, False, None))
             before, after = text.split(f'"start_time": {start_time!r}', 1)
-            around = known[key] = f'{before}"start_time": ', after
+            around = f'{before}"start_time": ', after
+            if key is not None:
+                known[key] = around
         yield f"{around[0]}{start_time!r}{around[1]}"
+
+
+def _key(move: PlainRow) -> object:
+    """All that the line of a plain move tells but its start time; zeros are told apart by their text."""
+    axis, _, start, end, duration, recipe, asked, scale, zero, (_, _, command, at, _, _) = move
+    ramps = recipe[1], recipe[3], recipe[4], recipe[7]  # the rest of a recipe is the same for all
+    places = start or repr(start), end or repr(end), zero or repr(zero)
+    return axis, command, at, places, duration, ramps, asked, scale
+
+
+def _long_key(move: Move) -> object:
+    """The same of any move that is over, to the last bit; None of one whose profile is no row of ramps."""
+    assert move.profile is not None
+    profile: Any = packed(move.profile)
+    if len(profile) != RAMPS:
+        return None
+    about = move.axis, move.command, move.line, move.asked, move.scale, move.zero, move.ended
+    return dumps((profile, about), 2)
 
 
 def _running(controller: Controller) -> set[int]:

@@ -12,6 +12,7 @@ from motionlang.controller.clock import Clock
 from motionlang.controller.faults import Refusal
 from motionlang.controller.readers import UNHEARD, Hearing
 from motionlang.controller.record.log import Log
+from motionlang.controller.record.moves import power_up
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ class Controller(AxisVerbs):
         self, axes: int = 8, first: int = 0, clock: Clock | None = None, log: Log | None = None
     ) -> None:
         super().__init__(axes, first, clock or Clock(), log or Log())
+        power_up(self.log, self.axes)
 
     # ----------------------------------------------------------------------------------- bound to an axis
 

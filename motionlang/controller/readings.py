@@ -33,7 +33,6 @@ class Readings:
         self.clock = clock
         self.axes: dict[int, Axis] = {number: Axis(number) for number in range(first, first + axes)}
         self.log = log
-        log.power_up(self.axes)
         self.inputs = Channels(clock, log.inputs)
         self.outputs = Channels(clock, log.outputs)
         self.analogue_inputs = Channels(clock, log.analogue_inputs)

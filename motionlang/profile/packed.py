@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Packed = tuple[object, ...]
 
 _HOLD = 1
-_RAMPS = 5
+RAMPS = 5
 _CURVE = 6
 
 
@@ -41,7 +41,7 @@ def unpacked(row: Packed) -> Profile:
     """The profile of such a tuple."""
     if len(row) == _HOLD:
         return hold(row[0])  # type: ignore[arg-type]
-    if len(row) == _RAMPS:
+    if len(row) == RAMPS:
         return Profile(*row)  # type: ignore[arg-type]
     if len(row) == _CURVE:
         made = Profile(*row[:-1])  # type: ignore[arg-type]

@@ -8,8 +8,10 @@ from collections.abc import Callable
 import pytest
 
 from motionlang.errors import Diagnostic
+from motionlang.execution import run
 from motionlang.report import SCHEMA, build, failure, text
 from motionlang.result import Run
+from motionlang.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 
@@ -146,3 +148,33 @@ def test_the_document_is_plain_ascii() -> None:
     run.machine.terminal.write("µ\ud800\x1b\n")
     assert text(ended(run)).isascii()
     assert json.loads(text(run))["output"] == ["µ\ud800\x1b"]
+
+
+ALIKE = """
+Dim n As Integer
+SCALEFACTOR(1) = 3 : SPEED(0, 1) = 20, 35
+For n = 1 To 6
+  MOVER(0) = 2 : MOVEA(1) = -1 * n * (n Mod 2) : GO(0, 1)
+  If n = 3 Then PRINT POS(0)
+  If n = 4 Then PROFILEMODE(0) = 1
+  If n = 5 Then WAIT(40) : STOP(0)
+  PAUSE IDLE(0) And IDLE(1)
+  MOVEA(0) = 0 : GO(0)
+  PAUSE IDLE(0)
+Next
+MOVEA(1) = -0.0 : GO(1)
+PAUSE IDLE(1)
+MOVER(1) = 5 : JOG(0) = 3 : GO(1)
+WAIT(20)
+End
+"""
+
+
+def test_lines_of_moves_that_are_alike_are_those_of_each() -> None:
+    result = run(Source("a.mnt", ALIKE), cache=False, until=30.0)
+    lines = [json.dumps(row) for row in build(result)["moves"]]  # type: ignore[attr-defined]
+    assert len(lines) > 12
+    written = text(result)
+    assert all(line in written for line in lines)
+    assert written.count('"start_time"') == len(lines)
+    assert json.loads(written)["moves"] == [json.loads(line) for line in lines]

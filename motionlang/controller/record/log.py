@@ -6,17 +6,16 @@ run takes no more memory the longer it lasts.
 
 from __future__ import annotations
 
-from motionlang.controller.record.moves import Moves, Profiles
 from motionlang.controller.record.stream import DISK, Store, Stream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Callable, Iterable
     from typing import Any
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
-    from motionlang.controller.record.moves import Moves
+    from motionlang.controller.record.moves import Moves, Profiles
     from motionlang.controller.record.records import Changed, Event, Printed, Setting, Turns, Waited
 
 # Profiles of all axes together that are not packed, and those of each axis that never are.
@@ -57,6 +56,7 @@ class Log:
         "hurried",
         "inputs",
         "moves",
+        "older",
         "others",
         "outputs",
         "prints",
@@ -68,8 +68,10 @@ class Log:
         "where",
     )
 
+    # A program that moves nothing has none of these, and imports none of what they are made of: see `moves.power_up`.
     moves: Moves
     dropped: Moves
+    older: type[Profiles]
 
     def __init__(self, disk: int = DISK) -> None:
         self.store = store = Store(disk=disk)
@@ -111,12 +113,6 @@ class Log:
         self.others.append(made)
         return made
 
-    def power_up(self, axes: Mapping[int, Axis]) -> None:
-        """A controller with these axes begins to write: a program that moves nothing has none."""
-        self.moves, self.dropped = Moves(self.store, axes), Moves(self.store, axes)
-        for a in axes.values():
-            a.logged = self.moves
-
     def make_room(self, axes: Iterable[Axis]) -> None:
         """Pack the profiles of axes but the newest ones of each; those that a simulated motor follows stay.
 
@@ -132,7 +128,7 @@ class Log:
             count = len(a.starts) - LEFT_PROFILES
             if count > 0 and a.feedback is None:
                 if a.older is None:
-                    a.older = Profiles(self.store)
+                    a.older = self.older(self.store)
                 while count > 0:
                     count -= a.older.take_from(a, count)
             kept += len(a.starts)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.plain_moves import Row
+    from motionlang.controller.record.log import Log
     from motionlang.profile import Profile
 
 # What a move is told by that was a path, a jog or the like: what it was is not kept.
@@ -279,3 +280,10 @@ class Profiles:
 
 def _start(row: tuple[float, object]) -> float:
     return row[0]
+
+
+def power_up(log: Log, axes: Mapping[int, Axis]) -> None:
+    """A controller with these axes begins to write into a log."""
+    log.moves, log.dropped, log.older = Moves(log.store, axes), Moves(log.store, axes), Profiles
+    for a in axes.values():
+        a.logged = log.moves
