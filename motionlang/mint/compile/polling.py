@@ -92,6 +92,8 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol],
             given.add(id(node.variable))
         elif isinstance(node, (nodes.Name, nodes.Variable)):
             symbol, row = node.symbol, node.row
+            if isinstance(node, nodes.Variable) and node.values:
+                given.add(id(node))
             if row is not None:
                 reads = reads or row.kind in ("reading", "setting")
                 rewritten.update([row] if is_repeated(row) else ())

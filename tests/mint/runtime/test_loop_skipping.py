@@ -67,6 +67,10 @@ PROGRAMS |= {
     "until it stands": "SPEED = 50 : MOVER = 5 : GO\nRepeat : Until VEL = 0\nPRINT TIME, POS\n"
     "JERK = 40000 : MOVER = 5 : GO\nWhile VEL < 49.5 : End While\nPRINT TIME\nPROFILEMODE = 1 : MOVER = 9 : GO\n"
     "Repeat : Until VELDEMAND > 3.25\nPRINT TIME\nWhile VEL >= 50 Or POS < 15 : End While\nPRINT TIME, POS",
+    "a long array among gotos": "Dim v(200) As Float, k As Integer\nMOVER = 30 : GO\nagain:\n"
+    "If POS > 3 And k = 0 Then k = 1 : v(k) = TIME\nIf POS > 7 And k < 150 Then k = k + 1 : v(k) = POS\n"
+    "If v(150) > 0 And OUTX(1) = 0 Then OUTX(1) = 1 : v(150) = TIME\nIf Not IDLE Then Goto again\n"
+    "PRINT v(1), v(2), v(150), k, TIME",
     "an error that does not come": "JOG = 30\nLoop\n  If ABS(FOLERROR) > 5 Then STOP\n"
     "  If TIME > 300 Then Exit Loop\nEnd Loop\nSTOP",
     "a jog panel": "Loop\n  If INX(0) Then JOG(0) = 30 Else STOP(0)\n"
@@ -113,6 +117,7 @@ FOR_EVER = {
     "goto": "again:\nIF INX(0) = 0 THEN GOTO again",
     "a machine of gotos": "again:\nIF s = 0 AND INX(1) THEN GOTO first\nIF s = 1 THEN GOTO second\nGOTO again\n"
     "first:\ns = 1\nGOTO again\nsecond:\nOUTX(1) = 1\nGOTO again",
+    "a goto beside a long array": "Dim v(200) As Float\nv(3) = 2\nagain:\nIf INX(1) Then v(4) = 1\nGoto again",
     "an output follows an input": "Loop\n  OUTX(1) = INX(3)\nEnd Loop",
     "the same value": "While 1\n  x = 5\nEnd While",
     "memory for a host": "Loop\n  COMMS(1) = POS(0)\n  COMMS(2) = INX(1)\nEnd Loop",
