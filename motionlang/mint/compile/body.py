@@ -12,6 +12,7 @@ from motionlang.mint.compile import intervals
 from motionlang.mint.compile.lines import JUST_YIELDS, NONE, PLAIN, YIELDS, Line
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
+from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.names import Names
     from motionlang.mint.resolve.problems import Problems
     from motionlang.mint.resolve.symbols import Type
-    from motionlang.mint.syntax import nodes
 
 Spec = tuple[object, ...]
 # In the place of an axis: whichever one the program names.
@@ -310,9 +310,12 @@ class Body:
     def stretches(self) -> list[tuple[str, list[nodes.Stmt]]]:
         """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
         if self._stretches is None:
-            from motionlang.mint.compile.jumps import stretches
-
-            self._stretches = stretches(self.function.body)
+            self._stretches = [("", [])]
+            for node in self.function.body:
+                if type(node) is nodes.Label:
+                    self._stretches.append((node.name.lower(), []))
+                else:
+                    self._stretches[-1][1].append(node)
         return self._stretches
 
     def labels(self) -> dict[str, int]:

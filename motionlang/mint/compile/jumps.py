@@ -34,17 +34,6 @@ def dispatcher(function: Function) -> str:
     return f"j_{function.python}"
 
 
-def stretches(body: list[nodes.Stmt]) -> list[tuple[str, list[nodes.Stmt]]]:
-    """The statements between labels, each stretch with the label that leads to it ("" for the first)."""
-    out: list[tuple[str, list[nodes.Stmt]]] = [("", [])]
-    for node in body:
-        if type(node) is nodes.Label:
-            out.append((node.name.lower(), []))
-        else:
-            out[-1][1].append(node)
-    return out
-
-
 def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     """The lines of the dispatcher, without its head."""
     _check(b)
