@@ -23,10 +23,7 @@ NAMED = {
     "cli/plan.py": "DS MR PT SA SV US",
     "client/answer.py": "VE",
     "client/client.py": "TP TS WS WT",
-    # Texts that only look like words: placeholders of options, a state, an axis of a chart, an access.
-    "cli/pvt_options.py": "MS OUT",
-    "cli/run_options.py": "OUT",
-    "cli/servo.py": "OUT",
+    # Texts that only look like words: a state, an axis of a chart, an access.
     "controller/triggers/homing.py": "HOME",
     "views/chapter12.py": "DAC",
     "views/chapter12_plot.py": "DAC",
@@ -50,8 +47,13 @@ def named() -> dict[str, set[str]]:
         if "keywords" in place.parts:
             continue
         words = {"mint": MINT, "mccl": MCCL}.get(place.parts[0], MINT | MCCL)
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            text = node.value if isinstance(node, ast.Constant) else None
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        # Placeholders of options.
+        apart = {
+            each.value for each in ast.walk(tree) if isinstance(each, ast.keyword) and each.arg == "metavar"
+        }
+        for node in ast.walk(tree):
+            text = node.value if isinstance(node, ast.Constant) and node not in apart else None
             if isinstance(text, str) and text in words and text.isupper() and len(text) > 1:
                 found[place.as_posix()].add(text)
     return found
