@@ -44,7 +44,6 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
     return ran.stdout
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("number", [0, 1], ids=["sdist", "wheel"])
 def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_path: Path) -> None:
     """Alone: a run needs none of the libraries but for what a person sees."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 import socket
+import sys
 import threading
 from collections.abc import Callable, Iterator
 
 import pytest
 
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
+from motionlang.client.wire import SerialWire
 from motionlang.lang.machine.machine import Machine
 from motionlang.mccl.hosts.console import Console
 from motionlang.serve import Limits, LockStep, RealTime, Server
@@ -280,3 +282,55 @@ def test_a_board_that_goes_away() -> None:
 def test_settings_of_a_virtual_board_that_make_no_sense(settings: dict[str, object], says: str) -> None:
     with pytest.raises(ValueError, match=re.escape(says)):
         Client.virtual(settings)
+
+
+@pytest.fixture
+def loop() -> Iterator[SerialWire]:
+    """A line whose two ends are one."""
+    pytest.importorskip("serial")
+    wire = SerialWire("loop://", 115200, 5.0)
+    yield wire
+    wire.close()
+
+
+def test_a_serial_line_brings_what_was_sent_however_much_it_is(loop: SerialWire) -> None:
+    loop.send(b"1TP\r")
+    assert loop.receive(0.0) == b"1TP\r"
+    assert loop.receive(0.0) == b""
+    sent, came = bytes(range(256)) * 16, b""
+    loop.send(sent[:2000])
+    loop.send(sent[2000:])
+    while len(came) < len(sent):
+        came += loop.receive(5.0)
+    assert came == sent
+
+
+def test_a_serial_line_that_is_gone(loop: SerialWire) -> None:
+    loop.close()
+    for call in (lambda: loop.send(b"1TP\r"), lambda: loop.receive(0.0)):
+        with pytest.raises(ConnectionLost, match="the device is gone"):
+            call()
+
+
+def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As pyserial is asked for it; here there is none, and the message says so."""
+    serial = pytest.importorskip("serial")
+    asked: list[tuple[str, int]] = []
+    real = serial.serial_for_url
+
+    def opened(path: str, baud: int, **how: object) -> object:
+        asked.append((path, baud))
+        return real("loop://", baud, **how)
+
+    with pytest.raises(ConnectionLost, match="no board at COM7: "):
+        Client.open("COM7")
+    monkeypatch.setattr(serial, "serial_for_url", opened)
+    client = Client.open("COM7", timeout=0.05)
+    client.close()
+    assert [path for path, _ in asked] == ["COM7"]
+
+
+def test_without_pyserial_it_is_said_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "serial", None)
+    with pytest.raises(ConnectionLost, match=re.escape("pip install motionlang[serial]")):
+        Client.open("COM7")
