@@ -58,7 +58,7 @@ CODES: dict[str, str] = {
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run was ended because it produced more than it may keep.",
     "golden": "A run is not what its golden files say, or it has none.",
-    "proof": "The motion was not as the program ordered it, or broke a bound.",
+    "proof": "The motion was not as the program ordered it, or broke a bound, or is too much to be proved.",
     "beyond-limit": "A limit of the machine was passed, or cannot be certified.",
     "interrupted": "The run was ended from the keyboard, or by a signal.",
     "crash": "motionlang itself has a mistake, which is no mistake of the program.",

@@ -276,6 +276,7 @@ def _execute(
         result.status = "interrupted"
         from motionlang.remarks import interrupted
 
+        result.controller.keep_whole()
         result.diagnostics.append(interrupted(result, scheduler, error))
     except Stuck as stuck:
         from motionlang.remarks import tell_stuck

@@ -51,7 +51,7 @@ def _prove_every_run() -> None:
     ) -> None:
         orders = Orders(result.controller) if result.orders is None else None
         execute(result, compiled, until, pace, outside)
-        if orders is not None:
+        if orders is not None and not orders.is_full:
             found = prove(Recorded(result.controller), orders, result.machine.clock.now).violations
             assert not found, [f"{each.line}: {each.message}" for each in found]
 

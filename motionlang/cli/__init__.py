@@ -10,6 +10,7 @@ import gc
 import sys
 
 from motionlang.cli.signals import SIGNALS, status_of
+from motionlang.cli.unbuffered import write_whole
 from motionlang.errors import Terminated
 
 TYPE_CHECKING = False
@@ -37,6 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _guarded(given: list[str]) -> int:
     _open_closed()
+    write_whole()
     try:
         _forgive_letters()
         status = _command(given)
@@ -90,9 +92,10 @@ def quick_options(given: Sequence[str]) -> Options | None:
 def _command(given: Sequence[str]) -> int:
     gc.disable()  # what is loaded stays, and the collector would look at it; a run collects for itself
     try:
+        if given[:1] == ["run"]:
+            SIGNALS.hold()  # until the run can report how it ended
         options = quick_options(given)
         if options is not None:
-            SIGNALS.hold()  # until the run can report how it ended
             from motionlang.cli.run import run_command
 
             options.given = list(given)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import sys
 from math import isfinite, nan
 from typing import TYPE_CHECKING
 
-from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
+from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
 from motionlang.errors import ProgramError
@@ -187,9 +187,4 @@ def _show(made: Comparison, arguments: argparse.Namespace) -> None:
 def _plot(made: Comparison, path: str) -> int:
     from motionlang.views.scope import write_comparison
 
-    try:
-        write_comparison(made, path)
-    except OSError as error:
-        complain([unwritten(path, error)], None, os.path.basename(path))
-        return 1
-    return 0
+    return written(path, lambda: write_comparison(made, path))

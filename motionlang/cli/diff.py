@@ -8,9 +8,10 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from motionlang.cli.compare import add_mapping, hold_against
-from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.golden import golden_files
 from motionlang.cli.machine_options import add_dialect, set_values
+from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
 from motionlang.diff.motion import parting
@@ -142,12 +143,7 @@ def _plot(old: Run | None, new: Run | None, path: str, parser: argparse.Argument
         parser.error("--plot draws two runs, and one of these is a report")
     from motionlang.views.scope import write_scope
 
-    try:
-        write_scope(new, path, against=old)
-    except OSError as error:
-        complain([unwritten(path, error)], None, path)
-        return 1
-    return 0
+    return written(path, lambda: write_scope(new, path, against=old))
 
 
 def _side(arguments: argparse.Namespace, side: str, path: str) -> tuple[dict[str, Any], Run | None] | None:

@@ -50,11 +50,11 @@ def write_files(result: Run, options: Options) -> int:
     """Write what was asked for; 1 when one of the files could not be written."""
     status = 0
     if options.trace is not None:
-        status = _write(options.trace, lambda: _write_trace(result, options))
+        status = written(options.trace, lambda: _write_trace(result, options))
     if options.plot is not None:
-        status = max(status, _write(options.plot, lambda: _write_plot(result, options)))
+        status = max(status, written(options.plot, lambda: _write_plot(result, options)))
     if options.profile_to is not None:
-        status = max(status, _write(options.profile_to, lambda: _write_profile(result, options)))
+        status = max(status, written(options.profile_to, lambda: _write_profile(result, options)))
     return status
 
 
@@ -72,7 +72,8 @@ def refused(path: str, options: Options) -> Diagnostic | None:
     return None if problem is None else Diagnostic("file", problem)
 
 
-def _write(path: str, write: Callable[[], None]) -> int:
+def written(path: str, write: Callable[[], None]) -> int:
+    """The exit status of writing a file: 1 where it could not be written, which has been told."""
     try:
         write()
     except BrokenPipeError:
@@ -87,7 +88,7 @@ def _write(path: str, write: Callable[[], None]) -> int:
     except OSError as error:
         complain([unwritten(path, error)], None, path)
         return 1
-    except ValueError as error:  # a window or a column of what the run does not have
+    except ValueError as error:  # a window or a column of what the run does not have, or too much of it
         complain([Diagnostic("window", f"{path} was not written: {error}")], None, path)
         return 1
     return 0

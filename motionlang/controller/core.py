@@ -247,6 +247,13 @@ class Core(Readings):
 
         return arrive
 
+    def keep_whole(self) -> None:
+        """Take back what was half done as somebody ended the run: a start that has no profile on the track."""
+        for a in (*self.axes.values(), *self.encoders.values()):
+            del a.starts[len(a.profiles) :]
+        if self.orders is not None:
+            self.orders.keep_whole()
+
     def _arrive(self, a: Axis) -> None:
         a.arrival = None
         a.move = None

@@ -416,3 +416,17 @@ def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:
     assert "forgotten.mnt:4:3" in ran.err
     assert "MOVER on axis 1 was loaded and never started" in ran.err
     assert "hint: GO(1) starts what is in the buffer" in ran.err
+
+
+def test_more_than_a_page_or_a_proof_takes_is_told(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("motionlang.views.scope.MOST", 1)
+    ran = cell("run", "ballscrew.mcl", "--plot", "a.html")
+    assert ran.status == 1
+    assert "a.html was not written: the run has 2 records, and a page holds 1; --until" in ran.err
+    assert not (cell.folder / "a.html").exists()
+    monkeypatch.setattr("motionlang.controller.record.orders.MOST", 0)
+    ran = cell("run", "ballscrew.mcl", "--prove", "--report", "json")
+    report = json.loads(ran.out)
+    assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)
+    (told,) = report["diagnostics"]
+    assert (told["code"], told["hint"]) == ("proof", "--until ends the run sooner")

@@ -160,6 +160,40 @@ def test_a_process_that_is_told_to_end(number: int, who: str, status: int, tmp_p
     assert "Traceback" not in err
 
 
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_a_report_is_whole_that_is_being_written_as_a_signal_comes(unbuffered: str, tmp_path: Path) -> None:
+    """Its reader is slow, so that it waits in the middle of a write, which the signal cuts short."""
+    fcntl, termios = pytest.importorskip("fcntl"), pytest.importorskip("termios")
+    program = tmp_path / "many.mnt"
+    text = "Dim i As Integer\nFor i = 1 To 500\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\n"
+    program.write_text(text)
+    command = [*COMMAND, "run", str(program), "--report", "json"]
+    given = os.environ | {"PYTHONUNBUFFERED": unbuffered}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=given, bufsize=0) as process:
+        assert process.stdout is not None
+        written, before = bytes(4), b""
+        while not (written == before and int.from_bytes(written, sys.byteorder) > 30_000):  # it is full
+            before, written = written, fcntl.ioctl(process.stdout, termios.FIONREAD, bytes(4))
+        process.send_signal(signal.SIGTERM)
+        told = process.stdout.read()
+        while more := process.stdout.read():
+            told += more
+    assert process.returncode == 143
+    report = json.loads(told)
+    assert (report["status"], len(report["moves"])) == ("ended", 500)
+
+
+def test_a_signal_while_the_command_line_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With options that argparse reads: the report comes all the same."""
+    from motionlang.cli import commands
+
+    cell.write("a.mnt", MOVE)
+    monkeypatch.setattr(commands, "build_parser", sending(signal.SIGTERM, commands.build_parser))
+    ran = cell("run", "a.mnt", "--report", "json", "--trace", "a.csv")
+    assert (ran.status, json.loads(ran.out)["status"]) == (143, "interrupted")
+    assert not (cell.folder / "a.csv").exists()
+
+
 @pytest.fixture
 def crashes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "crashes"

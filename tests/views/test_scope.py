@@ -161,3 +161,26 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("one", "two"):
         write_scope(pick(), str(tmp_path / name))
     assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
+
+
+def test_more_than_a_page_holds_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made, path = pick(), tmp_path / "a.html"
+    log = made.controller.log
+    records = (
+        len(log.moves)
+        + len(log.waits)
+        + len(log.events)
+        + len(log.inputs)
+        + len(log.outputs)
+        + len(log.turns)
+    )
+    monkeypatch.setattr("motionlang.views.scope.MOST", records)
+    write_scope(made, str(path), against=made)
+    monkeypatch.setattr("motionlang.views.scope.MOST", records - 1)
+    path.unlink()
+    for against in (None, made):
+        with pytest.raises(
+            ValueError, match=f"the run has {records} records, and a page holds {records - 1}; "
+        ):
+            write_scope(made, str(path), against=against)
+    assert not path.exists()

@@ -16,6 +16,7 @@ from motionlang.controller.motion.reference import PositionReference, SpeedRefer
 from motionlang.controller.moves.cam import CurveFollow
 from motionlang.controller.moves.geometry import Line
 from motionlang.controller.moves.path import PathMove
+from motionlang.controller.record.track import WholeTrack
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -97,6 +98,8 @@ class Order(NamedTuple):
 
 
 REST = Order("rest", 0)
+# Profiles of a run that are kept to be proved.
+MOST = 200_000
 # The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
 STRAIGHT = 0.1
 
@@ -105,10 +108,12 @@ class Orders:
     """The records of a controller: `of` by axis, as many as its track has profiles, and `data` likewise.
 
     A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis was told
-    to stand at once, with the word for it.
+    to stand at once, with the word for it. Beyond `MOST` profiles it `is_full`, and holds nothing more.
     """
 
     def __init__(self, controller: Controller) -> None:
+        self.is_full = self.was_cut = False
+        self._count = 0
         axes = controller.axes
         self.of: dict[int, list[Order]] = {number: [REST] * len(a.profiles) for number, a in axes.items()}
         self.data: dict[int, list[float]] = {
@@ -123,7 +128,7 @@ class Orders:
 
     def add(self, a: Axis) -> None:
         """The track of an axis gets another profile."""
-        if self._controller.axes.get(a.index) is a:
+        if self._controller.axes.get(a.index) is a and self._has_room():
             move = a.move
             path = move is not None and isinstance(move.action, PathMove)
             self.of[a.index].append(self._path(a) if path else _order(a))
@@ -131,8 +136,31 @@ class Orders:
 
     def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:
         """An axis begins a plain move."""
+        if not self._has_room():
+            return
         self.of[a.index].append(Order("move", line, speed, rates, ENDLESS, a.shape))
         self.data[a.index].append(a.datum)
+
+    def keep_whole(self) -> None:
+        """Forget orders of profiles that did not come onto their track, as somebody ended the run at that moment.
+
+        What came onto it without an order is not judged.
+        """
+        self.was_cut = True
+        for number, a in self._controller.axes.items():
+            count = min(len(WholeTrack(a).starts), len(self.of[number]), len(self.data[number]))
+            del self.of[number][count:]
+            del self.data[number][count:]
+
+    def _has_room(self) -> bool:
+        """Whether there is room for another profile; where there is none the run goes on as one without a proof."""
+        self._count += 1
+        if self._count <= MOST:
+            return True
+        self.is_full, self._controller.orders = True, None
+        for kept in (self.of, self.data, self.stands, self._nth, self._counts):
+            kept.clear()
+        return False
 
     def _path(self, a: Axis) -> Order:
         """That of a path; those that begin at one moment are numbered."""

@@ -13,7 +13,9 @@ from motionlang.controller.record.judge_axes import PLANNED, judge_profile
 from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.judge_views import judge_report, judge_trace
+from motionlang.controller.record.orders import MOST
 from motionlang.controller.record.spans import half_angle
+from motionlang.errors import Diagnostic
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -35,15 +37,27 @@ def prove(
     report: Iterable[Mapping[str, object]] | None = None,
     samples: Samples | None = None,
 ) -> Proof:
-    """Prove what a controller did up to a time, by its log; the moves of a report and a trace too, where there are."""
-    proof, run = Proof(), Run(controller.axes, controller.moves, orders, until)
+    """Prove what a controller did up to a time, by its log; the moves of a report and a trace too, where there are.
+
+    Of a run with more motion than is kept nothing is proved, which is a violation.
+    """
+    proof = Proof()
+    if orders.is_full:
+        message = (
+            f"the run has more than {MOST} profiles of motion, and a proof takes no more: nothing is proved"
+        )
+        proof.violations.append(Diagnostic("proof", message, hint="--until ends the run sooner"))
+        return proof
+    run = Run(controller.axes, controller.moves, orders, until)
     if report is not None:
         judge_report(proof, run, report)
     if samples is not None:
         judge_trace(proof, run, samples)
     for number, a in controller.axes.items():
         records = orders.of[number]
-        assert len(records) == len(a.profiles), f"axis {number} has a profile that nobody recorded"
+        assert orders.was_cut or len(records) == len(a.starts), (
+            f"axis {number} has a profile that nobody recorded"
+        )
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
             if end > begin:

@@ -45,6 +45,8 @@ if TYPE_CHECKING:
     Row = dict[str, Any]
 
 PARTS = ("model", "panels", "draw", "path", "tools", "script")
+MOST = 200_000
+"""Records of a run that a page holds: moves, waits, events, and changes of channels."""
 LONGEST_LINE = 120
 """Characters of a program's line that are shown beside the cursor."""
 
@@ -81,8 +83,14 @@ def page(
 
     `servos` has what the motors did, by axis, where that was simulated; the page begins with `window`, and has the rest
     of the run for whoever looks further; the axes of the run `against` are drawn behind those of the same
-    number, and over them what was `measured`: axis, quantity, times (s) and values.
+    number, and over them what was `measured`: axis, quantity, times (s) and values. ValueError for more than `MOST`
+    records.
     """
+    records = max(_records(each) for each in (run, against) if each is not None)
+    if records > MOST:
+        raise ValueError(
+            f"the run has {records} records, and a page holds {MOST}; --until ends the run sooner"
+        )
     name = printable(run.source.name)
     return Template(_part("page.html")).substitute(
         generator=f"motionlang {__version__}",
@@ -91,6 +99,13 @@ def page(
         data=_embedded(_data(run, servos, window, against, measured)),
         **{part: _part(f"{part}.js") for part in PARTS},
     )
+
+
+def _records(run: Run) -> int:
+    """How much of a run a page would show."""
+    log = run.controller.log
+    records = len(log.moves) + len(log.waits) + len(log.events)
+    return records + len(log.inputs) + len(log.outputs) + len(log.turns)
 
 
 def _part(name: str) -> str:

@@ -274,3 +274,22 @@ def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
     times, place, *others = samples.data
     forged = Samples(samples.columns, (times, place + 0.01 * (times > 2.05), *others))
     assert told(row, forged) == ["axis 0 at 2.100000 s: the trace has it at 40.01, the track at 40"]
+
+
+def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run of as many profiles as are kept is proved; one more, and nothing is kept."""
+    program = (
+        "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
+    )
+    whole = run(Source("move.mnt", program), cache=False, prove=True)
+    assert whole.orders is not None
+    count = sum(map(len, whole.orders.of.values())) - len(whole.orders.of)
+    for most, told in ((count, []), (count - 1, [f"0: the run has more than {count - 1} profiles"])):
+        monkeypatch.setattr("motionlang.controller.record.orders.MOST", most)
+        monkeypatch.setattr("motionlang.controller.record.proof.MOST", most)
+        ran = run(Source("move.mnt", program), cache=False, prove=True)
+        assert ran.output == whole.output == ["4.0000"]
+        assert [each.partition(" of motion")[0] for each in found(ran)] == told
+        assert ran.report == whole.report
+        assert ran.orders is not None
+        assert (ran.orders.is_full, bool(ran.orders.of)) == (bool(told), not told)
