@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     State = TypeVar("State")
 
 # Kinds of steps: "start" and "leave" are the two ends of the function, "end" is the end of the program; "turn" and
-# "next" are the head of a For, at which its limit is looked at, and where it counts; by "back" every Return goes.
-START, DO, TEST, LEAVE, END, TURN, NEXT, BACK = "start", "do", "test", "leave", "end", "turn", "next", "back"
+# "next" are the head of a For, at which its limit is looked at, and where it counts.
+START, DO, TEST, LEAVE, END, TURN, NEXT = "start", "do", "test", "leave", "end", "turn", "next"
 
 
 class Step:
@@ -265,7 +265,7 @@ class Graph:
             if is_main and name not in targets and kind_and_number(name) is not None:
                 self.handlers[name] = step
         if self._after_gosub:
-            back = self._new(BACK, None, [])
+            back = self._new(DO, None, [])
             back.next = self._after_gosub
         for step in self._returns:
             step.next.append(back if type(step.node) is nodes.Return and self._after_gosub else self.leave)
