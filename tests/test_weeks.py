@@ -13,8 +13,8 @@ import pytest
 SCRIPTS = Path(__file__).parents[1] / "scripts"
 DAY = 86_400.0
 WEEK = 7.0 * DAY
-# Kilobytes that the log may grow to until it goes to the disk: 16 MB packed, and the newest records as they are.
-BEFORE_THE_DISK = 32_000
+# Kilobytes that the log may grow by until it goes to the disk: 16 MB packed, and the newest records as they are.
+BEFORE_THE_DISK = 64_000
 
 
 def joystick(folder: Path) -> Path:
