@@ -6,7 +6,7 @@ The curve is itself a `Profile` whose "time" is the distance along a path, or th
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, nextafter
 
 from motionlang.profile.curve import Phase, Profile, State
 from motionlang.profile.formula import Formula
@@ -18,9 +18,15 @@ if TYPE_CHECKING:
 
 _MOST_CROSSINGS = 10_000
 
+AT_END = 1e-9
+"""The part of a curve by which rounding may put a place beyond its end: the bend of the curve counts that far."""
+
 
 class Composed(Formula):
-    """`curve` travelled as `along` says; before and beyond its ends the curve goes on as a straight line."""
+    """`curve` travelled as `along` says; before and beyond its ends the curve goes on as a straight line.
+
+    At an end itself, where rounding decides on which side of it a place is, the curve is still as bent as before it.
+    """
 
     __slots__ = ("along", "path")
 
@@ -50,7 +56,9 @@ class Composed(Formula):
                 (f.jerk * v * v + 3.0 * f.acceleration * a) * v + f.velocity * s.jerk,
             )
         position, slope = _on(self.path, s.position)
-        return State(position, slope * s.velocity, slope * s.acceleration, slope * s.jerk)
+        bend = _bend_at_end(self.path, s.position)
+        v, a = s.velocity, s.acceleration
+        return State(position, slope * v, bend * v * v + slope * a, 3.0 * bend * v * a + slope * s.jerk)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -163,6 +171,14 @@ def crossings(profile: Profile, position: float) -> list[float]:
         if after == inf:
             break
     return found
+
+
+def _bend_at_end(path: Profile, place: float) -> float:
+    """The second derivative of the curve at a place that is one of its ends but for rounding; 0.0 farther out."""
+    length = path.duration
+    if not -AT_END * length <= place <= length * (1.0 + AT_END) < inf:
+        return 0.0
+    return path.acceleration(0.0 if place < 0.0 else nextafter(length, 0.0))
 
 
 def _on(path: Profile, place: float) -> tuple[float, float]:

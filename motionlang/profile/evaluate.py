@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.profile.chain import Chain
-from motionlang.profile.composed import Composed
+from motionlang.profile.composed import AT_END, Composed
 from motionlang.profile.summed import Sum
 
 if TYPE_CHECKING:
@@ -79,7 +79,11 @@ def _composed(profile: Composed, times: Array, order: int) -> Array:
 
 
 def _curve(path: Profile, places: Array, order: int) -> Array:
-    """A curve at places, a straight line before its beginning and beyond its end."""
+    """A curve at places, a straight line before its beginning and beyond its end; as bent as before it at an end."""
+    length = path.duration
+    if order == 2 and length < np.inf:
+        near = (places >= -AT_END * length) & (places <= length * (1.0 + AT_END))
+        places = np.where(near, np.clip(places, 0.0, np.nextafter(length, 0.0)), places)
     out = evaluate(path, places, order)
     before = places < 0.0
     if order == 0 and before.any():

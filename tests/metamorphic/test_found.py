@@ -127,3 +127,21 @@ def test_a_path_that_is_left_in_its_s_ramp_fades_likewise(word: str) -> None:
         f"{TURN}{mode}VECTORR(0, 1) = 40, 0 : GO(0)\nWAIT 350\n{word.split(' : ')[-1]}\nWAIT 1500\n"
     )
     ends(result, 8.3125)
+
+
+def test_a_flying_shear_that_ends_under_an_s_ramp_stops_alike_whenever_it_began() -> None:
+    """The stop begins with the acceleration just before the end: rounding of the master's place has no part in it."""
+    jerks = (
+        "PROFILEMODE(1) = 1 : ACCELJERK(1) = 7000 : DECELJERK(1) = 6000 : ACCEL(1) = 440 : DECEL(1) = 230\n"
+    )
+    tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nMASTERDISTANCE(1) = 36 : FLY(1) = 21 : GO(1)\n"
+    jog = "JOG(0) = 55 : PAUSE IDLE(1)\nSTOP(0)\nPAUSE IDLE(0)\n"
+    took, begun = [], []
+    for wait in range(1, 1000, 37):
+        result = proved(f"WAIT {wait}\n" + H + jerks + tie + jog)
+        axis = result.controller.axes[1]
+        took.append(result.time - wait * 1e-3)
+        begun.append(next(p for p in axis.profiles if p.shape == "scurve").at(0.0).acceleration)
+    assert took == pytest.approx([took[0]] * len(took), abs=1e-7)
+    # 21/36 on average, from 0 to 42/36: at its end 42/36² times the square of the master's velocity of 55.
+    assert begun == pytest.approx([42.0 / 36.0**2 * 55.0**2] * len(begun), rel=1e-6)

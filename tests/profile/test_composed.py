@@ -14,6 +14,7 @@ from motionlang.profile import Profile, plan, plan_trapezoid, plan_velocity
 from motionlang.profile.arc import arc_over, line_over, rotated
 from motionlang.profile.chain import Chain
 from motionlang.profile.composed import Composed, crossings, travelled
+from motionlang.profile.curve import from_curve
 from motionlang.profile.evaluate import evaluate
 from motionlang.profile.sample import sample_profile, sample_track
 from motionlang.profile.summed import Sum, added
@@ -246,3 +247,30 @@ def test_a_bend_in_the_curve_is_drawn_as_a_jump_of_the_velocity_and_nothing_else
         steepest = 360.0 * 100.0 / 45.0
         assert abs(2.0 * piece[2]) <= steepest * 1.000001
         assert abs(2.0 * piece[2] + 6.0 * piece[3] * (finish - begin)) <= steepest * 1.000001
+
+
+@pytest.mark.parametrize("off", [-1e-13, 0.0, 1e-13])
+def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it_on_whichever_side_rounding_puts_it(
+    off: float,
+) -> None:
+    """A slope from 0 to 2 over 10, run through at 3 while speeding up at 4: 0.2 * 3² + 2 * 4 = 9.8 at its end."""
+    piece = (0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0)
+    curve = from_curve("fly", 0.0, 10.0, ((0.0, 10.0), (piece,), (("fly", 0),)), 0.0, 2.0)
+    along = from_curve(
+        "trapezoid",
+        10.0 + off,
+        15.0,
+        ((0.0, 1.0), ((10.0 + off, 3.0, 2.0, 0.0, 0.0, 0.0, 0.0),), (("accel", 0),)),
+        3.0,
+        7.0,
+    )
+    made = Composed(along, curve)
+    assert made.at(0.0).acceleration == pytest.approx(9.8)
+    assert made.at(0.0).velocity == pytest.approx(6.0)
+    assert evaluate(made, np.array([0.0]), 2)[0] == pytest.approx(9.8)
+    assert made.at(0.5).acceleration == pytest.approx(8.0)
+    assert evaluate(made, np.array([0.5]), 2)[0] == pytest.approx(8.0)
+    # The beginning alike: bent 0.2 on either side of it, and straight, with a slope of 0, farther out.
+    back = Composed(along.shifted(-10.0), curve)
+    assert back.at(0.0).acceleration == pytest.approx(1.8)
+    assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)
