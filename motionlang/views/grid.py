@@ -1,18 +1,14 @@
-"""Columns of text, lined up by rich; the least important columns are dropped where a terminal is narrow."""
+"""Columns of text, lined up by rich's widths; the least important columns are dropped where a terminal is narrow."""
 
 from __future__ import annotations
 
-from motionlang.views.terminal import cells, console, styled
+from motionlang.views.terminal import cells, styled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from rich.table import Table
-
 GAP = 2
-# Nothing but a rule below the head, which runs through the gaps: rich's way to draw a box, line by line.
-BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"
 
 
 class Column:
@@ -36,12 +32,19 @@ def grid(
     styles: Sequence[str] = (),
 ) -> list[str]:
     """The lines of a table, header and rule first; `styles` may name a style for each row."""
-    kept = _kept(columns, rows, width)
-    screen = console(colour)
-    with screen.capture() as captured:
-        screen.print(_table([columns[k] for k in kept], [[row[k] for k in kept] for row in rows], styles))
-    lines = [line.rstrip() for line in captured.get().splitlines()]
-    return [styled(line, "dim", colour) if set(line) == {"─"} else line for line in lines]
+    kept, widths = _kept(columns, rows, width)
+    columns = [columns[k] for k in kept]
+    heads = [([column.title for column in columns], "bold")]
+    if any(column.unit for column in columns):
+        heads.append(([column.unit for column in columns], "dim"))
+    lines = [_line(columns, widths, texts, [style] * len(kept), colour) for texts, style in heads]
+    # The rule runs through the gaps.
+    lines.append(styled("─" * (sum(widths) + GAP * (len(kept) - 1)), "dim", colour))
+    paints = [column.style for column in columns]
+    for i, row in enumerate(rows):
+        paint = [styles[i]] * len(kept) if styles and styles[i] else paints
+        lines.append(_line(columns, widths, [row[k] for k in kept], paint, colour))
+    return lines
 
 
 def decimals_of(values: Sequence[float], most: int = 4) -> int:
@@ -55,32 +58,31 @@ def decimals_of(values: Sequence[float], most: int = 4) -> int:
     return most
 
 
-def _kept(columns: Sequence[Column], rows: Sequence[Sequence[str]], width: int) -> list[int]:
-    """The columns for which there is room; one without a word in it is left out as well."""
+def _kept(
+    columns: Sequence[Column], rows: Sequence[Sequence[str]], width: int
+) -> tuple[list[int], list[int]]:
+    """The columns for which there is room, and how wide each is; one without a word in it is left out as well."""
     kept = [k for k in range(len(columns)) if not columns[k].drop or any(row[k] for row in rows)]
     widths = {
         k: max(map(cells, (columns[k].title, columns[k].unit, *(row[k] for row in rows)))) for k in kept
     }
     while sum(widths[k] + GAP for k in kept) - GAP > width and any(columns[k].drop for k in kept):
         kept.remove(max(kept, key=lambda k: columns[k].drop))
-    return kept
+    return kept, [max(widths[k], 1) for k in kept]
 
 
-def _table(columns: Sequence[Column], rows: Sequence[Sequence[str]], styles: Sequence[str]) -> Table:
-    from rich.box import Box
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(box=Box(BOX), show_edge=False, pad_edge=False, padding=(0, GAP - 1, 0, 0), header_style="")
-    units = any(column.unit for column in columns)
-    for column in columns:
-        head = [(column.title, "bold"), *([("\n", ""), (column.unit, "dim")] if units else [])]
-        table.add_column(
-            Text.assemble(*head), justify="left" if column.align == "<" else "right", no_wrap=True
-        )
-    for i, row in enumerate(rows):
-        style = styles[i] if styles else ""
-        # Assembled, so that the style is the word's alone and not that of the blanks around it.
-        paints = [style or column.style for column in columns]
-        table.add_row(*(Text.assemble(pair) for pair in zip(row, paints, strict=True)))
-    return table
+def _line(
+    columns: Sequence[Column],
+    widths: Sequence[int],
+    texts: Sequence[str],
+    styles: Sequence[str],
+    colour: bool,
+) -> str:
+    """The cells of a row, each as wide as its column; the blanks around a word have no style."""
+    parts = []
+    for column, width, text, style in zip(columns, widths, texts, styles, strict=True):
+        if column.align == ">":
+            text = text.rstrip()
+        blanks, shown = " " * (width - cells(text)), styled(text, style, colour)
+        parts.append(shown + blanks if column.align == "<" else blanks + shown)
+    return (" " * GAP).join(parts).rstrip()

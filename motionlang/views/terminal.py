@@ -9,8 +9,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import TextIO
 
-    from rich.console import Console
-
 WIDTH = 100
 PIPED_WIDTH = 160
 # What the views' few names of styles mean to rich.
@@ -28,8 +26,6 @@ STYLES = {
     "decel": "yellow",
     "stop": "red",
 }
-# Room for any line: nothing is ever wrapped or cut by rich.
-_ENDLESS = 1_000_000
 
 
 def wants_colour(stream: TextIO) -> bool:
@@ -70,29 +66,6 @@ def table_width(stream: TextIO) -> int:
     return width_of(stream) if is_terminal(stream) else PIPED_WIDTH
 
 
-def console(colour: bool, file: TextIO | None = None, width: int = _ENDLESS) -> Console:
-    """A rich console that asks nobody: no terminal, environment or platform changes what it makes of a text."""
-    from io import StringIO
-
-    from rich.console import Console
-    from rich.theme import Theme
-
-    return Console(
-        file=file or StringIO(),
-        width=width,
-        height=25,
-        color_system="standard" if colour else None,
-        force_terminal=colour,
-        no_color=False,
-        theme=Theme(STYLES),
-        legacy_windows=False,
-        force_jupyter=False,
-        markup=False,
-        emoji=False,
-        highlight=False,
-    )
-
-
 def styled(text: str, style: str, colour: bool) -> str:
     """`text` in one of the styles; as it is without colour, or where there is no such style."""
     if not (colour and text and style in STYLES):
@@ -105,7 +78,7 @@ def styled(text: str, style: str, colour: bool) -> str:
 
 def cells(text: str) -> int:
     """How many columns `text` takes up on a terminal."""
-    if text.isascii():
+    if text.translate(_ASCII).isascii():
         return len(text)
     from rich.cells import cell_len
 

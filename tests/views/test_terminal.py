@@ -8,7 +8,6 @@ import pytest
 
 from motionlang.views.terminal import (
     cells,
-    console,
     draws,
     is_terminal,
     printable,
@@ -77,13 +76,6 @@ def test_only_unicode_has_lines() -> None:
 )
 def test_styles_paint_and_nothing_else(style: str, shown: str) -> None:
     assert (styled("x", style, True), styled("x", style, False)) == (shown, "x")
-
-
-def test_a_console_breaks_and_marks_up_nothing() -> None:
-    screen = console(True)
-    with screen.capture() as captured:
-        screen.print("[b]100[/b] :smile: " * 50, soft_wrap=True)
-    assert captured.get() == "[b]100[/b] :smile: " * 50 + "\n"
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,90 @@
+"""Grids against the tables that rich itself draws: the same lines, whatever stands in the cells."""
+
+from __future__ import annotations
+
+import random
+from io import StringIO
+
+import pytest
+from rich.box import Box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+from rich.theme import Theme
+
+from motionlang.views.grid import GAP, Column, grid
+from motionlang.views.terminal import STYLES, styled
+
+# Nothing but a rule below the head, which runs through the gaps: rich's way to draw a box, line by line.
+BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"
+WORDS = (
+    "",
+    "a",
+    "12.50",
+    "-3",
+    "├ accel",
+    "é",
+    "e\u0301",
+    "日本",
+    "👍🏽",
+    "…",
+    "²",
+    "two words",
+    " x",
+    "x ",
+    "[b]x[/b]",
+)
+NAMES = ("", "word", "error", "dim", "accel", "stop", "no style")
+
+
+def drawn_by_rich(columns: list[Column], rows: list[list[str]], styles: list[str], colour: bool) -> list[str]:
+    """The lines of a table for which there is room."""
+    table = Table(box=Box(BOX), show_edge=False, pad_edge=False, padding=(0, GAP - 1, 0, 0), header_style="")
+    units = any(column.unit for column in columns)
+    for column in columns:
+        head = [(column.title, "bold"), *([("\n", ""), (column.unit, "dim")] if units else [])]
+        table.add_column(
+            Text.assemble(*head), justify="left" if column.align == "<" else "right", no_wrap=True
+        )
+    for i, row in enumerate(rows):
+        style = styles[i] if styles else ""
+        paints = [style or column.style for column in columns]
+        table.add_row(*(Text.assemble(pair) for pair in zip(row, paints, strict=True)))
+    screen = Console(
+        file=StringIO(),
+        width=1_000_000,
+        height=25,
+        color_system="standard" if colour else None,
+        force_terminal=colour,
+        no_color=False,
+        theme=Theme(STYLES),
+        legacy_windows=False,
+        force_jupyter=False,
+        markup=False,
+        emoji=False,
+        highlight=False,
+    )
+    with screen.capture() as captured:
+        screen.print(table)
+    lines = [line.rstrip() for line in captured.get().splitlines()]
+    return [styled(line, "dim", colour) if set(line) == {"─"} else line for line in lines]
+
+
+@pytest.mark.parametrize("colour", [False, True])
+def test_a_grid_is_the_table_that_rich_draws(colour: bool) -> None:
+    draw = random.Random(1)
+    for _ in range(150):
+        units = draw.random() < 0.5
+        columns = [
+            Column(
+                draw.choice(WORDS[1:]),
+                draw.choice(["", "s", "uu/s²"]) if units else "",
+                align=draw.choice("<>"),
+                style=draw.choice(NAMES),
+            )
+            for _ in range(draw.randint(1, 6))
+        ]
+        rows = [[draw.choice(WORDS) for _ in columns] for _ in range(draw.randint(0, 5))]
+        styles = [draw.choice(NAMES) for _ in rows] if draw.random() < 0.5 else []
+        lines = grid(columns, rows, width=1000, colour=colour, styles=styles)
+        assert lines == drawn_by_rich(columns, rows, styles, colour)
