@@ -38,6 +38,14 @@ def test_mistakes_are_told_as_they_are(path: Path) -> None:
     assert [each.code for each in one_sentence(language, source, found)] == [each.code for each in found]
 
 
+def test_what_no_language_takes_is_told_as_it_is() -> None:
+    language = dialect("mccl")
+    source = Source("a.mcl", "\n".join(f"1ZZ3,1TP,{number}QQ" for number in range(500)))
+    found = language.check(source)
+    assert len(found) == 1000
+    assert one_sentence(language, source, found) == found
+
+
 @cases(
     ("name", "text", "hint"),
     [
