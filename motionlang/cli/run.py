@@ -265,7 +265,7 @@ def _report(result: Run, options: Options) -> None:
         table += "\n" + render_profile(made, width=width, colour=colour, everything=options.everything)
     if options.everything:
         table += _rests_on(result, options)
-    if result.output:
+    if result.machine.log.prints:
         table = "\n" + table
     sys.stdout.write(table if drawn else plain(table))
 

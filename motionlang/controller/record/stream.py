@@ -260,6 +260,8 @@ class Stream(_Of[T]):
     def _typed(self, rows: list[Any]) -> list[T]:
         if not self._kind:
             return rows
+        if not rows:  # most reports tell of no event, and need not import what one is
+            return []
         from motionlang.controller.record import records
 
         return list(map(getattr(records, self._kind)._make, rows))

@@ -46,20 +46,14 @@ def _printed(b: Body, text: str, where: str = "") -> str:
 
 
 def _joined(texts: list[str]) -> list[str]:
-    """Literal texts that stand side by side as one."""
+    """Literal texts that stand side by side as one, which Python makes of them."""
     out: list[str] = []
     for text in texts:
         if out and out[-1][0] in "'\"" and text[0] in "'\"":
-            out[-1] = repr(_unquoted(out[-1]) + _unquoted(text))
+            out[-1] += f" {text}"
         else:
             out.append(text)
     return out
-
-
-def _unquoted(text: str) -> str:
-    from ast import literal_eval
-
-    return str(literal_eval(text))
 
 
 def _shown(b: Body, item: nodes.PrintItem) -> str:
