@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.cycle.motions import Motions
 from motionlang.cycle.places import Place, Places
-from motionlang.cycle.tasks import ended_at, parent_of, waits_of
+from motionlang.cycle.tasks import ended_at, kept_waits, parent_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from motionlang.controller.record.records import Waited
     from motionlang.cycle.motions import Motion, Phases
+    from motionlang.cycle.tasks import Wait
     from motionlang.result import Run
 
     # One of several links that differ in nothing but their times, and how long each of them took.
@@ -37,9 +37,11 @@ CAUSES = {
     "host": "waiting for a host",
     "condition": "waiting for a condition",
 }
+# Waits for these end because a move ended, if one did.
+MOVED = ("axis", "condition")
 NOWHERE = Place(0, "", ())
 # When the waits of a task were over, and the waits, of one that has none.
-NO_WAITS: tuple[list[float], list[Waited]] = ([], [])
+NO_WAITS: tuple[list[float], list[Wait]] = ([], [])
 
 
 class Link(NamedTuple):
@@ -85,7 +87,9 @@ class Strip:
         """Each phase, and when it began and ended in each stretch."""
         lows, ends = self.begins, self.ends
         for name, seconds in self.phases[:-1]:
-            highs = [min(low + seconds, end) for low, end in zip(lows, ends, strict=True)]
+            highs = [
+                high if (high := low + seconds) < end else end for low, end in zip(lows, ends, strict=True)
+            ]
             yield name, lows, highs
             lows = highs
         yield self.phases[-1][0], lows, ends
@@ -94,13 +98,13 @@ class Strip:
 class Chain:
     """The chain of one run, from its begin to its end without a gap."""
 
-    def __init__(self, run: Run, waits: dict[str, list[Waited]] | None = None) -> None:
+    def __init__(self, run: Run, waits: dict[str, list[Wait]] | None = None) -> None:
         self.motions = Motions(run)
         self.places = Places(run)
         self._run = run
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
-        self._waits = waits_of(run) if waits is None else waits
-        self._ends = {name: ([wait.until for wait in waits], waits) for name, waits in self._waits.items()}
+        self._waits = kept_waits(run) if waits is None else waits
+        self._ends = {name: ([wait[3] for wait in waits], waits) for name, waits in self._waits.items()}
         self._switched = [change.time for change in run.controller.log.inputs]
         self._strips: dict[object, Strip] = {}
         self._follow()
@@ -134,55 +138,81 @@ class Chain:
         over = ended_at(self._run)
         if time > over:
             time = self._motion_after(over, time, task)
-        known: dict[object, tuple[Place, Strip, Strip]] = {}
         while time > 0.0:
-            wait = self._wait_before(task, time)
-            if wait is None:
+            task, time = self._follow_task(task, time)
+
+    def _follow_task(self, task: str, time: float) -> tuple[str, float]:
+        """From `time` back as far as it is one task, and which one it is then; a long run takes its time in here."""
+        near, that_ended = self._near, self.motions.that_ended
+        untils, waits = self._ends.get(task, NO_WAITS)
+        # By the place in the program the cause and the callers of the last wait there, and what it was charged to.
+        known: dict[int, tuple[str, tuple[int, ...], Place, Strip, Strip]] = {}
+        nothing = Strip(NOWHERE, task, ())
+        unknown = "", (), NOWHERE, nothing, nothing
+        strips: dict[object, Strip] = {}  # of moves
+        last = bisect_right(untils, time + 1e-12) - 1
+        while time > 0.0:
+            # The last wait that was over by then.
+            while last >= 0 and (waits[last][2] >= time or untils[last] > time + 1e-12):
+                last -= 1
+            if last < 0:
                 starter = self._starter(task)
                 self._add(starter[1], time, "computing", self._first_place(task), task)
-                task, time = starter
-                continue
-            name, at, since, until, cause, _, _, callers = wait
-            kind = at, cause, name, callers
-            if kind not in known:
-                place = self.places.of(wait)
-                own = self._strip("computing", place, task)
-                known[kind] = place, own, self._strip(CAUSES[cause], place, task)
-            place, computing, waiting = known[kind]
+                return starter
+            _, at, since, until, cause, what, _, callers = wait = waits[last]
+            kind, caller, place, computing, waiting = known.get(at, unknown)
+            if kind != cause or caller != callers:
+                place = self.places.of(at, callers)
+                computing = self._strip("computing", place, task)
+                waiting = self._strip(CAUSES[cause], place, task)
+                known[at] = cause, callers, place, computing, waiting
             if until < time:
                 computing.begins.append(until)
                 computing.ends.append(time)
                 time = until
-            if cause in ("axis", "condition"):
-                task, time = self._through(wait, time, task, place)
-            else:
+            if cause not in MOVED:
                 waiting.begins.append(since)
                 waiting.ends.append(time)
                 time = since
+                continue
+            motion = that_ended(since, time, near, what if cause == "axis" else None)
+            if motion is None:
+                self._add(since, time, self._cause(wait, time), place, task)
+                time = since
+                continue
+            end, begin, _, line, axes, shape = motion
+            if end < time:
+                if end < time - near:
+                    self._add(end, time, "settling", place, task)
+                else:
+                    computing.begins.append(end)
+                    computing.ends.append(time)
+                time = end
+            key = line, shape, axes, id(place)
+            strip = strips.get(key)
+            if (
+                strip is None
+                or not begin - near <= since
+                or not begin + near < until
+                or (last and begin + near < untils[last - 1])
+            ):
+                strips[key] = self._strip_of(motion, task, place)
+                other, time = self._back(motion, time, task, place)
+                if other != task:
+                    return other, time
+            else:  # the task itself began it, as most often
+                strip.begins.append(begin)
+                strip.ends.append(time)
+                time = begin
+        return task, time
 
-    def _through(self, wait: Waited, time: float, task: str, place: Place) -> tuple[str, float]:
-        """Whom to follow, and from when, behind a wait for motion, or for anything, that was over at `time`."""
-        near = self._near
-        if wait.cause == "axis":
-            motion = self.motions.that_ended(wait.since, time, near, wait.what)
-        else:
-            motion = self.motions.that_ended(wait.since, time, near)
-        if motion is None:
-            self._add(wait.since, time, self._cause(wait, time), place, task)
-            return task, wait.since
-        end = motion[0]
-        if end < time:
-            self._add(end, time, "settling" if end < time - near else "computing", place, task)
-            time = end
-        return self._back(motion, time, task, place)
-
-    def _cause(self, wait: Waited, time: float) -> str:
+    def _cause(self, wait: Wait, time: float) -> str:
         """What ended a wait that no move did: of a condition, the input that changed at that moment."""
-        if wait.cause == "condition":
+        if wait[4] == "condition":
             first = bisect_right(self._switched, time - self._near)
             if first < len(self._switched) and self._switched[first] <= time:
                 return CAUSES["input"]
-        return CAUSES[wait.cause]
+        return CAUSES[wait[4]]
 
     def _back(self, motion: Motion, time: float, task: str, waited: Place) -> tuple[str, float]:
         """Charge a move to its line, and those before it in the buffer that it waited for; `waited` is who did."""
@@ -199,8 +229,9 @@ class Chain:
             before = self.motions.before(axes, motion[1], self._near)
             if before is None:
                 # Something from outside has started it while everybody waited: the task waited for that.
-                self._add(waiting.since, begin, self._cause(waiting, begin), self.places.of(waiting), task)
-                return task, waiting.since
+                _, at, since, _, _, _, _, callers = waiting
+                self._add(since, begin, self._cause(waiting, begin), self.places.of(at, callers), task)
+                return task, since
             end = before[0]
             if end < begin:
                 self._add(end, begin, "waiting", self.places.at_line(line), task)
@@ -220,19 +251,11 @@ class Chain:
 
     # ---------------------------------------------------------------------------------------- what there is
 
-    def _wait_before(self, task: str, time: float) -> Waited | None:
-        """The last wait of a task that was over at `time`."""
-        untils, waits = self._ends.get(task, NO_WAITS)
-        place = bisect_right(untils, time + 1e-12)
-        while place and waits[place - 1].since >= time:
-            place -= 1
-        return waits[place - 1] if place else None
-
-    def _waiting_at(self, task: str, time: float) -> Waited | None:
+    def _waiting_at(self, task: str, time: float) -> Wait | None:
         """The wait that a task is in at `time`, its first and last moment not counted."""
         untils, waits = self._ends.get(task, NO_WAITS)
         place = bisect_right(untils, time + self._near)
-        if place < len(waits) and waits[place].since < time - self._near:
+        if place < len(waits) and waits[place][2] < time - self._near:
             return waits[place]
         return None
 
@@ -245,7 +268,7 @@ class Chain:
 
     def _lives(self, task: str, time: float) -> bool:
         waits = self._waits[task]
-        return bool(waits) and waits[0].since <= time + self._near and time <= waits[-1].until + self._near
+        return bool(waits) and waits[0][2] <= time + self._near and time <= waits[-1][3] + self._near
 
     def _starter(self, task: str) -> tuple[str, float]:
         """Who started a task, and when, as far as the log tells; the parent began with the run."""
@@ -255,7 +278,7 @@ class Chain:
 
     def _first_place(self, task: str) -> Place:
         waits = self._waits.get(task, [])
-        return self.places.of(waits[0]) if waits else NOWHERE
+        return self.places.of(waits[0][1], waits[0][-1]) if waits else NOWHERE
 
     # ---------------------------------------------------------------------------------------- what is charged
 
@@ -275,20 +298,23 @@ class Chain:
 
         Nobody has written down who called the line that ordered it; where its sub waited for it, it is who called that.
         """
-        if time <= begin:
-            return
-        _, began, _, line, axes, profile = motion
+        if time > begin:
+            self._strip_of(motion, task, waited, begin).add(begin, time)
+
+    def _strip_of(self, motion: Motion, task: str, waited: Place, begin: float = 0.0) -> Strip:
+        """The strip of a move, or of what is left of it from `begin` on."""
+        _, began, _, line, axes, shape = motion
         place = self.places.at_line(line)
         if waited.callers and place.sub == waited.sub:
             place = self.places.called(place.line, waited.callers)
-        phases = self.motions.phases(profile)
+        phases = self.motions.phases(shape)
         if begin > began:
             phases = _behind(phases, begin - began)
         key = id(place), id(phases), axes, task
         strip = self._strips.get(key)
         if strip is None:
             strip = self._strips[key] = Strip(place, task, phases, axes)
-        strip.add(begin, time)
+        return strip
 
 
 def _behind(phases: Phases, seconds: float) -> Phases:

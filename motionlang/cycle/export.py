@@ -52,7 +52,8 @@ def trace_events(made: TimeProfile) -> Row:
     for task, waits in waits_of(run).items():
         for wait in waits:
             what = wait.why or f"for {wait.until - wait.since:.6g} s"
-            put(f"task {task}", what, wait.since, wait.until, line=places.of(wait).line, cause=wait.cause)
+            line = places.of(wait.at, wait.callers).line
+            put(f"task {task}", what, wait.since, wait.until, line=line, cause=wait.cause)
     for move in run.controller.log.moves:
         if move.profile is None:
             continue

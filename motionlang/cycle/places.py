@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from motionlang.controller.record.records import Waited
     from motionlang.result import Run
 
 
@@ -39,12 +38,12 @@ class Places:
         inside = [block for block in self._blocks if block[1] <= line <= block[2]]
         return min(inside, key=lambda block: block[2] - block[1])[0] if inside else ""
 
-    def of(self, wait: Waited) -> Place:
-        """Where a task waited."""
-        key = wait.at, wait.callers
+    def of(self, at: int, callers: tuple[int, ...]) -> Place:
+        """A place in the program to which the places of `callers` led."""
+        key = at, callers
         if key not in self._known:
-            line = self.line(wait.at)
-            self._known[key] = Place(line, self.sub(line), tuple(map(self.line, wait.callers)))
+            line = self.line(at)
+            self._known[key] = Place(line, self.sub(line), tuple(map(self.line, callers)))
         return self._known[key]
 
     def called(self, line: int, callers: tuple[int, ...]) -> Place:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import defaultdict
+from itertools import pairwise
 from math import fsum
+from operator import sub
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from motionlang.cycle.chain import Chain, Link, alike
-from motionlang.cycle.tasks import TaskTime, task_times, waits_of
+from motionlang.cycle.tasks import TaskTime, kept_waits, task_times
 from motionlang.profile.total import exact_terms
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from motionlang.cycle.motions import Motion
     from motionlang.result import Run
 
 SCHEMA = "motionlang.cycle/1"
@@ -44,7 +46,7 @@ class TimeProfile:
 
     def __init__(self, run: Run) -> None:
         self.run = run
-        self._waits = waits_of(run)
+        self._waits = kept_waits(run)
         self.tasks: list[TaskTime] = task_times(run, self._waits)
         self._chain = Chain(run, self._waits)
         self._places = self._chain.places
@@ -90,21 +92,32 @@ class TimeProfile:
 
     def slacks(self) -> list[Slack]:
         """Who stood and waited for whom, where a task waited for several axes that had begun together."""
+        waited = {  # in milliseconds
+            int(until * 1000.0)
+            for waits in self._waits.values()
+            for _, _, _, until, cause, _, _, _ in waits
+            if cause != "time"
+        }
+        motions, cuts = self._chain.motions.together()
+        ends = [motion[0] for motion in motions]
+        axes = tuple([axis for _, _, _, _, (axis,), _ in motions])
+        # By the axes of a group, and how many of them had ended before the last: when they ended, group after group.
+        groups: dict[tuple[tuple[int, ...], int], list[float]] = {}
+        for low, high in pairwise(cuts):
+            last = ends[high - 1]
+            if ends[low] < last:
+                millis = int(last * 1000.0)
+                if millis in waited or millis + 1 in waited:
+                    kind = axes[low:high], bisect_left(ends, last, low, high) - low
+                    times = groups.get(kind)
+                    if times is None:
+                        groups[kind] = ends[low:high]
+                    else:
+                        times += ends[low:high]
         found: dict[tuple[int, int], list[float]] = defaultdict(list)
-        groups: dict[tuple[int, float], list[Motion]] = defaultdict(list)
-        for motion in self._chain.motions:
-            groups[motion[3], motion[1]].append(motion)
-        waits = (wait for waits in self._waits.values() for wait in waits if wait.cause != "time")
-        ends = {_millis(wait.until) for wait in waits}
-        near = ends | {end - 1 for end in ends}
-        for group in groups.values():
-            last = group[-1][0]  # they are in the order of their ends
-            if group[0][0] < last and int(last * 1000.0) in near:
-                (other,) = next(motion[4] for motion in group if motion[0] == last)
-                for end, _, _, _, (axis,), _ in group:
-                    if end == last:
-                        break
-                    found[axis, other].append(last - end)
+        for (group, stood), times in groups.items():
+            for k in range(stood):
+                found[group[k], group[stood]] += map(sub, times[stood :: len(group)], times[k :: len(group)])
         rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items()]
         return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))
 
@@ -177,7 +190,3 @@ class TimeProfile:
 def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[float]]]:
     """Links with a few terms in place of their many durations, which add up to the very same."""
     return [(link, exact_terms(times)) for link, times in links]
-
-
-def _millis(time: float) -> int:
-    return int(time * 1000.0)

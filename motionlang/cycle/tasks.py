@@ -7,15 +7,19 @@ change nothing were skipped.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from itertools import groupby
 from math import fsum
-from operator import attrgetter
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.controller.record.records import Waited
 
 if TYPE_CHECKING:
     from motionlang.result import Run
+
+    # The fields of a `Waited`.
+    Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]
 
 
 class TaskTime(NamedTuple):
@@ -36,8 +40,13 @@ class TaskTime(NamedTuple):
 
 def waits_of(run: Run) -> dict[str, list[Waited]]:
     """The waits of each task in the order of time, those too that were under way when the run ended."""
-    found: dict[str, list[Waited]] = {}
-    for name, waits in groupby(run.machine.log.waits, attrgetter("task")):
+    return {name: list(map(Waited._make, waits)) for name, waits in kept_waits(run).items()}
+
+
+def kept_waits(run: Run) -> dict[str, list[Wait]]:
+    """The same as plain tuples: a long run has tens of thousands."""
+    found: dict[str, list[Wait]] = {}
+    for name, waits in groupby(run.machine.log.waits.as_kept(), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():
@@ -45,7 +54,7 @@ def waits_of(run: Run) -> dict[str, list[Waited]]:
         if under_way is not None and under_way.since < run.time:
             *callers, at = task.stack
             about = under_way.cause, tuple(under_way.what), under_way.why, tuple(callers)
-            mine.append(Waited(task.name, at, under_way.since, run.time, *about))
+            mine.append((task.name, at, under_way.since, run.time, *about))
     return found
 
 
@@ -60,7 +69,7 @@ def ended_at(run: Run) -> float:
     return run.time if scheduler is None or scheduler.ended is None else scheduler.ended
 
 
-def task_times(run: Run, waits: dict[str, list[Waited]]) -> list[TaskTime]:
+def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
     """The time of each task, with its `waits`: the parent first, then in the order in which they began."""
     parent, over = parent_of(run), ended_at(run)
     first: dict[str, float] = {}
@@ -74,11 +83,11 @@ def task_times(run: Run, waits: dict[str, list[Waited]]) -> list[TaskTime]:
     made = []
     for name in dict.fromkeys((parent, *first, *waits)):
         mine = waits.get(name, [])
-        begin = 0.0 if name == parent else min(first.get(name, over), mine[0].since if mine else over)
-        end = over if name == parent else max(last.get(name, begin), mine[-1].until if mine else begin)
-        waiting: dict[str, list[float]] = {}
-        for _, _, since, until, cause, *_ in mine:
-            waiting.setdefault(cause, []).append((until if until < end else end) - since)
+        begin = 0.0 if name == parent else min(first.get(name, over), mine[0][2] if mine else over)
+        end = over if name == parent else max(last.get(name, begin), mine[-1][3] if mine else begin)
+        waiting: dict[str, list[float]] = defaultdict(list)
+        for _, _, since, until, cause, _, _, _ in mine:
+            waiting[cause].append((until if until < end else end) - since)
         causes = {cause: fsum(times) for cause, times in waiting.items()}
         rest = fsum((end, -begin, *(-time for time in causes.values())))
         computing = fsum(computed[name]) if name in computed and len(first) > 1 else rest

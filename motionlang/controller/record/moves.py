@@ -61,9 +61,7 @@ class Moves(Stream[Move]):
     def as_kept(self) -> Iterator[Move | Row]:
         """All of them, the plain ones that are not packed as rows."""
         self._live()
-        for number in range(len(self._parts)):
-            yield from self._parts.part(number)
-        yield from self._tail
+        return super().as_kept()
 
     def moved(self) -> set[int]:
         """The axes that have moved."""

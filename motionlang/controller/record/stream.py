@@ -6,6 +6,7 @@ A packed part is one `marshal` of plain tuples. It is read back whole when somet
 from __future__ import annotations
 
 from bisect import bisect_right
+from itertools import chain
 from marshal import dumps, loads
 
 from motionlang.controller.faults import Refusal
@@ -198,6 +199,11 @@ class Stream(_Of[T]):
         for number in range(len(self._parts)):
             yield from self._parts.part(number)
         yield from self._typed(self._tail)
+
+    def as_kept(self) -> Iterator[Any]:
+        """All of them with nothing made of them: those that are not packed as the plain tuples that were written."""
+        parts = map(self._parts.part, range(len(self._parts)))
+        return chain(chain.from_iterable(parts), self._tail)
 
     def __reversed__(self) -> Iterator[T]:
         yield from reversed(self._typed(self._tail))

@@ -189,8 +189,8 @@ def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
     places = Places(run)
     for task, waits in waits_of(run).items():
         spans = [
-            [wait.since, wait.until, wait.why or f"for {wait.until - wait.since:.6g} s", places.of(wait).line]
-            for wait in waits
+            [since, until, why or f"for {until - since:.6g} s", places.of(at, callers).line]
+            for _, at, since, until, _, _, why, callers in waits
         ]
         bands.append({"name": task, "spans": spans})
     return bands
