@@ -125,7 +125,8 @@ def _lost(result: Run) -> list[Diagnostic]:
             text = result.source.line(homing.line)
             column, length = len(text) - len(text.lstrip()) + 1, max(1, len(text.strip()))
             keys = f"axis.{axis}.home_switch, travel and index_every"
-            hint = f"home the other way, or let the machine file say where it is: {keys}"
+            other = "home the other way, or " if homing.provided else ""
+            hint = f"{other}let the machine file say where it is: {keys}"
             found.append(Diagnostic("never", homing.in_vain, homing.line, column, length=length, hint=hint))
     return found
 

@@ -273,16 +273,18 @@ class AxisVerbs(Core):
         line: int = 0,
         on_path: bool = False,
         action: Action | None = None,
+        step: float = 0.0,
     ) -> None:
         """Follow a ready-made profile that begins where the axis is; with `on_path` a stop does not leave it.
 
+        A `step`, counts/s, is the velocity at which a stepper starts and stops at once, at the axis's rates in between.
         `action` says what becomes of a stop where the caller has several axes on one profile.
         """
         from motionlang.controller.motion.profile_playback import Played
 
         a = self.movable(axis)
         move = Move(axis, command, line, profile.end)
-        played = Played(on_path)
+        played = Played(on_path, step)
         move.action = action or played
         self.end_move(a, "retarget")
         self.run_profile(

@@ -28,13 +28,14 @@ if TYPE_CHECKING:
 class Played(Action):
     """A profile that is played; with `on_path` stop too comes to rest on it, in the axis's `suspend_time`.
 
-    `ordered` are the points, velocities and times that it was made of, where it was made of such.
+    `ordered` are the points, velocities and times that it was made of, where it was made of such; `step` is the
+    velocity at which a stepper starts and stops at once, 0.0 where there is no such step.
     """
 
-    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path", "ordered")
+    __slots__ = ("_began", "_pace", "_path", "_shown", "on_path", "ordered", "step")
 
-    def __init__(self, on_path: bool = False) -> None:
-        self.on_path = on_path
+    def __init__(self, on_path: bool = False, step: float = 0.0) -> None:
+        self.on_path, self.step = on_path, step
         # The profile from where it was first slowed down, its time over the machine's, and what was made of both.
         self._path: Profile | None = None
         self._pace: Profile | None = None

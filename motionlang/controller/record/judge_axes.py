@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import inf, isfinite
+from math import copysign, inf, isfinite
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.due import law, lead, move_time
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from motionlang.profile import Profile
 
 # Kinds that are planned from the settings of the axis, and so keep its rates.
-PLANNED = frozenset({"move", "jog", "stop"})
+PLANNED = frozenset({"move", "step", "jog", "stop"})
 # Places of a span at which two motions are compared: two cubics that agree at four of them are one.
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
@@ -74,10 +74,13 @@ def _judge_time(proof: Proof, profile: Profile, order: Order, before: Order, whe
             2.0 * v0,
             law(before.shape, before.rates, before.jerks, before.ramp).stretch * peak / min(before.rates),
         )
-    if order.kind == "move":
+    if order.kind in ("move", "step"):
         if not isfinite(profile.duration):
             return
-        wanted, took = move_time(v0, a0, profile.distance, order.speed, by), profile.duration
+        # A stepper stops at once at the velocity of its step, as if it came to rest so much later and farther on.
+        late = order.step / order.rates[1]
+        way = profile.distance + copysign(0.5 * order.step * late, profile.distance)
+        wanted, took = move_time(v0, a0, way, order.speed, by) - late, profile.duration
     else:
         wanted = lead(v0, a0, order.goal, by)[0]
         took = profile.knots[-1] if isfinite(profile.knots[-1]) else profile.knots[-2]

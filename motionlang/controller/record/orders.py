@@ -75,10 +75,10 @@ class Tie(NamedTuple):
 class Order(NamedTuple):
     """What holds for one profile: its kind, the line it comes from, and its bounds in counts and seconds.
 
-    `kind` is "rest", "move", "jog", "stop", "path", or the name of the action that makes the profile; of the last the
-    bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite but for
-    S-ramps. `goal` is the velocity that a jog goes to, or the place or velocity of a reference, `ramp` the ratio of a
-    PMC S-curve;
+    `kind` is "rest", "move", "step", "jog", "stop", "path", or the name of the action that makes the profile; of the
+    last the bounds are infinite. `rates` and `jerks` are those of speeding up and of slowing down; jerks are infinite
+    but for S-ramps. `goal` is the velocity that a jog goes to, or the place or velocity of a reference, `ramp` the
+    ratio of a PMC S-curve; `step` is the velocity at which a stepper starts and stops a move of kind "step" at once;
     `slopes` are those of a speed reference, rate, begin and end of speeding up and of slowing down;
     `points` are those, with their velocities and the times between them, that a profile is to run through.
     """
@@ -95,6 +95,7 @@ class Order(NamedTuple):
     tie: Tie | None = None
     points: tuple[Sequence[float], Sequence[float], Sequence[float]] | None = None
     slopes: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
+    step: float = 0.0
 
 
 REST = Order("rest", 0)
@@ -123,6 +124,8 @@ class Orders:
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
         self._counts: dict[tuple[int, float], int] = {}
+        # What is left of a stepper's move at a new zero is not planned anew: what held when it began still does.
+        self._steps: dict[Move, Order] = {}
         self._controller = controller
         controller.orders = self
 
@@ -131,7 +134,10 @@ class Orders:
         if self._controller.axes.get(a.index) is a and self._has_room():
             move = a.move
             path = move is not None and isinstance(move.action, PathMove)
-            self.of[a.index].append(self._path(a) if path else _order(a))
+            order = self._path(a) if path else _order(a)
+            if move is not None and order.kind == "step":
+                order = self._steps.setdefault(move, order)
+            self.of[a.index].append(order)
             self.data[a.index].append(a.datum)
 
     def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:
@@ -158,7 +164,7 @@ class Orders:
         if self._count <= MOST:
             return True
         self.is_full, self._controller.orders = True, None
-        for kept in (self.of, self.data, self.stands, self._nth, self._counts):
+        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._steps):
             kept.clear()
         return False
 
@@ -187,6 +193,8 @@ def _order(a: Axis) -> Order:
         return Order(type(action).__name__, move.line, rates=_rates(a, move), tie=_tie(action))
     if isinstance(action, Gear):
         return _stopped(a, move)
+    if isinstance(action, Played) and action.step:
+        return Order("step", move.line, *_bounds(a, move), a.shape, step=action.step)
     if isinstance(action, Played):
         return Order("Played", move.line, points=action.ordered)
     if isinstance(action, SpeedReference) and not a.suspended:

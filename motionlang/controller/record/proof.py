@@ -107,6 +107,8 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
     )
     if jump > slack:
         excuse = _excuse(run, a, i, kinds)
+        if not excuse and jump <= earlier.step + order.step + slack:
+            excuse = "a step of a stepper that starts or stops at once"
         if excuse:
             proof.excuses(excuse)
         else:
@@ -198,7 +200,11 @@ def _judge_move(proof: Proof, run: Run, move: Move) -> None:
             proof.breaks(move.line, f"{where}: the phases go {way:g} counts, the move {profile.distance:g}")
     kind = run.order_of(move).kind
     over = move.start_time + profile.duration <= run.until and a.move is not move and not move.ended
-    if over and kind in ("move", "rest") and abs(profile.end + move.offset - move.target) > SLACK * size:
+    if (
+        over
+        and kind in ("move", "step", "rest")
+        and abs(profile.end + move.offset - move.target) > SLACK * size
+    ):
         proof.breaks(move.line, f"{where}: it ends at {profile.end + move.offset:g}, sent to {move.target:g}")
     if kind == "path":
         judge_path_end(proof, run, move, over)

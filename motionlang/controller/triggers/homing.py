@@ -57,7 +57,6 @@ class Homing:
         "_index",
         "_move",
         "_offset",
-        "_provided",
         "_switch",
         "_watch",
         "axis",
@@ -65,6 +64,7 @@ class Homing:
         "before",
         "found",
         "line",
+        "provided",
         "speed",
         "state",
     )
@@ -91,7 +91,7 @@ class Homing:
         self.speed, self.back_off_speed, self._creep_speed = speed, back_off_speed, creep_speed
         self._switch, self._index, self._datum, self._offset = switch, index, datum, offset
         self._ended, self._command, self.line = ended, command, line
-        self._provided = provided
+        self.provided = provided
         self._watch: Watch | None = None
         self._move: Move | None = None
         self.found = False
@@ -139,7 +139,7 @@ class Homing:
         if ahead:
             return ""
         what = "limit switch" if self._switch == LIMIT else "switch"
-        if not self._provided and self.state == "search":
+        if not self.provided and self.state == "search":
             return f"axis {self.axis} homes towards a {what} that nothing provides"
         return f"axis {self.axis} {_IN_VAIN[self.state].format(what)}"
 

@@ -26,15 +26,15 @@ def aim(controller: Controller, axis: AxisState) -> float:
 def launch(board: Board, axis: AxisState, target: float, word: str, line: int) -> None:
     """Start a position move to `target`, counts."""
     controller, number = board.controller, axis.number
-    profile = _from_minimum(controller, axis, target)
-    if profile is None:
+    made = _from_minimum(controller, axis, target)
+    if made is None:
         controller.move_to(number, target, word, line)
     else:
-        controller.play(number, profile, word, line)
+        controller.play(number, made[0], word, line, step=made[1])
 
 
-def _from_minimum(controller: Controller, axis: AxisState, target: float) -> Profile | None:
-    """The trapezoid between two steps of velocity of MV; None where MV has no part in the move.
+def _from_minimum(controller: Controller, axis: AxisState, target: float) -> tuple[Profile, float] | None:
+    """The trapezoid between two steps of velocity of MV, and how large these are; None where MV has no part in it.
 
     It is the trapezoid from rest with both ends cut off: v from MV to the peak, v² = MV² + distance/(1/2A + 1/2D).
     """
@@ -53,17 +53,24 @@ def _from_minimum(controller: Controller, axis: AxisState, target: float) -> Pro
         return None
     low = min(axis.minimum, speed)
     if controller.is_idle(number):
-        return _stepped(start, target, low, speed, accel, decel)
+        return _stepped(start, target, low, speed, accel, decel), low
     velocity = controller.demand_velocity(number)
     if velocity * (target - start) <= 0.0 or abs(velocity) < low:
         return None
+    return _going_on(start, target, low, speed, accel, decel, velocity), low
+
+
+def _going_on(
+    start: float, target: float, low: float, speed: float, accel: float, decel: float, velocity: float
+) -> Profile:
+    """From motion: the trapezoid that would come to rest beyond the target, up to where it has slowed down to `low`."""
     from motionlang.profile import plan_trapezoid
+    from motionlang.profile.curve import from_curve
 
     beyond = target + copysign(low * low / (2.0 * decel), velocity)
     whole = plan_trapezoid(start, beyond, speed, accel, decel, velocity)
-    profile = whole.cut(whole.duration - low / decel)
-    profile.end = target
-    return profile
+    kept = whole.cut(whole.duration - low / decel)
+    return from_curve("trapezoid", start, target, kept.curve, velocity, 0.0)
 
 
 def _stepped(start: float, target: float, low: float, speed: float, accel: float, decel: float) -> Profile:

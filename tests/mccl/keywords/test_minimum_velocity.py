@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from math import sqrt
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.mccl.axis.launch import _stepped
+from motionlang import run
+from motionlang.mccl.axis.launch import _going_on, _stepped
+from motionlang.profile import Profile
 from motionlang.profile.verify import verify
+from motionlang.source import Source
 
 rates = st.floats(100.0, 1e5)
 
@@ -44,3 +50,64 @@ def test_it_is_faster_than_from_rest_by_what_is_left_out() -> None:
     profile = _stepped(0.0, 1000.0, 1000.0, 5000.0, 3000.0, 3000.0)
     assert profile.peak_speed == pytest.approx(2000.0)
     assert profile.duration == pytest.approx(2.0 / 3.0)
+
+
+@settings(max_examples=300)
+@given(st.integers(1, 10**6), st.booleans(), st.floats(0.01, 1.0), st.floats(0.0, 1.0), rates, rates, rates)
+def test_from_motion_it_ends_at_its_step_and_keeps_its_limits(
+    distance: int, back: bool, part: float, share: float, speed: float, accel: float, decel: float
+) -> None:
+    """From the step's velocity or more: the axis is on its way, and can still come down to that before the target."""
+    low = part * speed
+    velocity = low + share * (min(speed, sqrt(low * low + 2.0 * decel * distance)) - low)
+    way = -1.0 if back else 1.0
+    profile = _going_on(0.0, way * distance, low, speed, accel, decel, way * velocity)
+    complaints = verify(
+        profile,
+        speed=speed,
+        accel=accel,
+        decel=decel,
+        end=way * distance,
+        tolerance=1e-6,
+    )
+    assert [each for each in complaints if not each.startswith("the curve ends")] == []
+    assert abs(profile.phases[-1].end_velocity) == pytest.approx(low)
+    assert profile.velocity(profile.duration) == 0.0
+    assert profile.start_velocity == way * velocity
+
+
+STEPPER = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000,1WS\n"
+
+
+def forged(change: Callable[[Profile], Profile]) -> list[str]:
+    """What the proof says of a stepper's move that somebody has changed."""
+    result = run(Source("step.mcl", STEPPER), cache=False, prove=True)
+    assert result.proof().violations == []
+    assert "a step of a stepper that starts or stops at once" in result.proof().exceptions
+    a = result.controller.axes[1]
+    i = next(k for k, each in enumerate(a.profiles) if each.shape == "trapezoid")
+    a.profiles[i] = change(a.profiles[i])
+    return [each.message for each in result.proof().violations]
+
+
+@pytest.mark.parametrize(
+    ("low", "speed", "accel", "decel", "told"),
+    [
+        (1000.0, 5500.0, 20000.0, 10000.0, "the speed reaches"),
+        (1000.0, 5000.0, 21000.0, 10000.0, "the acceleration reaches 21000"),
+        (1000.0, 5000.0, 20000.0, 11000.0, "the deceleration reaches 11000"),
+        (1200.0, 5000.0, 20000.0, 10000.0, "the velocity jumps by 1200"),
+        (800.0, 5000.0, 20000.0, 10000.0, "s are due"),
+    ],
+)
+def test_the_proof_holds_a_move_to_its_rates_and_to_the_step(
+    low: float, speed: float, accel: float, decel: float, told: str
+) -> None:
+    messages = forged(lambda _: _stepped(0.0, 4000.0, low, speed, accel, decel))
+    assert any(told in each for each in messages), messages
+
+
+def test_what_is_left_of_a_move_at_a_new_zero_is_held_to_what_it_was_planned_with() -> None:
+    run_on = "1MN,1SV5000,1SA20000,1DS10000,1MV1000\n1MR4000\nWA0.2,1SV100,1DH5,1WS\n"
+    result = run(Source("zero.mcl", run_on), cache=False, prove=True)
+    assert result.proof().violations == []

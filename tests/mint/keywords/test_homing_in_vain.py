@@ -53,3 +53,12 @@ def test_a_switch_ahead_is_met_also_where_time_is_up_before() -> None:
 def test_an_index_mark_that_does_not_exist_is_never_met() -> None:
     _, found = told("HOME(0) = _hmPOSITIVE_INDEX\nPAUSE IDLE(0)\n", {})
     assert found[-1] == "1:1 error axis 0 homes and never meets an index mark"
+
+
+def test_where_nothing_provides_a_switch_the_other_way_is_no_help() -> None:
+    for machine, hint in (
+        (SWITCH, "home the other way, or let"),
+        ({}, "let the machine file say where it is"),
+    ):
+        result = run(Source("home.mnt", HOME + WAITS["a pause"]), machine=machine, cache=False)
+        assert result.diagnostics[-1].hint.startswith(hint)
