@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.cli import main
 from motionlang.execution import run
 from motionlang.lang import cache
 from motionlang.report import text
@@ -38,6 +39,28 @@ def test_a_collector_without_thresholds(monkeypatch: pytest.MonkeyPatch) -> None
     assert gc.get_threshold() == before
 
 
+@pytest.mark.parametrize("has_freeze", [True, False])
+def test_what_is_left_when_a_command_ends_is_not_looked_through(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, has_freeze: bool
+) -> None:
+    """Nothing is frozen by who calls `main` with arguments, and lives on; nor where a collector cannot do that."""
+    program = tmp_path / "a.mnt"
+    program.write_text("PRINT 1\n")
+    line = ["run", str(program), "--report", "none"]
+    before = gc.get_freeze_count()
+    assert main(line) == 0
+    assert gc.get_freeze_count() == before
+    monkeypatch.setattr(sys, "argv", ["motionlang", *line])
+    with monkeypatch.context() as patch:
+        if not has_freeze:
+            patch.delattr(gc, "freeze")
+        try:
+            assert main() == 0
+            assert (gc.get_freeze_count() > before) == has_freeze
+        finally:
+            gc.unfreeze()
+
+
 def test_the_cache_of_one_python_is_not_that_of_another(monkeypatch: pytest.MonkeyPatch) -> None:
     here = cache.key("program")
     monkeypatch.setattr(
@@ -50,7 +73,7 @@ def test_nothing_asks_for_what_only_cpython_tells() -> None:
     """How often something is referred to, and how large it is, is CPython's own business."""
     for path in (ROOT / "motionlang").rglob("*.py"):
         program = path.read_text(encoding="utf-8")
-        for word in ("getrefcount", "getsizeof", "gc.freeze", "get_referrers", "_PyObject", "ctypes"):
+        for word in ("getrefcount", "getsizeof", "get_referrers", "_PyObject", "ctypes"):
             assert word not in program, f"{path.name}: {word}"
 
 

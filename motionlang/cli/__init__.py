@@ -34,6 +34,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _guarded(given)
     except (KeyboardInterrupt, Terminated) as error:
         return status_of(error)
+    finally:
+        if arguments is None and hasattr(gc, "freeze"):
+            gc.freeze()  # the process ends, and what is left goes with it: the collector need not look through it
 
 
 def _guarded(given: list[str]) -> int:
