@@ -6,6 +6,57 @@ To rounding, as two ways to the same figure may differ in their last bits.
 from __future__ import annotations
 
 EQUIVALENT: dict[str, str] = {
+    "motionlang/controller/moves/path_run.py: PathRun: _enter: True -> False": (
+        "a path has as many moves as axes"
+    ),
+    "motionlang/controller/record/certificate.py: contradictions: high < float('inf') -> high <= float('inf')": (
+        "what has no end upwards has none downwards either, with any slack"
+    ),
+    "motionlang/controller/record/due.py: move_time: not a0 and distance < 0.0 -> not a0 or distance < 0.0": (
+        "from a standstill the time is the same told from either side"
+    ),
+    "motionlang/controller/record/judge_axes.py: judge_profile: order.jerks[0] < inf -> order.jerks[0] <= inf": (
+        "an endless jerk adds nothing"
+    ),
+    "motionlang/controller/record/judge_paths.py: _ends: True -> False": (
+        "a path starts and ends on as many axes"
+    ),
+    "motionlang/controller/record/judge_views.py: judge_report: True -> False": (
+        "both have been found to be as many in the line before"
+    ),
+    "motionlang/controller/record/log.py: Log: make_room: 0 -> 1 #2": (
+        "one profile sooner or later; what is packed reads as before"
+    ),
+    "motionlang/controller/record/proof.py: _bend: speed < SLACK -> speed <= SLACK": (
+        "just at the size of rounding either is right"
+    ),
+    "motionlang/controller/servo/discrete.py: exponential: 5 -> 6": (
+        "halved and squared once more, which is the same"
+    ),
+    "motionlang/controller/servo/slip.py: _beyond: 1.0 -> 2.0": (
+        "a piece without an end has one acceleration for ever"
+    ),
+    "motionlang/controller/servo/slip.py: _levels: -1 -> 1": (
+        "no phase is negative: a turn back lies before the piece"
+    ),
+    "motionlang/controller/servo/stretch.py: _spans: True -> False": (
+        "between as many turns and one there is one span more"
+    ),
+    "motionlang/controller/servo/tuning.py: Suggestion: True -> False #2": (
+        "slots: the attributes are the same without"
+    ),
+    "motionlang/controller/triggers/next_watches.py: free_way: at < here -> at <= here": (
+        "on a watch neither side is free: the move is planned the long way"
+    ),
+    "motionlang/mccl/keywords/registers_operations.py: wrapped: value + 2147483648 -> value - 2147483648": (
+        "both are the same in 32 bits"
+    ),
+    "motionlang/mint/keywords/camboxes_operations.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
+        "no source has 0 counts in a unit"
+    ),
+    "motionlang/mint/keywords/modbus_operations.py: Coils: __init__: 1 -> 2": (
+        "a coil is on at every value but 0"
+    ),
     "motionlang/profile/approach.py: _travel: v >= speed -> v > speed": (
         "a peak that is just the speed leaves nothing to slew but rounding"
     ),

@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from motionlang.controller.record.due import Law, law, lead, move_time, ramp
-from motionlang.profile import plan, plan_velocity
+from motionlang.profile import plan, plan_jerk, plan_velocity
 from tests.profile.test_states import State
 
 COUNT = int(os.environ.get("MOTIONLANG_LONG", "2000"))
@@ -57,3 +57,11 @@ def test_ramps_by_hand() -> None:
         ("parabolic", 800.0, 21333.33333),
     ):  # fmt: skip
         assert ramp(0.0, 40.0, law(shape, (0.1, 0.1), endless, 0.1)) == pytest.approx((time, way), rel=1e-9)
+
+
+@pytest.mark.parametrize("distance", [-100.0, 100.0, -1e-3])
+@pytest.mark.parametrize("a0", [30.0, -30.0, 0.0])
+def test_a_move_from_a_standstill_that_speeds_up_takes_as_long_as_is_due(a0: float, distance: float) -> None:
+    by = Law((100.0, 80.0), (400.0, 100.0))
+    made = plan_jerk(0.0, distance, 50.0, *by.rates, *by.jerks, 0.0, a0)
+    assert made.duration == pytest.approx(move_time(0.0, a0, distance, 50.0, by), rel=1e-7)

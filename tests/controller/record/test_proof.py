@@ -293,3 +293,12 @@ def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.
         assert ran.report == whole.report
         assert ran.orders is not None
         assert (ran.orders.is_full, bool(ran.orders.of)) == (bool(told), not told)
+
+
+def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
+    program = (
+        "SCALE(0) = 4 : SCALE(1) = 4 : MAXSPEED(0) = 10 : SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100\n"
+        "VECTORR(0, 1) = 50, 0\nGO(0)\nPAUSE IDLE(0)\n"
+    )
+    proof = proved(program).proof()
+    assert (proof.holds, proof.counts["paths"]) == (True, 1)

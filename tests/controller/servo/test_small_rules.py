@@ -1,0 +1,50 @@
+"""Small rules of the simulated motors by their figures, each where nothing else would tell it from another."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Any
+
+import numpy as np
+import pytest
+
+from motionlang.controller.servo.discrete import discretise
+from motionlang.controller.servo.lookahead import COLUMNS, Sight, Window, next_other_side, next_side
+from motionlang.controller.servo.plant import Motor
+
+
+class Made:
+    """Samples of which only the following error is told."""
+
+    def __init__(self, error: list[float]) -> None:
+        for name in COLUMNS:
+            setattr(self, name, np.zeros(len(error)))
+        self.error = np.array(error)
+
+
+@pytest.mark.parametrize(
+    ("error", "since"), [([9.0, 9.0, 0.0, 0.0, 0.0], 102.0), ([0.0, 0.0, 0.0], 100.0), ([0.0, 9.0], np.inf)]
+)
+def test_a_window_is_kept_since_the_sample_after_the_last_one_outside(
+    error: list[float], since: float
+) -> None:
+    made: Any = Made(error)
+    window = Window(error=1.0)
+    window.pass_by(Sight(100, made), 0.0, 100 + len(error))
+    assert window.since == since
+
+
+def test_the_first_sample_on_a_side_and_on_another_one() -> None:
+    assert next_side(np.array([0.0, 0.0, 5.0, 6.0]), 0.0, 0) == (2, 1)
+    assert next_side(np.array([0.0, -4.0]), 0.0, 0) == (1, -1)
+    assert next_other_side(np.array([1.0, 2.0, -1.0]), 0.0) == 2
+    assert next_other_side(np.array([1.0, 0.0, 1.0]), 0.0) == 1
+
+
+def test_the_current_of_a_motor_without_inductance() -> None:
+    """I = (gain u - K w)/R, w in radians a second."""
+    motor = Motor(
+        inductance=0.0, resistance=2.0, torque_constant=0.05, counts_per_rev=4000.0, amplifier_gain=2.4
+    )
+    row = discretise(motor, 1e-3).current
+    assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * pi / 4000.0, 1.2, 0.0))

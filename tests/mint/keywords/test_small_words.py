@@ -1,0 +1,39 @@
+"""Small rules of single words: what each prints where nothing else would tell its rule from another."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.source import Source
+
+RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+# A rule, the program, what it prints, and the machine.
+WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
+    "a second between the points of a capture is a million microseconds": (
+        "CAPTUREPERIOD = 2000000 : PRINT CAPTUREPERIOD", ["2000000"], {}),
+    "a clock that nobody set began when the controller did": (
+        "WAIT(1500) : PRINT REALTIMECLOCK", ["2000-01-01 00:00:01"], {}),
+    "a brake that has no delays is lifted at once": (
+        "MOTORBRAKEOUTPUT(0) = 4 : MOTORBRAKEMODE(0) = 1 : DRIVEENABLE(0) = _OFF : WAIT(9)\n"
+        "DRIVEENABLE(0) = _ON : PRINT OUTX(4)", ["1"], {"controller.instruction_time": 1e-9}),
+    "a brake that has delays is lifted after the one and set after the other": (
+        "MOTORBRAKEOUTPUT(0) = 4 : MOTORBRAKEMODE(0) = 1 : DRIVEENABLE(0) = _OFF\n"
+        "MOTORBRAKEDELAY(0, 0) = 20 : MOTORBRAKEDELAY(0, 1) = 20\n"
+        "DRIVEENABLE(0) = _ON : WAIT(15) : PRINT OUTX(4) : WAIT(15) : PRINT OUTX(4)\n"
+        "DRIVEENABLE(0) = _OFF : WAIT(15) : PRINT OUTX(4) : WAIT(15) : PRINT OUTX(4)", ["0", "1", "1", "0"], {}),
+    "the other software limit is at 0 until it is written": (
+        RATES + "SOFTLIMITFORWARD(0) = 50 : PRINT SOFTLIMITREVERSE(0)", ["0.0000"], {}),
+    "a deadband is so many of the 4096 steps of the range": (
+        RATES + "HTACHANNEL(0) = 2 : HTAKPROP(0) = 1 : HTADEADBAND(0) = 64\n"
+        "HTA(0) = 53.125 : WAIT(500) : PRINT POS(0)", ["0.0000"],
+        {"analogue": [{"channel": 2, "at": 0.0, "value": 50.0}]}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("rule", WORDS)
+def test_what_it_prints(rule: str) -> None:
+    text, expected, machine = WORDS[rule]
+    result = run(Source("a.mnt", text), machine=machine, cache=False, until=10.0)
+    assert [each.message for each in result.diagnostics] == []
+    assert result.output == expected
