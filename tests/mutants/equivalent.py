@@ -21,11 +21,17 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/record/judge_paths.py: _ends: True -> False": (
         "a path starts and ends on as many axes"
     ),
+    "motionlang/controller/record/judge_views.py: 40 -> 41": (
+        "how many rows are looked at, of as many as there are"
+    ),
     "motionlang/controller/record/judge_views.py: judge_report: True -> False": (
         "both have been found to be as many in the line before"
     ),
     "motionlang/controller/record/log.py: Log: make_room: 0 -> 1 #2": (
         "one profile sooner or later; what is packed reads as before"
+    ),
+    "motionlang/controller/record/orders.py: _path: 0.0 -> 1.0 #3": (
+        "nothing asks a straight path for its angle"
     ),
     "motionlang/controller/record/proof.py: _bend: speed < SLACK -> speed <= SLACK": (
         "just at the size of rounding either is right"
@@ -44,6 +50,9 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/controller/servo/tuning.py: Suggestion: True -> False #2": (
         "slots: the attributes are the same without"
+    ),
+    "motionlang/controller/servo/tuning.py: _least: low + edge -> low - edge": (
+        "how soon the chords come near, from this side or from that"
     ),
     "motionlang/controller/triggers/next_watches.py: free_way: at < here -> at <= here": (
         "on a watch neither side is free: the move is planned the long way"

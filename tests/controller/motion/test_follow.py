@@ -484,3 +484,16 @@ def test_a_slave_of_a_slave_on_a_curve_follows_it_to_the_last_bits() -> None:
     for k in range(1, 60):
         until(c, 0.02 * k)
         assert c.position(2) == pytest.approx(-19.42 * c.position(1), rel=1e-12, abs=1e-15)
+
+
+def test_a_tie_that_lasts_goes_on_as_another_entry_of_the_log(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("motionlang.controller.motion.follow.MOST_PARTS", 3)
+    c = machine()
+    c.gear(1, 0, 1.0, command="FOLLOW", line=2)
+    for n in range(6):
+        until(c, 2.0 * n).move_to(0, 10.0 * (n % 2 == 0))
+    until(c, 20.0)
+    entries = [move for move in c.log.moves if move.axis == 1]
+    assert len(entries) > 1
+    assert {each.command for each in entries} == {"FOLLOW"}
+    assert c.position(1) == pytest.approx(c.position(0))

@@ -116,3 +116,13 @@ def test_without_a_time_to_slow_down_in_it_stands_at_once() -> None:
     assert until(c, 2.0).position(0) == pytest.approx(plain(0, 0.7))
     c.resume(0)
     assert until(c, 9.0).position(0) == 8.0
+
+
+def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
+    """From 1 to a half in 0.1 s and back in as much: 0.75 of that time is gone on the way."""
+    c = playing(on_path=False)
+    for time, told in ((0.7, c.suspend), (0.8, c.resume)):
+        until(c, time)
+        for axis in (0, 1):
+            told(axis)
+    assert c.idle_time(0) == pytest.approx(0.9 + (2.0 - 0.85))

@@ -11,6 +11,7 @@ import pytest
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.lookahead import COLUMNS, Sight, Window, next_other_side, next_side
 from motionlang.controller.servo.plant import Motor
+from motionlang.controller.servo.slip import _slid
 
 
 class Made:
@@ -48,3 +49,8 @@ def test_the_current_of_a_motor_without_inductance() -> None:
     )
     row = discretise(motor, 1e-3).current
     assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * pi / 4000.0, 1.2, 0.0))
+
+
+def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
+    assert _slid([0.0, -10.0, -10.0, -10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
+    assert _slid([0.0, 10.0, 10.0, 10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)

@@ -1,0 +1,57 @@
+"""Small rules of the proof by their figures, each where nothing else would tell it from another."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Any
+
+import pytest
+
+from motionlang.controller.record.due import Law, lead
+from motionlang.controller.record.judge_followers import FOUR, _moments, _wanted
+from motionlang.controller.record.judge_paths import Way, _along, _counts
+from motionlang.controller.record.orders import PathOrder, Tie
+from motionlang.controller.record.track import WholeTrack
+from motionlang.profile import hold, plan_trapezoid
+from motionlang.profile.chain import chained
+from tests.controller.machines import machine, until
+
+FREE = (inf, inf)
+
+
+def test_an_acceleration_beyond_what_is_allowed_is_taken_back_to_that_first() -> None:
+    """30 to 20 at a jerk of 100 in 0.1 s, held until 98, and taken back in 0.2 s."""
+    time, way = lead(0.0, 30.0, 100.0, Law((20.0, 20.0), (100.0, 100.0)))
+    assert time == pytest.approx(0.1 + 4.775 + 0.2)
+    assert way == pytest.approx(0.4 / 3.0 + (2.5 * 4.775 + 10.0 * 4.775**2) + 59.6 / 3.0)
+
+
+def test_a_slave_is_looked_at_where_a_piece_ends_and_within_each() -> None:
+    c = machine(1)
+    c.move_to(0, 20.0)
+    track = WholeTrack(until(c, 1.0).axes[0])
+    inside = [0.1 * share for share in FOUR] + [0.1 + 0.9 * share for share in FOUR]
+    assert _moments(track, track, 0.0, 1.0) == pytest.approx(sorted([0.1, 1.0, *inside]))
+    assert all(0.0 < share < 1.0 for share in FOUR)
+
+
+def test_a_place_between_two_of_a_table_is_on_the_line_between_them() -> None:
+    master: Any = None
+    tie = Tie(master, table=((0.0, 2.0, 4.0), (0.0, 8.0, 10.0), "linear"))
+    assert [_wanted(tie, hold(0.0), along) for along in (1.0, 2.0, 3.0)] == [4.0, 8.0, 9.0]
+
+
+def test_parts_of_axes_in_counts() -> None:
+    assert _counts([3.0, 2.0], [(0, 4.0), (1, 0.5)]) == [12.0, 1.0]
+
+
+def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
+    path = PathOrder(
+        (0, 1), (1.0, 1.0), 0.0, 0, True, (30.0, 40.0), (0.0, 0.0), 0.0, (), (0, 1), 100.0, FREE, FREE, FREE, 0.0
+    )  # fmt: skip
+    half = plan_trapezoid(0.0, 15.0, 30.0, 60.0, 60.0)
+    whole = chained(half, half.shifted(15.0))
+    rows = [(whole, 0.0), (whole.scaled(0.0, 4.0 / 3.0), 0.0)]
+    found = _along(rows, Way(path, [0.0, 0.0]), whole.duration)
+    assert found[-1].begin + found[-1].length == pytest.approx(whole.duration)
+    assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
