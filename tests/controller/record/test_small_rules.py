@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from math import inf
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from motionlang.controller.record.due import Law, lead
+from motionlang.controller.record.history import MoveFigures
 from motionlang.controller.record.judge_followers import FOUR, _moments, _wanted
 from motionlang.controller.record.judge_paths import Way, _along, _counts
 from motionlang.controller.record.orders import PathOrder, Tie
+from motionlang.controller.record.spans import _from
 from motionlang.controller.record.track import WholeTrack
 from motionlang.profile import hold, plan_trapezoid
 from motionlang.profile.chain import chained
@@ -55,3 +59,21 @@ def test_the_distance_along_a_line_that_counts_as_longer_than_it_is() -> None:
     found = _along(rows, Way(path, [0.0, 0.0]), whole.duration)
     assert found[-1].begin + found[-1].length == pytest.approx(whole.duration)
     assert [found[0].at(0.0)[0], found[-1].at(found[-1].length)[0]] == pytest.approx([0.0, 100.0])
+
+
+def test_a_piece_counted_from_elsewhere_is_the_same_piece() -> None:
+    piece = (1.0, 2.0, 3.0, 4.0, 0.0, 0.0, 0.0)
+    assert _from(piece, 2.0) == (1.0 + 4.0 + 12.0 + 32.0, 2.0 + 12.0 + 48.0, 3.0 + 24.0, 4.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(("error", "settled"), [([0.0, 5.0, 5.0, 5.0], None), ([0.0, 5.0, 5.0, 0.0], 0.3)])
+def test_a_motor_that_is_outside_its_window_at_last_has_not_settled(
+    error: list[float], settled: float | None
+) -> None:
+    made: Any = SimpleNamespace(
+        loop=SimpleNamespace(servo_rate=10.0, period=0.1),
+        error=np.array(error), output=np.zeros(4), torque=np.zeros(4),
+    )  # fmt: skip
+    figures = MoveFigures(0.0, 0.0, 9.0)
+    figures.take(0.0, made, 1.0)
+    assert figures.settle_time == (settled if settled is None else pytest.approx(settled))

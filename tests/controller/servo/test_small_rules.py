@@ -11,6 +11,8 @@ import pytest
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.lookahead import COLUMNS, Sight, Window, next_other_side, next_side
 from motionlang.controller.servo.plant import Motor
+from motionlang.controller.servo.response import _first_fall
+from motionlang.controller.servo.settings import make_loop
 from motionlang.controller.servo.slip import _slid
 
 
@@ -54,3 +56,16 @@ def test_the_current_of_a_motor_without_inductance() -> None:
 def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
     assert _slid([0.0, -10.0, -10.0, -10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
     assert _slid([0.0, 10.0, 10.0, 10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
+
+
+def test_an_override_holds_for_one_update_unless_it_says_so() -> None:
+    for given in ({}, {"override_hold": 1}):
+        made = make_loop({"override_steps": 5, "dac_bits": 12, **given}).override
+        assert made is not None
+        assert (made.steps, made.hold) == (5, 1)
+
+
+def test_a_gain_that_falls_at_once_is_looked_for_in_the_first_part() -> None:
+    grid = np.array([1.0, 2.0, 3.0, 4.0])
+    assert _first_fall(grid, 1.0 / grid, 0.7, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.7)
+    assert _first_fall(grid, 1.0 / grid, 0.3, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.3)

@@ -8,6 +8,7 @@ from motionlang import run
 from motionlang.source import Source
 
 RATES = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+PLANT: dict[str, object] = {"axis.0.plant.inertia": 2e-4, "axis.0.plant.viscous": 1e-4}
 # A rule, the program, what it prints, and the machine.
 WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "a second between the points of a capture is a million microseconds": (
@@ -22,6 +23,15 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         "MOTORBRAKEDELAY(0, 0) = 20 : MOTORBRAKEDELAY(0, 1) = 20\n"
         "DRIVEENABLE(0) = _ON : WAIT(15) : PRINT OUTX(4) : WAIT(15) : PRINT OUTX(4)\n"
         "DRIVEENABLE(0) = _OFF : WAIT(15) : PRINT OUTX(4) : WAIT(15) : PRINT OUTX(4)", ["0", "1", "1", "0"], {}),
+    "without a highest speed there is no time up to it": (
+        RATES + "PRINT ACCELTIMEMAX(0), DECELTIMEMAX(0)\nMAXSPEED(0) = 200 : PRINT ACCELTIMEMAX(0)",
+        ["00", "200"], {}),
+    "a motor that has not moved has no time to settle but what IDLETIME says": (
+        "IDLEMODE(0) = 1 : IDLETIME(0) = 10 : PRINT IDLESETTLINGTIME(0)", ["10"], PLANT),
+    "DEFAULT forgets the following error that warns": (
+        "FOLERRORWARNING(0) = 50 : DEFAULT(0) : KPROP(0) = 0.05\n"
+        "SPEED(0) = 20000 : ACCEL(0) = 40000 : DECEL(0) = 40000\n"
+        "MOVER(0) = 20000 : GO(0) : WAIT(300) : PRINT FOLERROR(0) > 50, AXISWARNING(0)", ["10"], PLANT),
     "the other software limit is at 0 until it is written": (
         RATES + "SOFTLIMITFORWARD(0) = 50 : PRINT SOFTLIMITREVERSE(0)", ["0.0000"], {}),
     "a deadband is so many of the 4096 steps of the range": (
