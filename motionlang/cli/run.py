@@ -15,12 +15,15 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.cli.options import Options
+    from motionlang.controller.record.judge import Proof
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.scheduler import Outside
     from motionlang.result import Run
 
 # The exit status where motionlang itself has made a mistake, as sysexits has it.
 CRASHED = 70
+# Profiles of a run that a signal ended which are still proved: a report comes within a second of it.
+PROVED_IN_TIME = 10_000
 
 
 def run_command(options: Options) -> int:
@@ -96,7 +99,7 @@ def _tell(result: Run, options: Options) -> int:
         result.diagnostics.append(
             _crash(result.crash, options, result.source if options.file == STDIN else None)
         )
-    proof = result.proof() if result.orders is not None and result.crash is None else None
+    proof = _proof(result)
     if proof is not None:
         result.diagnostics += proof.violations
     if options.certify and proof is not None:
@@ -126,6 +129,19 @@ def _tell(result: Run, options: Options) -> int:
     met = _complain_of_events(result, options) if result.machine.log.events else False
     wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
     return 1 if wrong or met else 0
+
+
+def _proof(result: Run) -> Proof | None:
+    """The proof of a run that is to be proved, and that has not crashed, nor been ended after long motion."""
+    if result.orders is None or result.crash is not None:
+        return None
+    profiles = sum(len(axis.profiles) for axis in result.controller.axes.values())
+    if result.status == "interrupted" and profiles > PROVED_IN_TIME:
+        message = f"the run is not proved: it was ended after {profiles} profiles of motion"
+        hint = f"up to {PROVED_IN_TIME} are proved after a signal; --until ends a run and has it proved"
+        result.diagnostics.append(Diagnostic("proof", message, hint=hint))
+        return None
+    return result.proof()
 
 
 def _complain_of_events(result: Run, options: Options) -> bool:

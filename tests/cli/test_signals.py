@@ -75,6 +75,27 @@ def test_a_signal_at_any_stage(
     assert told == ([f"the run was ended {who}"] if outcome == "interrupted" else [])
 
 
+@pytest.mark.parametrize("most", [10, 0])
+def test_an_ended_run_is_proved_where_that_takes_no_time(
+    most: int, cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from motionlang.cli import run
+
+    def pacer(factor: float) -> Callable[[float], None]:
+        def pace(now: float) -> None:
+            if now > 0.5:
+                raise KeyboardInterrupt
+
+        return pace
+
+    monkeypatch.setattr(run, "pacer", pacer)
+    monkeypatch.setattr(run, "PROVED_IN_TIME", most)
+    cell.write("a.mnt", "SPEED(0) = 5\n" + MOVE)
+    ran = cell("run", "a.mnt", "--report", "json", "--prove", "--realtime")
+    codes = [each["code"] for each in json.loads(ran.out)["diagnostics"]]
+    assert (ran.status, codes) == (130, ["interrupted"] if most else ["interrupted", "proof"])
+
+
 def test_a_signal_while_the_file_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     from motionlang.cli import input_files, run
 
