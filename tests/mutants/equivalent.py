@@ -60,6 +60,10 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mccl/keywords/registers_operations.py: wrapped: value + 2147483648 -> value - 2147483648": (
         "both are the same in 32 bits"
     ),
+    "motionlang/mint/keywords/buffer_operations.py: read_status: read: "
+    "(a.move.speed is not None) << 0 -> (a.move.speed is not None) >> 0": (
+        "by no place to the left or to the right"
+    ),
     "motionlang/mint/keywords/camboxes_operations.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
         "no source has 0 counts in a unit"
     ),

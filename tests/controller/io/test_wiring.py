@@ -113,3 +113,11 @@ def test_what_an_axis_does_about_a_fault_is_the_programs_choice() -> None:
     c.jog(0, 100.0)
     c.clock.advance(2.0)
     assert (c.faults(0), c.is_enabled(0), c.velocity(0)) == (FOLLOWING_ERROR, True, 100.0)
+
+
+def test_a_fault_beyond_a_position_happens_where_the_axis_comes_there() -> None:
+    c = machine(fault=[{"axis": 0, "kind": "following-error", "above": 6.0}])
+    c.move_to(0, 12.0)
+    c.clock.advance(5.0)
+    assert c.position(0) == pytest.approx(6.0)
+    assert c.faults(0) == FOLLOWING_ERROR

@@ -126,3 +126,15 @@ def test_resumed_while_it_slows_down_it_speeds_up_from_there() -> None:
         for axis in (0, 1):
             told(axis)
     assert c.idle_time(0) == pytest.approx(0.9 + (2.0 - 0.85))
+
+
+def test_the_rest_of_the_last_segment_too_takes_the_time_of_suspending() -> None:
+    """Suspended from 1.7 to 1.8 of the spline's time: the 0.2 left take 0.2 s, as in any other segment."""
+    c = playing()
+    until(c, 1.6)
+    for axis in (0, 1):
+        c.suspend(axis)
+    until(c, 3.0)
+    for axis in (0, 1):
+        c.resume(axis)
+    assert c.idle_time(0) == pytest.approx(3.0 + 0.2)

@@ -10,14 +10,16 @@ import numpy as np
 import pytest
 
 from motionlang.controller.record.due import Law, lead
-from motionlang.controller.record.history import MoveFigures
+from motionlang.controller.record.history import MoveFigures, servo_traces
 from motionlang.controller.record.judge_followers import FOUR, _moments, _wanted
 from motionlang.controller.record.judge_paths import Way, _along, _counts
 from motionlang.controller.record.orders import PathOrder, Tie
 from motionlang.controller.record.spans import _from
 from motionlang.controller.record.track import WholeTrack
+from motionlang.execution import run
 from motionlang.profile import hold, plan_trapezoid
 from motionlang.profile.chain import chained
+from motionlang.source import Source
 from tests.controller.machines import machine, until
 
 FREE = (inf, inf)
@@ -77,3 +79,12 @@ def test_a_motor_that_is_outside_its_window_at_last_has_not_settled(
     figures = MoveFigures(0.0, 0.0, 9.0)
     figures.take(0.0, made, 1.0)
     assert figures.settle_time == (settled if settled is None else pytest.approx(settled))
+
+
+def test_an_axis_with_a_motor_has_a_trace_of_it() -> None:
+    made = run(
+        Source("a.mnt", "MOVER(0) = 10 : GO(0) : PAUSE IDLE(0)"),
+        machine={"axis.0.plant.inertia": 2e-4},
+        cache=False,
+    )
+    assert list(servo_traces(made.controller)) == [0]
