@@ -144,7 +144,7 @@ class Orders:
         """An axis begins a plain move."""
         if not self._has_room():
             return
-        self.of[a.index].append(Order("move", line, speed, rates, ENDLESS, a.shape))
+        self.of[a.index].append(Order("move", line, speed, rates, ENDLESS, a.shape, ramp=a.ramp))
         self.data[a.index].append(a.datum)
 
     def keep_whole(self) -> None:
