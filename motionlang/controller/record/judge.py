@@ -9,7 +9,7 @@ from motionlang.controller.record.track import WholeTrack
 from motionlang.errors import Diagnostic
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Iterator, Mapping
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
@@ -94,7 +94,10 @@ class Run:
     def __init__(
         self, axes: Mapping[int, WholeTrack], moves: Iterable[Move], orders: Orders, until: float
     ) -> None:
-        self.axes, self.moves, self.orders, self.until = axes, list(moves), orders, until
+        self.axes, self.orders, self.until = axes, orders, until
+        # A log makes its entries anew each time it is read; those of paths and offsets, by number, are kept.
+        self._log = moves
+        self._kept: dict[int, Move] = {}
         # The entries of paths by axis, beginning and number, as the orders name them; and in a row.
         self.entries: dict[tuple[int, float, int], Move] = {}
         self.paths: dict[int, list[Move]] = {}
@@ -107,17 +110,26 @@ class Run:
             for order in records
             if order.path is not None
         }
-        for move in self.moves:
+        for number, move in enumerate(moves):
             if move.overlaid:
+                self._kept[number] = move
                 self.offsets.setdefault(move.axis, []).append(move)
+                continue
+            if not ordered:
                 continue
             key = (move.axis, move.start_time, 0)
             while key in self.entries:
                 key = (*key[:2], key[2] + 1)
             if key in ordered:
-                self.entries[key] = move
+                self._kept[number] = self.entries[key] = move
                 self.paths.setdefault(move.axis, []).append(move)
                 self._order_of[id(move)] = ordered[key]
+
+    @property
+    def moves(self) -> Iterator[Move]:
+        """The entries of the log in their order."""
+        for number, move in enumerate(self._log):
+            yield self._kept.get(number, move)
 
     def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
         """When a profile of a track was in force."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
 from math import isfinite
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from motionlang.controller.record.spans import spans
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from motionlang.controller.move import Move
     from motionlang.controller.record.judge import Proof, Run
     from motionlang.controller.record.trace import Samples
     from motionlang.controller.record.track import WholeTrack
@@ -21,36 +23,40 @@ ROWS = 40
 
 def judge_report(proof: Proof, run: Run, rows: Iterable[Mapping[str, object]]) -> None:
     """Every move of a report is where the track is when it begins and ends, lasts as long, and peaks as high."""
-    moves = [move for move in run.moves if move.profile is not None]
-    told = list(rows)
-    if len(told) != len(moves):
-        proof.breaks(0, f"the report tells of {len(told)} moves, the log of {len(moves)}")
+    moves = (move for move in run.moves if move.profile is not None)
+    told, logged, before = 0, 0, len(proof.violations)
+    for row, move in zip_longest(rows, moves):
+        told, logged = told + (row is not None), logged + (move is not None)
+        if row is not None and move is not None:
+            _judge_row(proof, run, row, move)
+    if told != logged:
+        del proof.violations[before:]
+        proof.breaks(0, f"the report tells of {told} moves, the log of {logged}")
+
+
+def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) -> None:
+    a, profile = run.axes[move.axis], move.profile
+    assert profile is not None
+    start, end, duration, peak = (float(row[name]) for name in ("start", "end", "duration", "peak_speed"))  # type: ignore[arg-type]
+    where = f"axis {move.axis} from {move.start_time:.6f} s"
+    if row["axis"] != move.axis or row["line"] != move.line or row["start_time"] != move.start_time:
+        proof.breaks(move.line, f"{where}: the report has it at {row['start_time']} s, line {row['line']}")
         return
-    for row, move in zip(told, moves, strict=True):
-        a, profile = run.axes[move.axis], move.profile
-        assert profile is not None
-        start, end, duration, peak = (float(row[name]) for name in ("start", "end", "duration", "peak_speed"))  # type: ignore[arg-type]
-        where = f"axis {move.axis} from {move.start_time:.6f} s"
-        if row["axis"] != move.axis or row["line"] != move.line or row["start_time"] != move.start_time:
+    if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
+        return
+    places = [(move.start_time, start)]
+    finish = move.start_time + duration
+    if isfinite(end) and finish <= run.until and not run.is_blended(a, finish):
+        places.append((finish, end))
+    for time, place in places:
+        counts = place * move.scale + move.zero
+        done = run.logged(a, move, time, time == finish and duration > 0.0)
+        if abs(counts - done) > SLACK * max(1.0, abs(done)) + 8e-16 * (1.0 + time) * _speed(a, time):
             proof.breaks(
-                move.line, f"{where}: the report has it at {row['start_time']} s, line {row['line']}"
+                move.line,
+                f"{where}: the report has it at {counts:g} at {time:.6f} s, the track at {done:g}",
             )
-            continue
-        if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
-            continue
-        places = [(move.start_time, start)]
-        finish = move.start_time + duration
-        if isfinite(end) and finish <= run.until and not run.is_blended(a, finish):
-            places.append((finish, end))
-        for time, place in places:
-            counts = place * move.scale + move.zero
-            done = run.logged(a, move, time, time == finish and duration > 0.0)
-            if abs(counts - done) > SLACK * max(1.0, abs(done)) + 8e-16 * (1.0 + time) * _speed(a, time):
-                proof.breaks(
-                    move.line,
-                    f"{where}: the report has it at {counts:g} at {time:.6f} s, the track at {done:g}",
-                )
-        _judge_peak(proof, run, a, peak * abs(move.scale), (move.start_time, finish), move.line)
+    _judge_peak(proof, run, a, peak * abs(move.scale), (move.start_time, finish), move.line)
 
 
 def _judge_peak(

@@ -114,14 +114,18 @@ class Log:
         return made
 
     def make_room(self, axes: Iterable[Axis]) -> None:
-        """Pack the profiles of axes but the newest ones of each; those that a simulated motor follows stay.
-
-        The moves that they are of are packed first.
-        """
+        """Pack profiles; the first time only look at how they follow each other."""
         self._look()
         if not self._looked:
             self._looked, self.room = True, MOST_PROFILES - FIRST_LOOK
             return
+        self.pack(axes)
+
+    def pack(self, axes: Iterable[Axis]) -> None:
+        """Pack the profiles of axes but the newest ones of each; those that a simulated motor follows stay.
+
+        The moves that they are of are packed first.
+        """
         self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
         kept = 0
         for a in axes:

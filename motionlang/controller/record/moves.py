@@ -58,6 +58,14 @@ class Moves(Stream[Move]):
         self._live()  # looks at all that is under way
         super().pack(count)
 
+    def __iter__(self) -> Iterator[Move]:
+        for number in range(len(self._parts)):
+            yield from self._parts.part(number)
+        self._live()
+        rows: list[Any] = self._tail[:]
+        for each in rows:  # one at a time, as who goes through many wants none of them back
+            yield move_of(each) if each.__class__ is tuple else each
+
     def as_kept(self) -> Iterator[Move | Row]:
         """All of them, the plain ones that are not packed as rows."""
         self._live()

@@ -99,8 +99,8 @@ class Order(NamedTuple):
 
 
 REST = Order("rest", 0)
-# Profiles of a run that are kept to be proved.
-MOST = 200_000
+# Profiles of a run that are kept to be proved; so many that are ordered alike, as in a loop, count as one.
+MOST, MANY_ALIKE = 200_000, 50
 # The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
 STRAIGHT = 0.1
 
@@ -109,7 +109,8 @@ class Orders:
     """The records of a controller: `of` by axis, as many as its track has profiles, and `data` likewise.
 
     A datum is how far the zero of the axis has been moved. `stands` has the axes and times at which an axis was told
-    to stand at once, with the word for it. Beyond `MOST` profiles it `is_full`, and holds nothing more.
+    to stand at once, with the word for it. Orders that are alike are one. Beyond `MOST` profiles it `is_full`, and
+    holds nothing more.
     """
 
     def __init__(self, controller: Controller) -> None:
@@ -126,26 +127,39 @@ class Orders:
         self._counts: dict[tuple[int, float], int] = {}
         # What is left of a stepper's move at a new zero is not planned anew: what held when it began still does.
         self._steps: dict[Move, Order] = {}
+        self._known = {REST: REST}  # those that further profiles may be ordered by
         self._controller = controller
         controller.orders = self
 
     def add(self, a: Axis) -> None:
         """The track of an axis gets another profile."""
-        if self._controller.axes.get(a.index) is a and self._has_room():
+        if self._controller.axes.get(a.index) is a:
             move = a.move
             path = move is not None and isinstance(move.action, PathMove)
             order = self._path(a) if path else _order(a)
             if move is not None and order.kind == "step":
                 order = self._steps.setdefault(move, order)
-            self.of[a.index].append(order)
-            self.data[a.index].append(a.datum)
+            self._append(a, order)
 
     def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:
         """An axis begins a plain move."""
-        if not self._has_room():
+        self._append(a, Order("move", line, speed, rates, ENDLESS, a.shape, ramp=a.ramp))
+
+    def _append(self, a: Axis, order: Order) -> None:
+        """One that is like another is that one; where there is no room the run goes on as one without a proof."""
+        if order.path is None and order.tie is None and order.points is None:
+            known = self._known.get(order)
+            self._count += MANY_ALIKE if known is None else 1
+            order = self._known.setdefault(order, order)
+        else:
+            self._count += MANY_ALIKE
+        if self._count <= MANY_ALIKE * MOST:
+            self.of[a.index].append(order)
+            self.data[a.index].append(a.datum)
             return
-        self.of[a.index].append(Order("move", line, speed, rates, ENDLESS, a.shape, ramp=a.ramp))
-        self.data[a.index].append(a.datum)
+        self.is_full, self._controller.orders = True, None
+        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._steps, self._known):
+            kept.clear()
 
     def keep_whole(self) -> None:
         """Forget orders of profiles that did not come onto their track, as somebody ended the run at that moment.
@@ -157,16 +171,6 @@ class Orders:
             count = min(len(WholeTrack(a).starts), len(self.of[number]), len(self.data[number]))
             del self.of[number][count:]
             del self.data[number][count:]
-
-    def _has_room(self) -> bool:
-        """Whether there is room for another profile; where there is none the run goes on as one without a proof."""
-        self._count += 1
-        if self._count <= MOST:
-            return True
-        self.is_full, self._controller.orders = True, None
-        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._steps):
-            kept.clear()
-        return False
 
     def _path(self, a: Axis) -> Order:
         """That of a path; those that begin at one moment are numbered."""

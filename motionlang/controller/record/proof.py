@@ -44,7 +44,8 @@ def prove(
     proof = Proof()
     if orders.is_full:
         message = (
-            f"the run has more than {MOST} profiles of motion, and a proof takes no more: nothing is proved"
+            f"the run has more than {MOST} profiles of motion with orders of their own, and a proof takes no more: "
+            "nothing is proved"
         )
         proof.violations.append(Diagnostic("proof", message, hint="--until ends the run sooner"))
         return proof

@@ -45,6 +45,8 @@ MOTOR: dict[str, tuple[str, str]] = {
 # Rows of one chunk: a few hundred kilobytes a column, which stay in the cache while they are written out.
 ROWS = 65_536
 MOST_ROWS = 200_000_000
+# Packed profiles that are unpacked at a time, unless there are more between two rows; and the seconds on each side.
+PROFILES, MARGIN = 4096, 0.001
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,11 +188,27 @@ class Trace:
             count = min(ROWS, last + 1 - first)
             data = tuple(buffer[:count] for buffer in buffers)
             np.divide(np.arange(first, first + count), rate, out=data[0])
-            self._fill(columns, data, first / rate, 1.0 / rate, count)
+            for begin, many in self._stretches(columns, first, count, rate):
+                part = tuple(values[begin - first : begin - first + many] for values in data)
+                self._fill(columns, part, begin / rate, 1.0 / rate, many)
             if first + count > last:
                 data[0][-1] = end
                 self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)
             yield Samples(columns, data)
+
+    def _stretches(
+        self, columns: Sequence[Column], first: int, count: int, rate: float
+    ) -> Iterator[tuple[int, int]]:
+        """Rows by their first one and how many, such that each stretch has a part of a packed motion at most."""
+        axes = {column.axis for column in columns if column.axis is not None}
+        tracks = [WholeTrack(self.controller.axes[axis]) for axis in axes]
+        most = max((track.count(first / rate, (first + count) / rate) for track in tracks), default=0)
+        if count == 1 or most <= PROFILES:
+            yield first, count
+            return
+        half = count // 2
+        yield from self._stretches(columns, first, half, rate)
+        yield from self._stretches(columns, first + half, count - half, rate)
 
     def as_controller(self, trajectory_rate: float = 1000.0) -> Trace:
         """The same motion as the controller computes it: points, `trajectory_rate` a second, and lines between."""
@@ -238,8 +256,8 @@ class Trace:
             elif column.axis is not None:
                 table = tables.get(column.axis)
                 if table is None:
-                    end = start + step * count
-                    table = tables[column.axis] = self._window(column.axis, start - step, end + step)
+                    end, margin = start + step * count, min(step, MARGIN)
+                    table = tables[column.axis] = self._window(column.axis, start - margin, end + margin)
                 table.sample(start, step, count, ORDERS[column.quantity], out)
                 self.to_user(column.axis, column.quantity, out)
 

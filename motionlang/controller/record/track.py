@@ -62,6 +62,10 @@ class WholeTrack:
             return len(self.starts) - len(self._a.starts) + bisect_right(self._a.starts, time) - 1
         return older.in_force(time)
 
+    def count(self, begin: float, end: float) -> int:
+        """How many profiles were in force from one time to another, where some are packed; 0 where none are."""
+        return 0 if self._a.older is None else self.place(end) - self.place(begin)
+
     def between(self, begin: float, end: float) -> tuple[Sequence[float], Sequence[Profile]]:
         """Starts and profiles of all that was in force from `begin` to `end`, and what was before; all if unpacked."""
         if self._a.older is None:
@@ -101,5 +105,9 @@ class Recorded:
     """A controller as its log has it: its axes with their whole motion, and the moves."""
 
     def __init__(self, controller: Controller) -> None:
-        self.axes = {number: WholeTrack(a) for number, a in controller.axes.items()}
         self.moves = controller.log.moves
+        if (
+            self.moves.packed
+        ):  # of a long run all is, so that going through it takes no more memory than a part
+            controller.log.pack((*controller.axes.values(), *controller.encoders.values()))
+        self.axes = {number: WholeTrack(a) for number, a in controller.axes.items()}

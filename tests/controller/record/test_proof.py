@@ -278,6 +278,7 @@ def test_a_report_and_a_trace_that_tell_otherwise_are_found() -> None:
 
 def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """A run of as many profiles as are kept is proved; one more, and nothing is kept."""
+    monkeypatch.setattr("motionlang.controller.record.orders.MANY_ALIKE", 1)
     program = (
         "Dim i As Integer\nFor i = 1 To 4\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\nNext\nPRINT POS(0)\n"
     )
@@ -293,6 +294,47 @@ def test_more_motion_than_is_kept_is_not_proved_and_goes_on(monkeypatch: pytest.
         assert ran.report == whole.report
         assert ran.orders is not None
         assert (ran.orders.is_full, bool(ran.orders.of)) == (bool(told), not told)
+
+
+@pytest.mark.parametrize(("speed", "orders"), [("10", 1), ("10 * i", 60)])
+def test_moves_that_are_ordered_alike_are_kept_as_one(
+    speed: str, orders: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sixty moves of one order and their rests are two profiles in fifty; with a speed each there are too many."""
+    turn = f"SPEED(0) = {speed}\n  MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
+    program = f"Dim i As Integer\nFor i = 1 To 60\n  {turn}Next\n"
+    monkeypatch.setattr("motionlang.controller.record.orders.MOST", 62)
+    kept = proved(program).orders
+    assert kept is not None
+    assert (kept.is_full, len({id(each) for each in kept.of[0]})) == (False, 1 + orders)
+    monkeypatch.setattr("motionlang.controller.record.orders.MOST", 4)
+    full = proved(program).orders
+    assert full is not None
+    assert full.is_full == (orders > 1)
+
+
+def test_the_proof_of_a_long_run_reads_what_is_packed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of moves and profiles that the log has packed, and of a path among them."""
+    monkeypatch.setattr("motionlang.controller.record.log.FIRST_LOOK", 4)
+    monkeypatch.setattr("motionlang.controller.record.log.MOST_PROFILES", 40)
+    monkeypatch.setattr("motionlang.controller.record.log.LEFT_PROFILES", 4)
+    monkeypatch.setattr("motionlang.controller.record.trace.PROFILES", 8)
+    move = "MOVER(0) = 1 : GO(0)\n  PAUSE IDLE(0)\n"
+    loop = f"For i = 1 To 60\n  {move}Next\n"
+    path = "VECTORR(0, 1) = 3, 4\nGO(0)\nPAUSE IDLE(0)\n"
+    result = proved(f"Dim i As Integer\n{RATES}{loop}{path}{loop}")
+    proof = result.proof()
+    assert result.controller.axes[0].older is not None
+    assert (proof.violations, proof.counts["moves"], proof.counts["paths"]) == ([], 122, 1)
+    (row, *rows) = list(moves(result))
+    assert result.orders is not None
+    recorded = Recorded(result.controller)
+    told = prove(recorded, result.orders, result.time, rows).violations
+    assert [each.message for each in told] == ["the report tells of 121 moves, the log of 122"]
+    told = prove(recorded, result.orders, result.time, [{**row, "line": 99}, *rows]).violations
+    assert [each.message for each in told] == [
+        "axis 0 from 0.000000 s: the report has it at 5e-09 s, line 99"
+    ]
 
 
 def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
