@@ -1,8 +1,9 @@
-"""All figures, each beside its bar: `python -m benchmarks [--halfway] [NAME …]`.
+"""All figures, each beside its bar: `python -m benchmarks [--halfway | --prove] [NAME …]`.
 
 A benchmark is a file of this folder that prints lines of `name value unit`. Those that count are ratios within one run,
 against a peer, a limit or the same thing done another way; `BARS` says how far they are to reach. Exit status 1 where
 one does not, or with `--halfway` where one does not come halfway, which also a machine with other work should.
+With `--prove` there are no figures: every run is proved, so that what is measured is known to keep its limits.
 """
 
 from __future__ import annotations
@@ -111,18 +112,22 @@ BARS: dict[str, Bar] = {
 }
 
 
-def figures(name: str) -> dict[str, tuple[float, str]]:
-    """What one benchmark prints: value and unit by name. Raises CalledProcessError where it fails."""
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join((str(FOLDER.parent), str(FOLDER)))}
-    ran = subprocess.run(
+def ran(name: str, *further: Path) -> subprocess.CompletedProcess[str]:
+    """A benchmark in a process of its own, with further folders to import from; CalledProcessError where it fails."""
+    path = os.pathsep.join(map(str, (*further, FOLDER.parent, FOLDER)))
+    return subprocess.run(
         [sys.executable, str(FOLDER / f"{name}.py")],
         capture_output=True,
         text=True,
         check=True,
-        env=environment,
+        env=os.environ | {"PYTHONPATH": path},
     )
+
+
+def figures(name: str) -> dict[str, tuple[float, str]]:
+    """What one benchmark prints: value and unit by name. Raises CalledProcessError where it fails."""
     found = {}
-    for line in ran.stdout.splitlines():
+    for line in ran(name).stdout.splitlines():
         label, _, rest = line.partition(" ")
         value, _, unit = rest.strip().partition(" ")
         try:
@@ -132,14 +137,29 @@ def figures(name: str) -> dict[str, tuple[float, str]]:
     return found
 
 
+def prove(names: list[str]) -> int:
+    """Prove every run of benchmarks; 1 where one fails."""
+    failed = 0
+    for name in names:
+        try:
+            told = ran(name, FOLDER / "proved").stderr.strip().splitlines()
+        except subprocess.CalledProcessError as error:
+            told, failed = error.stderr.strip().splitlines(), 1
+        print(f"{name}: {told[-1] if told else 'no run of a program'}", flush=True)
+    return failed
+
+
 def main(names: list[str]) -> int:
     """Run the named benchmarks, or all; a table each as it is done."""
     slack = 2.0 if "--halfway" in names else 1.0
-    names = [name for name in names if name != "--halfway"]
+    to_prove = "--prove" in names
+    names = [name for name in names if name not in ("--halfway", "--prove")]
     unknown = [name for name in names if name not in NAMES]
     if unknown:
         sys.stderr.write(f"there is no benchmark {unknown[0]}: {', '.join(NAMES)}\n")
         return 2
+    if to_prove:
+        return prove(names or list(NAMES))
     console, short = Console(), []
     for name in names or NAMES:
         try:

@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parent.parent
 
 
@@ -27,3 +29,10 @@ def test_every_benchmark_is_listed() -> None:
     listed = re.findall(r"\w+", ran.stderr.partition(": ")[2])
     files = {path.stem for path in (ROOT / "benchmarks").glob("*.py")}
     assert files - {"__main__", "timing", "parse_program"} == set(listed)
+
+
+@pytest.mark.long
+def test_what_is_measured_is_proved() -> None:
+    ran = benchmarks("--prove", "shift", "poll", "loop", "mccl", "cycle", "diff", "sweep", "events", "start")
+    assert (ran.returncode, ran.stderr) == (0, ""), ran.stdout
+    assert ran.stdout.count("runs are proved") >= 7

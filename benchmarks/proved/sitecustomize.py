@@ -1,0 +1,39 @@
+"""Every run of a Python that has this folder on its path is proved; one that fails ends it. Figures then say nothing.
+
+`python -m benchmarks --prove` puts the folder there, for its benchmarks and for every process that they start.
+"""
+
+from __future__ import annotations
+
+import atexit
+import sys
+
+from motionlang.controller.record.orders import Orders
+from motionlang.controller.record.proof import prove
+from motionlang.controller.record.track import Recorded
+from motionlang.lang.machine.machine import Machine
+from motionlang.lang.scheduler import Scheduler
+
+_run = Scheduler.run
+_count = [0]
+
+
+def _proved(scheduler: Scheduler, until: float = float("inf")) -> str:
+    machine = scheduler.machine
+    controller = machine.controller if isinstance(machine, Machine) else machine
+    orders = controller.orders or Orders(controller)
+    status = _run(scheduler, until)
+    found = prove(Recorded(controller), orders, controller.clock.now).violations
+    if found:
+        raise SystemExit(f"line {found[0].line}: {found[0].message}; {len(found)} in all")
+    _count[0] += 1
+    return status
+
+
+def _tell() -> None:
+    if _count[0]:
+        sys.stderr.write(f"{_count[0]} runs are proved\n")
+
+
+Scheduler.run = _proved  # type: ignore[assignment,method-assign]
+atexit.register(_tell)
