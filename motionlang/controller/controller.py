@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller import readers
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
-from motionlang.controller.clock import Clock
+from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Refusal
 from motionlang.controller.readers import UNHEARD, Hearing
 from motionlang.controller.record.log import Log
@@ -334,6 +334,14 @@ class Controller(AxisVerbs):
 
         tie = tie_of(self.axes[axis])
         return tie.offset_left()[0] if tie is not None else 0.0
+
+    def offset_crossing_time(self, axis: int, left: float) -> float:
+        """When so much is still to go of the offset of a slave, or of the move of another axis."""
+        if abs(left) == INFINITY or self.master_of(axis) is None:
+            return self.remaining_crossing_time(axis, left)
+        from motionlang.controller.motion.offset import crossing_time
+
+        return crossing_time(self, self.axes[axis], left)
 
     def offset_status(self, axis: int) -> int:
         """How the last offset went, as the bits of OFFSETSTATUS."""

@@ -196,19 +196,20 @@ class Readings:
     def crossing_time(self, axis: int, position: float) -> float:
         """The time at which the axis will pass `position`, infinite if the present motion never does.
 
+        Where `position` is infinite: the time at which it turns round.
         Of a simulated motor as far as can be seen; beyond that the time to look again.
         """
         feedback = self.axes[axis].feedback
-        return (
-            self.demand_crossing_time(axis, position)
-            if feedback is None
-            else feedback.crossing_time(position)
-        )
+        if feedback is None:
+            return self.demand_crossing_time(axis, position)
+        return self.clock.now if abs(position) == INFINITY else feedback.crossing_time(position)
 
     def error_crossing_time(self, axis: int, error: float) -> float:
         """The time at which the following error of an axis passes `error`, as `crossing_time`."""
         feedback = self.axes[axis].feedback
-        return INFINITY if feedback is None else feedback.error_crossing_time(error)
+        if feedback is None:
+            return INFINITY
+        return self.clock.now if abs(error) == INFINITY else feedback.error_crossing_time(error)
 
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """The same of the demanded position."""
@@ -222,8 +223,26 @@ class Readings:
         start, profile = a.starts[-1], a.profiles[-1]
         if profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
             return INFINITY  # it rests, as a slave whose master does: it passes nothing, not even where it is
-        found = profile.crossing(position, self.clock.now - start)
+        elapsed = self.clock.now - start
+        if abs(position) == INFINITY:
+            found = profile.velocity_crossing(0.0, elapsed)
+        else:
+            found = profile.crossing(position, elapsed)
         return INFINITY if found is None else start + found
+
+    def remaining_crossing_time(self, axis: int, left: float) -> float:
+        """When so much of the present move is still to go; now where `left` is infinite."""
+        return (
+            self.clock.now
+            if abs(left) == INFINITY
+            else self.demand_crossing_time(axis, self.target(axis) - left)
+        )
+
+    def velocity_crossing_time(self, axis: int, velocity: float) -> float:
+        """When the velocity will next be `velocity`, as `demand_velocity_crossing_time`; now of a simulated motor."""
+        if self.has_motor(axis):
+            return self.clock.now
+        return self.demand_velocity_crossing_time(axis, velocity)
 
     def demand_velocity_crossing_time(self, axis: int, velocity: float) -> float:
         """When the demanded velocity will next be `velocity`, or stop to rise or fall as it does; at knots the latest.
@@ -240,18 +259,11 @@ class Readings:
             return now
         since, until, (_, _, c2, c3) = piece
         if not c2 and not c3:
-            return now if velocity == INFINITY else start + until
+            return now if abs(velocity) == INFINITY else start + until
         if c3 and elapsed < since - c2 / (3.0 * c3) < until:
             until = since - c2 / (3.0 * c3)
         found = profile.velocity_crossing(velocity, elapsed)
         return start + (until if found is None else min(found, until))
-
-    def turning_time(self, axis: int) -> float:
-        """When the demand of an axis will next stand for a moment."""
-        a = self.axes[axis]
-        start, profile = a.starts[-1], a.profiles[-1]
-        found = profile.velocity_crossing(0.0, self.clock.now - start)
-        return INFINITY if found is None else start + found
 
     def turns(self, channel: int) -> bool:
         """Whether an encoder channel is being turned."""

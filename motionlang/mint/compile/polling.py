@@ -15,9 +15,9 @@ part of that state; counters are given beside it, and come back as they are when
 from __future__ import annotations
 
 from motionlang.mint.compile.idle_variables import idle
-from motionlang.mint.resolve.symbols import NUMERIC, SEMAPHORE, STRING, TIME
+from motionlang.mint.resolve.symbols import NUMERIC, STRING, TIME
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.traversal import meant, walk
+from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,8 +27,10 @@ if TYPE_CHECKING:
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
 
-# A loop that names more variables is not looked at turn by turn, and arrays with more elements are not compared.
-MOST_VARIABLES, MOST_ELEMENTS = 100, 64
+# A loop that names more variables is not looked at turn by turn.
+MOST_VARIABLES = 100
+# Types whose values do not change by themselves.
+PLAIN = NUMERIC | {STRING}
 
 
 class Poll:
@@ -75,42 +77,27 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
 def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol], bool] | None:
     """The variables, as text, that turns of a loop are compared by, and whether these look at what others can change.
 
-    They are all that the loop and what it calls name: what is read and not given a value is the same every time. None
-    where there are too many, or one that cannot be compared, or where the loop just computes.
+    They are all that the loop and what it calls name. None where there are too many, or where the loop just computes.
     """
     state: dict[str, Symbol] = {}
     rewritten: set[Keyword] = set()
-    given: set[int] = set()
     reads = computes = False
-    for node, own in _reached(b, turn):
+    for node in _reached(b, turn):
         if isinstance(node, nodes.Assign):
-            target = _root(node.target)
             computes = computes or any(not isinstance(each, nodes.Number) for each in node.values)
-            if not (own and _counts(b, target)):
-                given.add(id(target))
-        elif isinstance(node, nodes.For):
-            given.add(id(node.variable))
-        elif isinstance(node, (nodes.Name, nodes.Variable)):
-            symbol, row = node.symbol, node.row
-            if isinstance(node, nodes.Variable) and node.values:
-                given.add(id(node))
-            if row is not None:
-                reads = reads or row.kind in ("reading", "setting")
-                rewritten.update([row] if is_repeated(row) else ())
-            if symbol is None:
-                continue
-            reads = reads or symbol.shared or symbol.by_ref or symbol.type.name == TIME
-            if symbol.kind == "sub":
-                parameters = zip(getattr(node, "args", None) or (), symbol.home.parameters, strict=False)
-                given.update(id(_root(arg)) for arg, each in parameters if each.by_ref or each.is_array)
-                symbol = symbol.home.result or symbol
-            if symbol.kind not in ("variable", "parameter") or not _outlasts(b, symbol):
-                continue
-            text = _text(symbol)
-            if text:
-                state[text] = symbol
-            elif id(node) in given and symbol.type.name != SEMAPHORE:
-                return None
+        if not isinstance(node, (nodes.Name, nodes.Variable)):
+            continue
+        symbol, row = node.symbol, node.row
+        if row is not None:
+            reads = reads or row.kind in ("reading", "setting")
+            rewritten.update([row] if is_repeated(row) else ())
+        if symbol is None:
+            continue
+        reads = reads or symbol.shared or symbol.by_ref or symbol.type.name == TIME
+        if symbol.kind == "sub":
+            symbol = symbol.home.result or symbol
+        if symbol.kind in ("variable", "parameter") and _outlasts(b, symbol):
+            state[_text(b, symbol)] = symbol
     if len(state) > MOST_VARIABLES or (computes and not reads):
         return None  # with nothing but its own variables it computes
     b.whole.rewritten |= rewritten
@@ -127,18 +114,6 @@ def turn(b: Body, poll: Poll) -> None:
     b.horizon(then=f"; {left} or ({look} := {site}.begin(t, {poll.state}))")
 
 
-def note_given(b: Body, target: nodes.Node) -> None:
-    """A variable is given a value."""
-    if _counts(b, _root(target)):
-        b.emit("E.acts += 1")
-
-
-def _counts(b: Body, target: nodes.Node) -> bool:
-    """Whether a variable that is given a value counts as something done: among Gotos, one that cannot be compared."""
-    symbol = target.symbol if b.function.jumps and isinstance(target, nodes.Name) else None
-    return symbol is not None and symbol.kind == "variable" and not _text(symbol)
-
-
 def is_repeated(row: Keyword) -> bool:
     """Whether a word may be written with what it has already, or stops what stands; the operation itself tells."""
     return row.kind != "move" and (row.access == "RW" or row.effect.startswith("stop"))
@@ -152,31 +127,22 @@ def _plainly_acts(node: nodes.Stmt) -> bool:
     return row is not None and row.verb != "wait" and not is_repeated(row)
 
 
-def _reached(b: Body, turn: Sequence[object]) -> Iterator[tuple[nodes.Node, bool]]:
-    """Every node of a turn and of all that it calls, and whether it stands in this function."""
-    bodies: list[tuple[Sequence[object], bool]] = [(turn, True)]
-    seen = {id(turn)}
-    for body, own in bodies:  # which grow meanwhile
+def _reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
+    """Every node of a turn and of all that it calls."""
+    bodies, seen = [turn], {id(turn)}
+    for body in bodies:  # which grow meanwhile
         for node in walk(body):
-            yield node, own
+            yield node
             more: Sequence[object] = ()
-            here = own
             if isinstance(node, nodes.Name) and node.stands is not None:
                 more = [node.stands]
             elif isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub":
-                more, here = node.symbol.home.body, False
-            elif isinstance(node, nodes.Jump) and node.kind == "gosub" and own:
+                more = node.symbol.home.body
+            elif isinstance(node, nodes.Jump) and node.kind == "gosub":
                 more = b.function.body
             if more and id(more) not in seen:
                 seen.add(id(more))
-                bodies.append((more, here))
-
-
-def _root(node: nodes.Node) -> nodes.Node:
-    """The name of the variable of which a part is given a value."""
-    while isinstance(node, nodes.Member):
-        node = node.value
-    return meant(node)  # type: ignore[arg-type]
+                bodies.append(more)
 
 
 def _outlasts(b: Body, symbol: Symbol) -> bool:
@@ -184,15 +150,10 @@ def _outlasts(b: Body, symbol: Symbol) -> bool:
     return symbol.home is b.function or symbol.home.kind != "sub"
 
 
-def _text(symbol: Symbol) -> str:
-    """A variable as Python text, with a value that can be compared; "" where there is none."""
-    if symbol.type.name not in (*NUMERIC, STRING):
-        return ""
-    if symbol.is_array:
-        count = 1
-        for size in symbol.dimensions:
-            count *= size
-        return f"tuple({symbol.python})" if 0 < count <= MOST_ELEMENTS else ""
-    if symbol.by_ref:
-        return f"{symbol.python}[{symbol.python}_k]"
-    return f"{symbol.python}[0]" if symbol.boxed else symbol.python
+def _text(b: Body, symbol: Symbol) -> str:
+    """What a variable holds, as Python text of what does not change with it."""
+    if symbol.is_array and symbol.type.name in PLAIN:
+        return f"tuple({symbol.python})"
+    if symbol.is_array or symbol.boxed or symbol.by_ref or symbol.type.name not in PLAIN:
+        return f"{b.whole.use('fn', 'frozen')}({symbol.python})"
+    return symbol.python

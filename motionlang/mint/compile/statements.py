@@ -8,7 +8,6 @@ from motionlang.mint.compile import (
     keyword_use,
     loops,
     pause,
-    polling,
     splitting,
     terminal_use,
 )
@@ -159,7 +158,6 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
     source = converted(b, found, kind, node.values[0], exact=symbol not in b.analysed)
     if kind.name == TIME:
         b.observes = True
-    polling.note_given(b, node.target)
     b.act(f"{text} = {source}")
 
 
@@ -167,7 +165,6 @@ def _give_record(b: Body, node: nodes.Assign, text: str, kind: Type, found: Valu
     if found.type != str(kind):
         b.problem("type", f"{article(found.type)} cannot be given to {article(str(kind))}", node)
         return
-    polling.note_given(b, node.target)
     b.act(f"{text}[:] = {b.whole.use('env', 'copy')}({found.text})")
 
 

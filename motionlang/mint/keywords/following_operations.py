@@ -127,7 +127,7 @@ def read_offset(environment: Environment, row: Row) -> Operation:
         return scale.to_user(controller.offset_remaining(axis) if slave else controller.remaining(axis))
 
     changes = environment.part(Changes)
-    return changes.comparable(read, changes.offset)
+    return changes.comparable(read, changes.passing("following.offset"))
 
 
 OPERATIONS = {

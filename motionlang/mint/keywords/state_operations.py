@@ -27,7 +27,7 @@ def read_is_idle(environment: Environment, row: Row, axis: int) -> Operation:
 def read_position(environment: Environment, row: Row, axis: int) -> Operation:
     """POS, within the turn where the axis has one."""
     changes = environment.part(Changes)
-    hearing = changes.hearing(axis, changes.position, environment.wraps)
+    hearing = changes.hearing(axis, changes.passing("position"), environment.wraps)
     return environment.controller.reader("position", axis, "place", hearing)
 
 
@@ -35,7 +35,7 @@ def read_position(environment: Environment, row: Row, axis: int) -> Operation:
 def read_demand(environment: Environment, row: Row, axis: int) -> Operation:
     """POSDEMAND, within the turn where the axis has one."""
     changes = environment.part(Changes)
-    hearing = changes.hearing(axis, changes.demand, environment.wraps)
+    hearing = changes.hearing(axis, changes.passing("demand"), environment.wraps)
     return environment.controller.reader("demand", axis, "place", hearing)
 
 

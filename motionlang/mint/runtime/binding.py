@@ -202,5 +202,5 @@ def _reading(environment: Environment, row: Row, axis: int) -> Operation:
         verb = environment.controller.reader(row.verb, axis)
         return lambda: int(verb())
     changes = environment.part(Changes)
-    hearing = changes.hearing(axis, getattr(changes, row.verb, None))
+    hearing = changes.hearing(axis, changes.passing(row.verb))
     return environment.controller.reader(row.verb, axis, row.unit, hearing)

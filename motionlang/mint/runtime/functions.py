@@ -23,6 +23,11 @@ _DEGREE = math.pi / 180.0
 # ------------------------------------------------------------------------------------- operators and checks
 
 
+def frozen(value: object) -> object:
+    """What a variable holds, with its arrays and its members, as what does not change with it."""
+    return tuple(map(frozen, value)) if isinstance(value, list) else value
+
+
 def overflow(value: float) -> int:
     """Refuse an Integer result that does not fit 32 bits."""
     raise Refusal(
