@@ -87,10 +87,12 @@ class PieceTable:
         columns = _derivative(self.columns[:, used], order)
         origins = self.origins[used] - t0
         long = np.diff(edges) >= LONG
-        for begin, finish in _runs(~long):
-            _sample_short(out, edges[begin : finish + 1], origins[begin:finish], columns[:, begin:finish], dt)
+        _sample_short(out, edges, origins, columns, dt, _runs(~long))
         wavy = columns[4] != 0.0
-        _sample_cubics(out, edges, origins, columns, dt, np.flatnonzero(long & ~wavy))
+        still = ~columns[1:5].any(axis=0)
+        for k in np.flatnonzero(long & still):
+            out[edges[k] : edges[k + 1]] = columns[0, k] + 0.0
+        _sample_cubics(out, edges, origins, columns, dt, np.flatnonzero(long & ~wavy & ~still))
         for i in np.flatnonzero(long & wavy):
             _sample_wave(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
         for start, end, profile in self._formulas:
@@ -205,26 +207,63 @@ def _multiply(local: Array, basis: Array, out: Array) -> None:
         np.matmul(local[i : i + rows], basis, out=out[i : i + rows])
 
 
-def _sample_short(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
-    chunks = max(1, -(-int(edges[-1] - edges[0]) // CHUNK))
-    marks = np.searchsorted(edges, np.linspace(edges[0], edges[-1], chunks + 1)).tolist()
-    marks[-1] = len(edges) - 1
-    for a, b in pairwise(marks):
-        if a < b:
-            _sample_chunk(out, edges[a : b + 1], origins[a:b], columns[:, a:b], dt)
+def _sample_short(
+    out: Array,
+    edges: NDArray[np.int64],
+    origins: Array,
+    columns: Array,
+    dt: float,
+    runs: list[tuple[int, int]],
+) -> None:
+    """Runs of short pieces, as many together as CHUNK points allow; a longer run in parts."""
+    together: list[tuple[int, int]] = []
+    points = 0
+    for begin, finish in runs:
+        chunks = max(1, -(-int(edges[finish] - edges[begin]) // CHUNK))
+        marks = [begin, finish]
+        if chunks > 1:
+            places = np.linspace(edges[begin], edges[finish], chunks + 1)[1:-1]
+            marks[1:1] = (begin + np.searchsorted(edges[begin:finish], places)).tolist()
+        for a, b in pairwise(marks):
+            if a == b:
+                continue
+            count = int(edges[b] - edges[a])
+            if together and points + count > CHUNK:
+                _sample_runs(out, edges, origins, columns, dt, together)
+                together, points = [], 0
+            together.append((a, b))
+            points += count
+    if together:
+        _sample_runs(out, edges, origins, columns, dt, together)
 
 
-def _sample_chunk(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
-    """A grid of small blocks, each from the piece its first point is in; then what follows a knot, again."""
-    begin, finish = int(edges[0]), int(edges[-1])
-    piece_blocks = np.diff(-(-(edges - begin) // GRID))
-    block_piece = np.repeat(np.arange(len(origins)), piece_blocks)
-    x = (begin + np.arange(len(block_piece)) * GRID) * dt - origins[block_piece]
-    local = _recentred(columns[:4].take(block_piece, axis=1), x)
-    _blocks(local.T, _powers(GRID, dt), out[begin:finish])
-    following = np.minimum(begin + -(-(edges[:-1] - begin) // GRID) * GRID, edges[1:])
-    _set_points(out, edges[:-1], following, origins, columns[:4], dt)
-    _add_waves(out, edges, origins, columns, dt)
+def _sample_runs(
+    out: Array,
+    edges: NDArray[np.int64],
+    origins: Array,
+    columns: Array,
+    dt: float,
+    runs: list[tuple[int, int]],
+) -> None:
+    """A grid of small blocks a run, each from the piece its first point is in; then what follows a knot, again."""
+    piece = np.concatenate([np.arange(a, b) for a, b in runs])
+    bounds = edges.take([a for a, _ in runs]), edges.take([b for _, b in runs])
+    begins, ends, origins, columns = edges[piece], edges[piece + 1], origins[piece], columns[:, piece]
+    # Of each piece: where its run begins, and the first and last block of the run whose first point is in it.
+    run = np.repeat(bounds[0], [b - a for a, b in runs])
+    first, last = -(-(begins - run) // GRID), -(-(ends - run) // GRID)
+    counts = last - first
+    block_piece = np.repeat(np.arange(len(piece)), counts)
+    block = np.arange(len(block_piece)) - np.repeat(np.cumsum(counts) - last, counts)
+    x = (run[block_piece] + block * GRID) * dt - origins[block_piece]
+    local = _recentred(columns[:4].take(block_piece, axis=1), x).T
+    basis, done = _powers(GRID, dt), 0
+    for begin, end in zip(*(bound.tolist() for bound in bounds), strict=True):
+        blocks = -(-(end - begin) // GRID)
+        _blocks(local[done : done + blocks], basis, out[begin:end])
+        done += blocks
+    _set_points(out, begins, np.minimum(run + first * GRID, ends), origins, columns[:4], dt)
+    _add_waves(out, (begins, ends), origins, columns, dt)
 
 
 def _recentred(columns: Array, x: Array) -> Array:
@@ -263,12 +302,18 @@ def _set_points(
     out[index] = value
 
 
-def _add_waves(out: Array, edges: NDArray[np.int64], origins: Array, columns: Array, dt: float) -> None:
+def _add_waves(
+    out: Array,
+    edges: tuple[NDArray[np.int64], NDArray[np.int64]],
+    origins: Array,
+    columns: Array,
+    dt: float,
+) -> None:
     wavy = np.flatnonzero(columns[4])
     if not len(wavy):
         return
     amplitude, omega, phase = columns[4:, wavy]
-    index, counts, x = _points(edges[wavy], edges[wavy + 1], origins[wavy], dt)
+    index, counts, x = _points(edges[0][wavy], edges[1][wavy], origins[wavy], dt)
     x *= np.repeat(omega, counts)
     x += np.repeat(phase, counts)
     np.sin(x, out=x)

@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 # Decimals that a column can have.
 DECIMALS = (6, 9, 12)
 # Rows worked on together, so that all that is in hand stays in the cache.
-BLOCK = 8192
+BLOCK = 16_384
+# Fewer rows than these are written one like the other, though they are alike.
+LONG_REST = 64
 # A number times 10^decimals must stay below this: doubles count every integer up to 2^53.
 LARGEST = 9.0e15
 # Whole parts below these have so many words: three digits with the sign, then four each.
@@ -66,49 +68,97 @@ def decimals_for(resolution: float) -> int:
 class Formatter:
     """Turns columns of equal length into CSV lines; `decimals` has one of `DECIMALS` for each."""
 
-    __slots__ = ("_bytes", "_decimals")
+    __slots__ = ("_decimals", "_first", "_rows")
 
     def __init__(self, decimals: Sequence[int]) -> None:
         assert all(each in DECIMALS for each in decimals)
         self._decimals = tuple(decimals)
-        self._bytes = bytearray()
+        self._rows = _Buffer()
+        self._first = _Buffer()
 
-    def lines(self, columns: Sequence[Array]) -> list[bytearray | bytes]:
+    def lines(self, columns: Sequence[Array]) -> list[bytes]:
         """The lines of the columns, in blocks."""
-        count = len(columns[0])
-        return [
-            self._block([column[first : first + BLOCK] for column in columns])
-            for first in range(0, count, BLOCK)
-        ]
+        texts: list[bytes] = []
+        for first in range(0, len(columns[0]), BLOCK):
+            texts += self._block([column[first : first + BLOCK] for column in columns])
+        return texts
 
-    def _block(self, columns: Sequence[Array]) -> bytearray | bytes:
-        sizes = [max(-column.min(), column.max()) for column in columns]
-        for size, decimals in zip(sizes, self._decimals, strict=True):
-            if not size * 10.0**decimals < LARGEST:
-                return self._slow(columns)
-        wholes = [1 + len([most for most in _WIDTHS if size >= most - 1.0]) for size in sizes]
-        # An even number of words each: they go into their rows two or four at a time.
-        widths = [whole + decimals // 3 for whole, decimals in zip(wholes, self._decimals, strict=True)]
-        edges = [0, *accumulate(width + width % 2 for width in widths)]
-        room = 4 * len(columns[0]) * edges[-1]
-        if len(self._bytes) != room:
-            self._bytes = bytearray(room)
-        words = np.frombuffer(self._bytes, "<u4").reshape(-1, edges[-1])
-        last = len(columns) - 1
-        for i, (column, decimals) in enumerate(zip(columns, self._decimals, strict=True)):
-            part = words[:, edges[i] : edges[i + 1]]
-            cell, spare = np.empty(part.shape, "<u4"), part.shape[1] - widths[i]
-            cell[:, :spare] = 0
-            _write(cell, spare, spare + wholes[i], column, decimals, _NEWLINE if i == last else _COMMA)
-            at_once = np.complex128 if part.shape[1] % 4 == 0 else np.uint64
-            part.view(at_once)[...] = cell.view(at_once)
-        return self._bytes.translate(None, b"\0")
+    def _block(self, columns: Sequence[Array]) -> list[bytes]:
+        rests = _rests(columns)
+        kept = np.ones(len(columns[0]), np.bool_)
+        for begin, end in rests:
+            kept[begin:end] = False
+        moving = [column[kept] for column in columns] if rests else columns
+        if not self._rows.fill(moving, self._decimals, _NEWLINE):
+            return [self._slow(columns)]
+        if rests and not self._first.fill(columns[:1], self._decimals[:1], _COMMA):
+            return [self._slow(columns)]
+        texts: list[bytes] = []
+        done, left_out = 0, 0
+        for begin, end in rests:
+            text = self._rows.text(done, begin - left_out)
+            last = text[text.rfind(b"\n", 0, -1) + 1 :]
+            texts += text, self._first.text(begin, end).replace(b",", last[last.index(b",") :])
+            done, left_out = begin - left_out, left_out + end - begin
+        texts.append(self._rows.text(done, len(moving[0])))
+        return texts
 
     def _slow(self, columns: Sequence[Array]) -> bytes:
         # Adding 0.0 turns -0.0 into 0.0, as the fast way prints it.
         row = ",".join(f"%.{decimals}f" for decimals in self._decimals) + "\n"
         values = zip(*((column + 0.0).tolist() for column in columns), strict=True)
         return "".join([row % each for each in values]).encode("ascii")
+
+
+class _Buffer:
+    """Rows of words, in memory that is used again."""
+
+    __slots__ = ("_bytes", "_row")
+
+    def __init__(self) -> None:
+        self._bytes = bytearray()
+        self._row = 0
+
+    def fill(self, columns: Sequence[Array], decimals: Sequence[int], last_ends: Words) -> bool:
+        """Write the columns; False where one of them does not fit into words."""
+        sizes = [max(-column.min(), column.max()) for column in columns]
+        for size, each in zip(sizes, decimals, strict=True):
+            if not size * 10.0**each < LARGEST:
+                return False
+        wholes = [1 + len([most for most in _WIDTHS if size >= most - 1.0]) for size in sizes]
+        # An even number of words each: they go into their rows two or four at a time.
+        widths = [whole + each // 3 for whole, each in zip(wholes, decimals, strict=True)]
+        edges = [0, *accumulate(width + width % 2 for width in widths)]
+        self._row = 4 * edges[-1]
+        room = len(columns[0]) * self._row
+        if len(self._bytes) < room:
+            self._bytes = bytearray(room)
+        words = np.frombuffer(self._bytes, "<u4", room // 4).reshape(-1, edges[-1])
+        last = len(columns) - 1
+        for i, (column, each) in enumerate(zip(columns, decimals, strict=True)):
+            part = words[:, edges[i] : edges[i + 1]]
+            cell, spare = np.empty(part.shape, "<u4"), part.shape[1] - widths[i]
+            cell[:, :spare] = 0
+            _write(cell, spare, spare + wholes[i], column, each, last_ends if i == last else _COMMA)
+            at_once = np.complex128 if part.shape[1] % 4 == 0 else np.uint64
+            part.view(at_once)[...] = cell.view(at_once)
+        return True
+
+    def text(self, begin: int, end: int) -> bytes:
+        """The text of some of the rows."""
+        return bytes(memoryview(self._bytes)[begin * self._row : end * self._row]).translate(None, b"\0")
+
+
+def _rests(columns: Sequence[Array]) -> list[tuple[int, int]]:
+    """The long runs of rows that differ from the row before them in the first column alone."""
+    if len(columns) < 2:
+        return []
+    changes = columns[1][1:] != columns[1][:-1]
+    for column in columns[2:]:
+        changes |= column[1:] != column[:-1]
+    edges = np.concatenate(([-1], np.flatnonzero(changes), [len(changes)]))
+    long = np.flatnonzero(np.diff(edges) > LONG_REST)
+    return list(zip((edges[long] + 2).tolist(), (edges[long + 1] + 1).tolist(), strict=True))
 
 
 def _write(words: Words, first: int, point: int, column: Array, decimals: int, ends: Words) -> None:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.views.csv import BLOCK, DECIMALS, Formatter, decimals_for
+from motionlang.views.csv import BLOCK, DECIMALS, LONG_REST, Formatter, decimals_for
 
 
 def lines(columns: list[list[float]], decimals: list[int]) -> list[str]:
@@ -56,6 +56,43 @@ def test_blocks_join_without_a_seam() -> None:
     count = 2 * BLOCK + 17
     numbers = [k / 8 for k in range(count)]
     assert lines([numbers], [6]) == [f"{x:.6f}" for x in numbers]
+
+
+def rows(columns: list[list[float]], decimals: list[int]) -> list[str]:
+    return [
+        ",".join(f"{x:.{each}f}" for x, each in zip(row, decimals, strict=True))
+        for row in zip(*columns, strict=True)
+    ]
+
+
+# What two columns do behind a time, a stretch after the other: rows, and whether the first and the second change.
+STRETCHES = {
+    "a rest at the begin and at the end": [(500, 0, 0), (300, 1, 1), (500, 0, 0)],
+    "a rest and nothing else": [(700, 0, 0)],
+    "one column changes at a time": [(400, 1, 0), (400, 0, 0), (400, 0, 1)],
+    "a rest over a seam": [(BLOCK - 400, 1, 1), (900, 0, 0), (200, 1, 1)],
+    "a seam between rests": [(BLOCK, 0, 0), (1, 1, 1), (BLOCK, 0, 0)],
+    "rests one behind the other": [part for _ in range(9) for part in ((LONG_REST + 1, 0, 0), (1, 1, 0))],
+    "rests around the shortest": [
+        part for n in range(LONG_REST - 2, LONG_REST + 3) for part in ((n, 0, 0), (2, 1, 1))
+    ],
+}
+
+
+@pytest.mark.parametrize("largest", [1.0, 1e4, 1e20])
+@pytest.mark.parametrize("stretches", STRETCHES.values(), ids=STRETCHES)
+def test_rows_that_stand_still_are_like_any_others(
+    stretches: list[tuple[int, int, int]], largest: float
+) -> None:
+    time: list[float] = []
+    first, second = [-0.3 * largest], [1.7]
+    for count, one, two in stretches:
+        for _ in range(count):
+            time.append(len(time) / 8)
+            first.append(first[-1] + one * 0.01 * largest)
+            second.append(second[-1] - two / 3)
+    columns = [time, first[1:], second[1:]]
+    assert lines(columns, [9, 6, 9]) == rows(columns, [9, 6, 9])
 
 
 @pytest.mark.parametrize(
