@@ -74,6 +74,24 @@ def test_the_home_switch() -> None:
     assert changes(c) == [(0.0, 2, 1), (0.25, 2, 0)]
 
 
+@pytest.mark.parametrize(("value", "enabled"), [(1, True), (0, False)])
+def test_a_drive_is_off_while_its_enable_input_is_off_and_asks_no_other(value: int, enabled: bool) -> None:
+    c = machine(
+        axis__0__enable_input=3,
+        input=[
+            {"channel": 3, "at": 0.0},
+            {"channel": 4, "at": 0.5},
+            {"channel": 3, "at": 1.0, "value": value},
+        ],
+    )
+    c.clock.advance(0.1)
+    c.enable(0)
+    c.clock.advance(0.9)
+    assert c.is_enabled(0)
+    c.clock.advance(2.0)
+    assert c.is_enabled(0) is enabled
+
+
 def test_a_fault_at_a_time_switches_the_axis_off() -> None:
     c = machine(fault=[{"axis": 0, "kind": "following-error", "at": 1.0}])
     c.move_to(0, 12.0)

@@ -126,6 +126,20 @@ def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: s
     assert len(c.log.moves) == 1
 
 
+@pytest.mark.parametrize(
+    ("begin", "end", "time"), [(0.0, 0.0, 0.1), (0.1, 0.0, 0.15), (0.0, 0.1, 0.15), (0.05, 0.1, 0.175)]
+)
+def test_a_speed_reference_of_nothing_ends_when_the_axis_stands(
+    begin: float, end: float, time: float
+) -> None:
+    c = machine()
+    slope = Slope(100.0, begin, end)
+    c.refer_speed(0, 10.0, (slope, slope))
+    until(c, 1.0).refer_speed(0, 0.0, (slope, slope))
+    assert c.idle_time(0) == pytest.approx(1.0 + time)
+    assert until(c, 2.0).is_idle(0)
+
+
 def test_a_limit_of_speed_acts_on_a_speed_reference() -> None:
     c = machine()
     c.refer_speed(0, 10.0, (Slope(100.0, 0.0, 0.0), Slope(50.0, 0.0, 0.0)))

@@ -458,6 +458,21 @@ def test_an_offset_that_cannot_be_done_says_why(mode: int, distance: float, over
     assert until(c, 5.0).position(1) == pytest.approx(c.position(0))
 
 
+@pytest.mark.parametrize(
+    ("max_accel", "max_decel", "status"),
+    [(16.0, 16.0, 0), (15.0, 16.0, 4), (16.0, 15.0, 8), (15.0, 15.0, 4 | 8)],
+)
+def test_a_triangle_of_16_a_second_squared_is_done_where_both_limits_allow_it(
+    max_accel: float, max_decel: float, status: int
+) -> None:
+    c = moving_slave()
+    c.configure(1, "max_accel", max_accel)
+    c.configure(1, "max_decel", max_decel)
+    c.offset(1, 4.0, mode=2, over=10.0)
+    assert c.offset_status(1) == status
+    assert until(c, 3.0).position(1) - c.position(0) == pytest.approx(0.0 if status else 4.0)
+
+
 def test_an_offset_on_a_cam() -> None:
     c = machine()
     c.cam(1, 0, [0.0, 10.0, 20.0], [0.0, 5.0, 0.0], kind="cubic", cyclic=True)

@@ -53,6 +53,12 @@ def test_a_corner_and_why_the_path_stops_there(mode: str, second: str, corner: f
     assert at_its_end(first) == end
 
 
+def test_the_corner_behind_an_arc_that_stops_is_that_of_its_tangent() -> None:
+    for second, corner in (("0, 20", 0.0), ("20, 0", 90.0), ("-20, 20", 45.0)):
+        arc, _ = rows_of(f"CIRCLER(0, 1) = 0, 10, 90\nVECTORR(0, 1) = {second}\nGO(0)\nPAUSE IDLE(0)\n")
+        assert arc.corner == pytest.approx(corner, abs=0.1)
+
+
 def test_what_cut_a_path_short_is_told() -> None:
     (only,) = rows_of("VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT(500)\nSTOP(0)\nPAUSE IDLE(0)\n")
     assert at_its_end(only) == "ended by stop"

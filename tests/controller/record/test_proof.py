@@ -84,6 +84,16 @@ def test_a_log_that_ends_elsewhere_is_found() -> None:
     assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
 
 
+def test_a_move_that_ends_as_the_run_does_is_asked_where() -> None:
+    (whole,) = proved(MOVE).controller.log.moves
+    assert whole.profile is not None
+    end = whole.start_time + whole.profile.duration
+    result = run(Source("move.mnt", MOVE), machine=FINE, cache=False, prove=True, until=end)
+    assert found(result) == []
+    result.controller.log.moves[0].target += 1.0
+    assert found(result) == ["2: axis 0 from 0.000000 s: it ends at 100, sent to 101"]
+
+
 def test_a_move_in_no_time_is_found() -> None:
     result = proved(MOVE)
     result.controller.log.moves[0].profile = Profile("trapezoid", 0.0, 100.0, 0.0, (0.0, 0.0, 0.0, 0.0))

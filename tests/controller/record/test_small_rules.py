@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, nextafter
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,14 +11,17 @@ import pytest
 
 from motionlang.controller.record.due import Law, lead
 from motionlang.controller.record.history import MoveFigures, servo_traces
-from motionlang.controller.record.judge_followers import FOUR, _moments, _wanted
+from motionlang.controller.record.judge import Proof, position
+from motionlang.controller.record.judge_axes import _judge_knots
+from motionlang.controller.record.judge_followers import FOUR, _judge_table, _moments, _wanted
 from motionlang.controller.record.judge_paths import Way, _along, _counts
-from motionlang.controller.record.orders import PathOrder, Tie
-from motionlang.controller.record.spans import _from
+from motionlang.controller.record.orders import Order, PathOrder, Tie
+from motionlang.controller.record.spans import Span, _from
 from motionlang.controller.record.track import WholeTrack
 from motionlang.execution import run
 from motionlang.profile import hold, plan_trapezoid
 from motionlang.profile.chain import chained
+from motionlang.profile.table_motion import table_curve
 from motionlang.source import Source
 from tests.controller.machines import machine, until
 
@@ -45,6 +48,49 @@ def test_a_place_between_two_of_a_table_is_on_the_line_between_them() -> None:
     master: Any = None
     tie = Tie(master, table=((0.0, 2.0, 4.0), (0.0, 8.0, 10.0), "linear"))
     assert [_wanted(tie, hold(0.0), along) for along in (1.0, 2.0, 3.0)] == [4.0, 8.0, 9.0]
+
+
+# How a table is ordered, its places and values, how its curve is made, and what is told.
+TABLES: dict[str, tuple[str, tuple[float, ...], tuple[float, ...], str, str]] = {
+    "straight": ("linear", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "linear", ""),
+    "smooth": ("cubic", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "cubic", ""),
+    "bent between its places": (
+        "linear", (0.0, 2.0, 4.0), (3.0, 8.0, 10.0), "cubic", "is not straight from 0 to 2 of its master",
+    ),
+    "a small jump of the slope of a long table": (
+        "cubic", (0.0, 1000.0, 2000.0), (0.0, 1.0, 2.001), "linear", "the slope of its curve jumps by 1e-06",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_curve_is_joined_as_its_table_says(name: str) -> None:
+    kind, places, values, made, told = TABLES[name]
+    some: Any = SimpleNamespace(index=1, starts=[0.0])
+    proof, order = Proof(), Order("CurveFollow", 1, tie=Tie(some, table=(places, values, kind)))
+    _judge_table(proof, some, some, 0, order, table_curve(list(places), list(values), made))
+    assert [told in each.message for each in proof.violations] == [True] * bool(told)
+
+
+def test_just_at_a_new_zero_a_track_is_where_it_came_from_for_what_ends_there() -> None:
+    """The end of a move, its beginning and its time added up, may lie a rounding behind the zero."""
+    c = machine(1)
+    until(c, 1000.0).define_position(0, 7.0)
+    track = WholeTrack(until(c, 1001.0).axes[0])
+    for time in (1000.0, nextafter(1000.0, inf)):
+        assert (position(track, time), position(track, time, ending=True)) == (7.0, 0.0)
+    assert position(track, 1000.1, ending=True) == 7.0
+
+
+@pytest.mark.parametrize(("gap", "told"), [(0.01, 0), (0.02, 1)])
+def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: float, told: int) -> None:
+    """Four roundings of 10⁶ s, 1.6 ns, at 10⁷ counts/s."""
+    fast = Span(0.0, 1.0, (0.0, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
+    other = Span(1.0, 1.0, (1e7 + gap, 1e7, 0.0, 0.0, 0.0, 0.0, 0.0))
+    some: Any = SimpleNamespace(index=0, starts=[1e6], profiles=[hold(0.0)])
+    proof = Proof()
+    _judge_knots(proof, some, 0, Order("jog", 1), [fast, other])
+    assert len(proof.violations) == told
 
 
 def test_parts_of_axes_in_counts() -> None:

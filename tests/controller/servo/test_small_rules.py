@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from math import pi
+import math
 from typing import Any
 
 import numpy as np
 import pytest
 
+from motionlang.controller.servo.demand import SHORT, Generator, Track
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.lookahead import COLUMNS, Sight, Window, next_other_side, next_side
 from motionlang.controller.servo.plant import Motor
 from motionlang.controller.servo.response import _first_fall
 from motionlang.controller.servo.settings import make_loop
 from motionlang.controller.servo.slip import _slid
+from motionlang.profile import hold
 
 
 class Made:
@@ -50,7 +52,7 @@ def test_the_current_of_a_motor_without_inductance() -> None:
         inductance=0.0, resistance=2.0, torque_constant=0.05, counts_per_rev=4000.0, amplifier_gain=2.4
     )
     row = discretise(motor, 1e-3).current
-    assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * pi / 4000.0, 1.2, 0.0))
+    assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * math.pi / 4000.0, 1.2, 0.0))
 
 
 def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
@@ -69,3 +71,12 @@ def test_a_gain_that_falls_at_once_is_looked_for_in_the_first_part() -> None:
     grid = np.array([1.0, 2.0, 3.0, 4.0])
     assert _first_fall(grid, 1.0 / grid, 0.7, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.7)
     assert _first_fall(grid, 1.0 / grid, 0.3, lambda f: 1.0 / f) == pytest.approx(1.0 / 0.3)
+
+
+def test_another_zero_at_a_sample_moves_no_motor() -> None:
+    """Whether the points are made one by one or at once, and to whichever side the time of a sample is rounded."""
+    for k in range(1, SHORT):
+        for time in (math.nextafter(k * 1e-3, 0.0), k * 1e-3, math.nextafter(k * 1e-3, 1.0)):
+            track = Track([0.0, time], [hold(0.0), hold(100.0)])
+            for count in (SHORT, SHORT + 1):
+                assert not np.any(Generator(track, 1e-3).points(0, count))

@@ -50,6 +50,11 @@ def test_a_switch_ahead_is_met_also_where_time_is_up_before() -> None:
     assert told(home, SWITCH) == ("ended", [])
 
 
+def test_a_limit_switch_that_is_looked_for_is_ahead_though_it_is_no_error() -> None:
+    home = "HOMESPEED(0) = 20\nHOME(0) = _hmNEGATIVE_LIMIT\nPAUSE IDLE(0)\n"
+    assert told(home, {"axis.0.travel": [-30.0, 100.0]}, until=1.0) == ("until", [])
+
+
 def test_an_index_mark_that_does_not_exist_is_never_met() -> None:
     _, found = told("HOME(0) = _hmPOSITIVE_INDEX\nPAUSE IDLE(0)\n", {})
     assert found[-1] == "1:1 error axis 0 homes and never meets an index mark"

@@ -38,6 +38,15 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         RATES + "HTACHANNEL(0) = 2 : HTAKPROP(0) = 1 : HTADEADBAND(0) = 64\n"
         "HTA(0) = 53.125 : WAIT(500) : PRINT POS(0)", ["0.0000"],
         {"analogue": [{"channel": 2, "at": 0.0, "value": 50.0}]}),
+    "paths are blended into each other, at a distance, and moves have marks, where the program says so": (
+        "PRINT BLENDMODE(0), BLENDDISTANCE(0), MOVEBUFFERID(0)", ["00.00000"], {}),
+    "a path starts as it is loaded where the first of its axes says so": (
+        "TRIGGERMODE(0) = _trAUTO : VECTORR(0, 1) = 3, 4 : PAUSE IDLE(0, 1) : PRINT POS(0), POS(1)",
+        ["3.00004.0000"], {}),
+    "five entries of comms have an event on a NextMove ESB-2": (
+        "WAIT 300\nEnd\nEvent COMMS5\n  PRINT 5\nEnd Event\nEvent COMMS6\n  PRINT 6\nEnd Event", ["5"],
+        {"controller.model": "NextMove ESB-2",
+         "comms": [{"at": 0.1, "element": each, "value": 1} for each in (5, 6)]}),
 }  # fmt: skip
 
 
