@@ -21,6 +21,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/record/judge_paths.py: _ends: True -> False": (
         "a path starts and ends on as many axes"
     ),
+    "motionlang/controller/record/judge_paths.py: _judge_along: span.length <= late -> span.length < late": (
+        "just as long as the rounding of its time either is right"
+    ),
     "motionlang/controller/record/judge_views.py: 40 -> 41": (
         "how many rows are looked at, of as many as there are"
     ),

@@ -231,11 +231,10 @@ def _bend(curve: Profile) -> tuple[float, float]:
             bend = max(bend, *(abs(sin(angle)) for angle in (phase, *inside, last)))
     if not bend:
         return 0.0, 1.0
-    if slope:
-        both = atan2(slope, bend)
-        for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):
-            last = piece[6] + piece[5] * (finish - begin)
-            angles += [angle for angle in (both, pi - both) if piece[6] < angle < last]
-    worst = max((abs(cos(x)) / slope if slope else 0.0) + abs(sin(x)) / bend for x in angles)
+    both = atan2(slope, bend)
+    for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):
+        last = piece[6] + piece[5] * (finish - begin)
+        angles += [angle for angle in (both, pi - both) if piece[6] < angle < last]
+    worst = max(abs(cos(x)) / slope + abs(sin(x)) / bend for x in angles)  # the cosine of no float is 0
     _, _, _, _, amplitude, omega, _ = curve.pieces[0]
     return abs(amplitude) * omega * omega * bend, 1.0 / worst

@@ -40,15 +40,6 @@ def test_an_arc_keeps_its_radius_after_a_new_zero() -> None:
     assert (low, high) == (pytest.approx(100.0), pytest.approx(120.0))
 
 
-def test_a_helix_keeps_its_rise_after_a_new_zero() -> None:
-    c = machine(3)
-    c.load_arc([0, 1, 2], [10.0, 0.0], 360.0, [7.0], relative=True)
-    c.define_position(2, 50.0)
-    c.go([0])
-    until(c, 60.0)
-    assert [c.position(axis) for axis in c.axes] == [0.0, 0.0, 57.0]
-
-
 def test_a_line_keeps_its_direction_after_a_new_zero() -> None:
     c = machine()
     c.load_line_by([0, 1], [3.0, 4.0])

@@ -183,6 +183,12 @@ def test_paths_that_wait_shift_with_a_new_zero(mccl: Runner) -> None:
     assert result.output == ["01 13000", "02 10000"]
 
 
+def test_a_helix_that_waits_shifts_with_a_new_zero_of_its_rise(mccl: Runner) -> None:
+    waiting = "1SN,1CP1,1MA20000,2MA0,3MA0\n1CP3,1CA20000,2CA5000,3MA8000,1EA90\n"
+    result = mccl(f"3MN,3CM1,{HEAD}{waiting}3DH-7000,1GO,1WS,1TP,2TP,3TP")
+    assert result.output == ["01 20000", "02 10000", "03 1000"]
+
+
 def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> None:
     result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA0.3,1DH0,2DH0,1VO0.4,1WS")
     moves = result.controller.log.moves
