@@ -27,17 +27,14 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/controller/record/judge_views.py: 40 -> 41": (
         "how many rows are looked at, of as many as there are"
     ),
-    "motionlang/controller/record/judge_views.py: judge_report: True -> False": (
-        "both have been found to be as many in the line before"
-    ),
-    "motionlang/controller/record/log.py: Log: make_room: 0 -> 1 #2": (
-        "one profile sooner or later; what is packed reads as before"
-    ),
     "motionlang/controller/record/orders.py: _path: 0.0 -> 1.0 #3": (
         "nothing asks a straight path for its angle"
     ),
     "motionlang/controller/record/proof.py: _bend: speed < SLACK -> speed <= SLACK": (
         "just at the size of rounding either is right"
+    ),
+    "motionlang/controller/record/trace.py: Trace: _stretches: 0 -> 1": (
+        "whether a trace of no axis has none or one profile, of the thousands that a stretch may have"
     ),
     "motionlang/controller/servo/discrete.py: exponential: 5 -> 6": (
         "halved and squared once more, which is the same"

@@ -81,6 +81,7 @@ def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: py
     assert len(log.moves) == 1000
     assert log.moves.packed > 700
     assert log.store.size / log.moves.packed <= 200
+    assert log.room + sum(len(a.starts) for a in result.controller.axes.values()) == 500
     gc.collect()
     assert len([each for each in gc.get_objects() if type(each) is Move]) < 300
     assert {move.line for move in log.moves} == {5, 9}
