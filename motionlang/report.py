@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from motionlang.controller.plain_moves import Row as PlainRow
     from motionlang.controller.record.history import MoveFigures
     from motionlang.errors import Diagnostic
+    from motionlang.profile import Profile
     from motionlang.result import Run
 
     Row = dict[str, object]
@@ -88,12 +89,39 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     return "".join(_document(head, {"moves": iter(()), "events": iter(())}, tail))
 
 
-def moves(run: Run) -> Iterator[Row]:
-    """Every move that was started, in the order of its start, what is still under way cut at the end of the run."""
+def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
+    """Every move that was started, in the order of its start, what is still under way cut at the end of the run.
+
+    With `in_full` only so many rows are whole, and those of moves of a simulated motor; the others are `_brief`.
+    """
     running = _running(run.controller)
     figures = _motor_figures(run.controller)
-    for number, move in enumerate(run.controller.log.moves):
-        yield _move(run, move, id(move) in running, figures.get(number))
+    for number, move in enumerate(run.controller.log.moves.as_kept()):
+        if in_full is not None and number >= in_full and number not in figures:
+            yield _brief(run, move, running)
+            continue
+        whole = move_of(move) if isinstance(move, tuple) else move
+        yield _move(run, whole, id(move) in running, figures.get(number))
+
+
+def _brief(run: Run, move: Move | PlainRow, running: set[int]) -> Row:
+    """What the row of a move has that adds up with others."""
+    if isinstance(move, tuple):
+        axis, _, start, end, duration, recipe, _, scale, _, (_, _, command, line, _, _) = move
+        distance, peak = end - start, max(map(abs, recipe[::3]))
+    else:
+        profile, _ = _until_end(run, move, id(move) in running)
+        axis, command, line, scale = move.axis, move.command, move.line, move.scale
+        duration, distance, peak = profile.duration, profile.end - profile.start, profile.peak_speed
+    scale = scale or 1.0
+    return {
+        "axis": axis,
+        "command": command,
+        "line": line,
+        "duration": duration,
+        "distance": distance / scale,
+        "peak_speed": peak / abs(scale),
+    }
 
 
 def _move_lines(run: Run) -> Iterator[str]:
@@ -146,11 +174,8 @@ def _running(controller: Controller) -> set[int]:
 
 
 def _move(run: Run, move: Move, is_running: bool, motor: MoveFigures | None) -> Row:
-    profile, start, scale, zero = move.profile, move.start_time, move.scale or 1.0, move.zero
-    assert profile is not None
-    ended = move.ended
-    if is_running or (move.overlaid and start + profile.duration > run.time):
-        profile, ended = profile.cut(run.time - start), END_OF_RUN
+    start, scale, zero = move.start_time, move.scale or 1.0, move.zero
+    profile, ended = _until_end(run, move, is_running)
     size = abs(scale)
     row: Row = {
         "axis": move.axis,
@@ -179,6 +204,15 @@ def _move(run: Run, move: Move, is_running: bool, motor: MoveFigures | None) -> 
             "peak_output": motor.peak_output,
         }
     return row
+
+
+def _until_end(run: Run, move: Move, is_running: bool) -> tuple[Profile, str]:
+    """The profile of a move up to the end of the run, and what cut it short."""
+    profile = move.profile
+    assert profile is not None
+    if is_running or (move.overlaid and move.start_time + profile.duration > run.time):
+        return profile.cut(run.time - move.start_time), END_OF_RUN
+    return profile, move.ended
 
 
 def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:

@@ -97,7 +97,7 @@ def render(
 
     `charts` adds the velocity of the axes that moved; `everything` leaves no move, phase or line out.
     """
-    moves = _Gathered(moves_of(run), everything)
+    moves = _Gathered(moves_of(run, None if everything else MOST_ROWS), everything)
     parts = [_head(run, moves.count, colour)]
     if moves.count:
         parts.append(_moves(moves, width, colour, everything))
@@ -137,19 +137,25 @@ class _Gathered:
     """What the table needs of the moves, of which only those that are shown are held: there may be a million."""
 
     def __init__(self, rows: Iterator[Row], everything: bool) -> None:
-        self.count = 0
         self.shown: list[Row] = []
         self.motors: list[Row] = []
         self.totals: dict[tuple[int, str, int], _Total] = {}
-        self.by_axis: dict[int, int] = {}
-        for row in rows:
-            self.count += 1
-            if everything or self.count <= MOST_ROWS:
+        for number, row in enumerate(rows):
+            if everything or number < MOST_ROWS:
                 self.shown.append(row)
             if "motor" in row:
                 self.motors.append(row)
-            self.totals.setdefault((row["line"], row["command"], row["axis"]), _Total()).add(row)
-            self.by_axis[row["axis"]] = self.by_axis.get(row["axis"], 0) + 1
+            key = row["line"], row["command"], row["axis"]
+            total = self.totals.get(key)
+            if total is None:
+                total = self.totals[key] = _Total()
+            total.add(row)
+        self.count = 0
+        self.by_axis: dict[int, int] = {}
+        for (_, _, axis), total in self.totals.items():
+            moves = len(total.durations)
+            self.count += moves
+            self.by_axis[axis] = self.by_axis.get(axis, 0) + moves
         if not everything and self.count > MOST_ROWS:
             del self.shown[SHOWN:]
 

@@ -9,7 +9,7 @@ import pytest
 
 from motionlang.errors import Diagnostic
 from motionlang.execution import run
-from motionlang.report import SCHEMA, build, failure, text
+from motionlang.report import SCHEMA, build, failure, moves, text
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
@@ -178,3 +178,22 @@ def test_lines_of_moves_that_are_alike_are_those_of_each() -> None:
     assert all(line in written for line in lines)
     assert written.count('"start_time"') == len(lines)
     assert json.loads(written)["moves"] == [json.loads(line) for line in lines]
+
+
+MOTOR = "SERVOC(0) = 1\n"
+
+
+@pytest.mark.parametrize("in_full", [0, 3, 1000])
+def test_a_brief_row_is_a_part_of_the_whole_one(in_full: int) -> None:
+    result = run(Source("a.mnt", ALIKE), cache=False, until=30.0)
+    whole, brief = list(moves(result)), list(moves(result, in_full))
+    assert [len(row) == 6 for row in brief] == [number >= in_full for number in range(len(whole))]
+    assert all(row.items() >= short.items() for row, short in zip(whole, brief, strict=True))
+
+
+def test_rows_of_moves_of_a_motor_are_whole() -> None:
+    text = "SCALEFACTOR(0, 1) = 100, 100\nMOVER(0, 1) = 5, 7 : GO(0, 1)\nPAUSE IDLE(0) And IDLE(1)\nEnd"
+    result = run(Source("a.mnt", text), machine={"axis.0.plant.load_inertia": 4e-5}, cache=False)
+    of_motor, other = moves(result, 0)
+    assert (of_motor, "motor" in of_motor) == (next(moves(result)), True)
+    assert set(other) == {"axis", "command", "line", "duration", "distance", "peak_speed"}
