@@ -13,7 +13,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.plain_moves import entry_of, move_of, write
+from motionlang.controller.plain_moves import entry_of, move_of, written
 from motionlang.controller.scale import Scale
 from motionlang.controller.watches import Watches
 from motionlang.profile import hold
@@ -113,6 +113,7 @@ class Axis:
         "target",
         "under_way",
         "watches",
+        "writing",
     )
 
     def __init__(self, index: int) -> None:
@@ -176,6 +177,8 @@ class Axis:
         self.under_way = False
         self.ends = 0.0
         self.bell: Event | None = None
+        # While those are written: how long the track was, the moves, and what is seen of the last one.
+        self.writing: tuple[int, list[Row], Move | None] | None = None
         # The profile in force, where the track is written.
         self.present: Profile | None = self._profiles[-1]
         self.logged: Moves | None = None  # the log of moves, where the axis is one of a controller's
@@ -199,33 +202,33 @@ class Axis:
     def move(self) -> Move | None:
         """The move in progress."""
         if self.under_way:
-            self._show()
+            self._write()
         return self._move
 
     @move.setter
     def move(self, move: Move | None) -> None:
         if self.under_way:
-            self._show()
+            self._write()
         self._move = move
 
     @property
     def arrival(self) -> Event | None:
         """The event of its end."""
         if self.under_way:
-            self._show()
+            self._write()
         return self._arrival
 
     @arrival.setter
     def arrival(self, event: Event | None) -> None:
         if self.under_way:
-            self._show()
+            self._write()
         self._arrival = event
 
     @property
     def buffer(self) -> list[Move]:
         """The moves that wait, the next one first."""
         if self.under_way:
-            self._show()
+            self._write()
         if self.loaded is not None:
             entry, self.loaded = self.loaded, None
             self._buffer.append(entry_of(self.index, entry))
@@ -259,26 +262,37 @@ class Axis:
         self._starts[:], self._profiles[:], self.present = [start], [profile], profile
 
     def _write(self) -> None:
-        """Write the plain moves on the track."""
-        if self.under_way:
-            self._show()
-            return
-        write(self.plain, self._starts, self._profiles, False)
-        self.plain.clear()
-        self.present = self._profiles[-1]
+        """Write the plain moves on the track; everybody sees the one that is under way."""
+        rows = self.plain[:]
+        self.writing = len(self._profiles), rows, move_of(rows[-1]) if self.under_way else None
+        self._go_on_writing()
 
-    def _show(self) -> None:
-        """Let everybody see the plain move that is under way."""
-        assert self.logged is not None
-        row = self.plain[-1]
-        self.under_way = False
-        write(self.plain, self._starts, self._profiles, True)
+    def _go_on_writing(self) -> None:
+        """Do what `writing` says. Whoever is interrupted in it does it again, from its beginning."""
+        assert self.writing is not None
+        first, rows, move = self.writing
+        self._starts[first:], self._profiles[first:] = written(rows, move is not None)
         self.plain.clear()
         self.present = self._profiles[-1]
-        self._move = move = move_of(row)
-        move.profile = self.present
-        self._arrival, self.bell = self.bell, None
-        self.logged.show(row, move)
+        if move is not None:
+            assert self.logged is not None
+            move.profile = self.present
+            self._move = move
+            self._arrival, self.bell = self.bell or self._arrival, None
+            self.logged.show(rows[-1], move)
+            self.under_way = False
+        self.writing = None
+
+    def keep_whole(self, now: float) -> None:
+        """As somebody ended the run, complete what was being written, and take back a move that nobody has logged."""
+        if self.writing is not None:
+            self._go_on_writing()
+        row = self.plain[-1] if self.plain else None
+        if row is not None and row[1] == now and self.logged is not None and not self.logged.has(row):
+            self.plain.pop()
+            self.under_way, self.loaded = False, row[-1]
+            self.ends = self.plain[-1][1] + self.plain[-1][4] if self.plain else now
+            self.present = None if self.plain else self._profiles[-1]
 
     # ---------------------------------------------------------------------------------------- at a time
 

@@ -248,8 +248,12 @@ class Core(Readings):
         return arrive
 
     def keep_whole(self) -> None:
-        """Take back what was half done as somebody ended the run: a start that has no profile on the track."""
-        for a in (*self.axes.values(), *self.encoders.values()):
+        """Take back or complete what was half done as somebody ended the run."""
+        axes = (*self.axes.values(), *self.encoders.values())
+        for a in axes:
+            a.keep_whole(self.clock.now)
+        self.log.keep_whole(axes)
+        for a in axes:
             del a.starts[len(a.profiles) :]
         if self.orders is not None:
             self.orders.keep_whole()

@@ -41,12 +41,13 @@ def profile_of(row: Row) -> Profile:
     return Profile("trapezoid", row[2], row[3], row[4], row[5])
 
 
-def write(rows: list[Row], starts: list[float], profiles: list[Profile], under_way: bool) -> None:
-    """Append moves in a row, and the rests behind them, to a track; behind the last one only where it is over."""
+def written(rows: list[Row], under_way: bool) -> tuple[list[float], list[Profile]]:
+    """Moves in a row, and the rests behind them, as a track has them; behind the last one only where it is over."""
+    starts: list[float] = []
+    profiles: list[Profile] = []
     for row in rows:
-        starts.append(row[1])
-        profiles.append(profile_of(row))
-        starts.append(row[1] + row[4])
-        profiles.append(hold(row[3]))
+        starts += row[1], row[1] + row[4]
+        profiles += profile_of(row), hold(row[3])
     if under_way:
         del starts[-1], profiles[-1]
+    return starts, profiles

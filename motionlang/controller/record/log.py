@@ -149,11 +149,7 @@ class Log:
 
     def forget(self, kept: int, axes: Iterable[Axis]) -> None:
         """Forget all but about so many records of each kind, and ten times as many profiles of each axis."""
-        streams: tuple[Stream[Any], ...]
-        streams = (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
-                   self.analogue_outputs, self.settings, self.waits, self.turns, self.prints, self.events,
-                   *self.others)  # fmt: skip
-        for stream in streams:
+        for stream in self._streams():
             stream.forget(kept)
         for a in axes:
             if a.older is not None and self.moves:
@@ -161,3 +157,17 @@ class Log:
             elif len(a.starts) > 20 * kept:
                 del a.starts[: -10 * kept]
                 del a.profiles[: -10 * kept]
+
+    def keep_whole(self, axes: Iterable[Axis]) -> None:
+        """Complete what was half packed as somebody ended the run."""
+        for stream in self._streams():
+            stream.keep_whole()
+        for a in axes:
+            if a.older is not None:
+                a.older.keep_whole(a)
+                a.older = a.older if a.older.count else None
+
+    def _streams(self) -> tuple[Stream[Any], ...]:
+        return (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
+                self.analogue_outputs, self.settings, self.waits, self.turns, self.prints, self.events,
+                *self.others)  # fmt: skip

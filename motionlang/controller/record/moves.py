@@ -53,6 +53,10 @@ class Moves(Stream[Move]):
                 tail[place] = move
                 return
 
+    def has(self, row: Row) -> bool:
+        """Whether a plain move that begins now is in the log."""
+        return any(each is row for each in reversed(self._tail))  # type: ignore[comparison-overlap]
+
     def pack(self, count: int) -> None:
         """Pack the oldest records of the tail, so many of them."""
         self._live()  # looks at all that is under way
@@ -235,9 +239,10 @@ def _profile(a: Axis, number: int) -> Profile:
 class Profiles:
     """The older profiles of an axis, packed: `count` of them, each with the time at which it began."""
 
-    __slots__ = ("_begins", "_parts")
+    __slots__ = ("_begins", "_parts", "_total")
 
     def __init__(self, store: Store) -> None:
+        self._total = 0  # how many profiles the axis has, while a packed part takes the place of some
         self._parts = Parts(store, lambda rows, _: rows)
         # When the first profile of each part began.
         self._begins: list[float] = []
@@ -251,11 +256,25 @@ class Profiles:
         """Pack a part of the axis's profiles, the oldest ones, at most so many of them: how many those were."""
         count = min(PART, most)
         starts, profiles = a.starts[:count], a.profiles[:count]
-        self._parts.append(list(zip(starts, map(packed, profiles), strict=True)))
+        place = self._parts.pack(list(zip(starts, map(packed, profiles), strict=True)))
+        self._total = self.count + len(a.starts)
+        self._parts.append(place, len(starts))
         self._begins.append(starts[0])
         del a.starts[:count]
         del a.profiles[:count]
+        self._total = 0
         return count
+
+    def keep_whole(self, a: Axis) -> None:
+        """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
+        self._parts.keep_whole()
+        del self._begins[len(self._parts) :]
+        if len(self._begins) < len(self._parts):
+            self._begins.append(self.start(self._parts.firsts[-1]))
+        if self._total:
+            for track in a.starts, a.profiles:
+                del track[: self.count + len(track) - self._total]
+            self._total = 0
 
     def __iter__(self) -> Iterator[tuple[float, Profile]]:
         for number in range(len(self._parts)):

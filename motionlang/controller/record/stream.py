@@ -128,11 +128,21 @@ class Parts:
         """The number of the oldest record that is kept."""
         return self.firsts[0] if self.firsts else self.count
 
-    def append(self, rows: list[Any]) -> None:
-        """Pack a part."""
-        self._places.append(self._store.put(dumps(rows)))
+    def pack(self, rows: list[Any]) -> Place:
+        """Pack a part, which is not one of these yet; Refusal where there is no room for it."""
+        return self._store.put(dumps(rows))
+
+    def append(self, place: Place, count: int) -> None:
+        """Take a packed part of so many records."""
+        self._places.append(place)
         self.firsts.append(self.count)
-        self.count += len(rows)
+        self.count += count
+
+    def keep_whole(self) -> None:
+        """Forget a part that is not counted, as somebody ended the run at that moment."""
+        while self.firsts and self.firsts[-1] >= self.count:
+            del self.firsts[-1]
+        del self._places[len(self.firsts) :]
 
     def part(self, number: int) -> list[Any]:
         """The records of a part."""
@@ -163,10 +173,11 @@ class Stream(_Of[T]):
     where one is given. A subclass that keeps something else says how that is packed.
     """
 
-    __slots__ = ("_kind", "_parts", "_tail", "append")
+    __slots__ = ("_kind", "_parts", "_tail", "_total", "append")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
+        self._total = 0  # how many records there are, while a packed part takes the place of some
         self._parts = Parts(store, self._records)
         self._tail: list[T] = []
         # Appends a record without a look whether some are to be packed, for who looks himself.
@@ -243,9 +254,19 @@ class Stream(_Of[T]):
         """Pack the oldest records of the tail, so many of them."""
         while count > 0:
             part = self._tail[: min(PART, count)]
-            self._parts.append(self._rows(part, self._parts.count))
+            place = self._parts.pack(self._rows(part, self._parts.count))
+            self._total = len(self)
+            self._parts.append(place, len(part))
             del self._tail[: len(part)]
+            self._total = 0
             count -= len(part)
+
+    def keep_whole(self) -> None:
+        """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
+        self._parts.keep_whole()
+        if self._total:
+            del self._tail[: len(self) - self._total]
+            self._total = 0
 
     # ------------------------------------------------------------------------------- what a subclass says
 

@@ -13,7 +13,9 @@ from typing import Any
 import pytest
 
 from motionlang import run
+from motionlang.controller.record.track import Recorded
 from motionlang.lang.scheduler import Scheduler
+from motionlang.profile.packed import packed
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -41,14 +43,42 @@ PLACES = {
 }
 
 
+# What writes plain moves on a track and into the log, and what packs it.
+STEPS = {
+    "/controller/core.py": {"start_plain", "arrive"},
+    "/controller/axis.py": {"_write", "_go_on_writing"},
+    "/controller/plain_moves.py": {"written"},
+    "/record/log.py": {"make_room", "pack"},
+    "/record/stream.py": {"append", "pack"},
+    "/record/moves.py": {"pack", "show", "take_from"},
+}
+# Moves that are looked at, one under way and one that is over, and others that nobody looks at until they are packed.
+PLAIN = """Dim i As Integer
+Dim x As Float
+SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
+For i = 1 To 2
+  MOVER(0, 1) = 5, 3 : GO(0, 1)
+  PAUSE IDLE(0, 1)
+  MOVER(0) = 5 : GO(0)
+  PAUSE IDLE(0)
+  MOVER(0) = -2 : GO(0)
+  WAIT = 20
+  x = POS(0)
+  PAUSE IDLE(0)
+Next
+"""
+
+
 class Ended:
     """Ctrl-C at the `at`-th line that is run at some places; counts those that were run."""
 
-    def __init__(self, places: tuple[str, ...], at: int) -> None:
+    def __init__(self, places: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
         self.places, self.at, self.count = places, at, 0
 
     def look(self, frame: FrameType, event: str, argument: Any) -> Any:
-        if not any(place in frame.f_code.co_filename for place in self.places):
+        code = frame.f_code
+        place = next((place for place in self.places if place in code.co_filename), "")
+        if not place or (isinstance(self.places, dict) and code.co_name not in self.places[place]):
             return None
         if event == "line":
             self.count += 1
@@ -103,3 +133,44 @@ def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: 
         json.dumps(result.report)
         result.trace.sample(100.0)
         assert [each.message for each in result.proof().violations] == [], at
+
+
+def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
+    """When each profile of each axis began, and what it is; each has a beginning, which is over."""
+    tracks = Recorded(result.controller).axes
+    assert all(len(a.starts) == len(a.profiles) and a.starts[-1] <= result.time for a in tracks.values())
+    return {
+        number: [(start, repr(packed(profile))) for start, profile in zip(a.starts, a.profiles, strict=True)]
+        for number, a in tracks.items()
+    }
+
+
+def test_plain_moves_are_whole_wherever_the_run_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """At each line that starts one, writes it on the track or packs it: the run up to then, and nothing twice."""
+    for name, most in {"FIRST_LOOK": 1, "HURRY": 0.0, "MOST_PROFILES": 6, "LEFT_PROFILES": 2}.items():
+        monkeypatch.setattr(f"motionlang.controller.record.log.{name}", most)
+    source, whole = Source("a.mnt", PLAIN), Ended(STEPS, 0)
+    for _ in range(2):
+        whole.count = 0
+        result = ran(source, whole, monkeypatch)
+        assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
+    assert result.controller.axes[0].older is not None
+    ended = result
+    moves, tracks = (
+        [(each.start_time, each.axis, each.line) for each in result.controller.log.moves],
+        motion(result),
+    )
+    for at in range(1, whole.count + 1):
+        result = ran(source, Ended(STEPS, at), monkeypatch)
+        assert result.status == "interrupted", at
+        for number, a in result.controller.axes.items():
+            assert a.position(result.time) == ended.controller.axes[number].position(result.time), at
+        json.dumps(result.report)
+        result.trace.sample(100.0)
+        assert [each.message for each in result.proof().violations] == [], at
+        found = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
+        assert found == moves[: len(found)], at
+        assert len(found) >= sum(start < result.time for start, *_ in moves), at
+        for number, track in motion(result).items():
+            assert track == tracks[number][: len(track)], at
+            assert len(track) >= sum(start < result.time for start, _ in tracks[number]), at
