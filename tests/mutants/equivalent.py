@@ -101,6 +101,9 @@ EQUIVALENT: dict[str, str] = {
         "`reaches` allows the slack once more, and the speed asked for has been found to fit without any"
     ),
     "motionlang/profile/ramps.py: _add_trapezoidal: 0.0 -> 1.0 #12": "the frequency of a wave of no height",
+    "motionlang/profile/sample.py: _sample_short: edges[b] - edges[a] -> edges[b] + edges[a]": (
+        "how many points are worked on at once"
+    ),
     "motionlang/profile/sample.py: _sample_short: 0 -> 1": "how many points are worked on at once",
     "motionlang/profile/sample.py: _sample_short: 1 -> 2": "how many points are worked on at once",
 }
