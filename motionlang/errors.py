@@ -184,6 +184,11 @@ def shown(value: object) -> str:
         text = repr(value)
     except (ValueError, RecursionError):  # Python writes no number of more than 4300 digits
         return "what stands there"
+    return clipped(text)
+
+
+def clipped(text: str) -> str:
+    """A text as a message quotes it, no longer than a line."""
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 

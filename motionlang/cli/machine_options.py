@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.errors import ProgramError, clipped, shown
 from motionlang.execution import dialects
-from motionlang.lang.machine.file import check_setting
+from motionlang.lang.machine.file import check_setting, read_value
 from motionlang.lang.machine.keys import KEYS
 
 if TYPE_CHECKING:
@@ -49,24 +50,22 @@ def set_values(
         name, equals, text = pair.partition("=")
         name = name.strip()
         if not equals or not name:
-            parser.error(f"--set needs NAME=VALUE, not {pair!r}")
+            parser.error(f"--set needs NAME=VALUE, not {shown(pair)}")
         if "." not in name:
             overrides[name] = _value(text)
             continue
         value = _setting(text)
         problem = check_setting(name, value)
         if problem is not None:
-            parser.error(f"--set {pair}: {problem[0]}; {problem[1]}")
+            parser.error(f"--set {clipped(pair)}: {problem[0]}; {problem[1]}")
         settings[name] = value
 
 
 def _setting(text: str) -> object:
     """A machine key's value as the machine file would have it; a bare word is a text."""
-    import tomllib
-
     try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except (ValueError, RecursionError):  # no TOML, more digits than Python reads, or nested too deeply
+        return read_value(text)
+    except ProgramError:  # no TOML, more digits than Python reads, or nested too deeply
         return text
 
 

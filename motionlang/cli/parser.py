@@ -39,10 +39,22 @@ class Parser(argparse.ArgumentParser):
     def _hint(self, message: str) -> str:
         wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
         if wrong is not None:
-            near = nearest(wrong[1] or wrong[2], self._words())
+            words = self._options() if wrong[1] else {word: word for word in self._words()}
+            near = nearest(wrong[1] or wrong[2], words)
             if near is not None:
-                return f"did you mean {near}?"
+                return f"did you mean {words[near]}?"
+        file = re.search(r"COMMAND: invalid choice: '(\S+\.\w+)'", message)
+        if file is not None:
+            return f"{self.prog} run {file[1]} runs a program"
         return f"{self.prog} --help explains the command line"
+
+    def _options(self) -> dict[str, str]:
+        """Every option, and every choice as if it were one, with what says so: --report json for --json."""
+        said: dict[str, str] = {}
+        for action in self._actions:
+            for choice in action.choices or ():
+                said[f"--{choice}"] = " ".join((*action.option_strings[-1:], str(choice)))
+        return said | {option: option for action in self._actions for option in action.option_strings}
 
     def _words(self) -> list[str]:
         """Every option and every choice, those of the commands too."""

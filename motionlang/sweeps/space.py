@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from random import Random
 
+from motionlang.errors import ProgramError
+from motionlang.lang.machine.file import read_value as machine_value
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -97,11 +100,9 @@ def _number(text: str) -> float | None:
 
 def read_value(text: str) -> Value:
     """A value as the machine file would have it; what is no TOML is a text."""
-    import tomllib
-
     try:
-        value: Value = tomllib.loads(f"value = {text}")["value"]
-    except (ValueError, RecursionError):
+        value: Value = machine_value(text)  # type: ignore[assignment]
+    except ProgramError:
         number = _number(text)  # such as 1. or 007, which TOML does not know
         return text if number is None else number
     return value

@@ -270,12 +270,14 @@ def test_a_wrong_command_line_is_2(cell: Cell, arguments: tuple[str, ...], messa
 
 def test_a_typing_error_is_answered_with_a_suggestion(cell: Cell) -> None:
     assert cell("rnu", "x").err == "motionlang: error: there is no command rnu\n  hint: did you mean run?\n"
+    assert cell("pick.mnt").err.splitlines()[-1] == "  hint: motionlang run pick.mnt runs a program"
     report = cell("run", "x", "--report", "jsn").err
     assert report == (
         "motionlang run: error: argument --report: 'jsn' is not one of table, json, none\n"
         "  hint: did you mean json?\n"
     )
-    assert cell("run", "x", "--tarce", "y").err.splitlines()[-1] == "  hint: did you mean --trace?"
+    for option, meant in (("--tarce", "--trace"), ("--json", "--report json"), ("--table", "--report table")):
+        assert cell("run", "x", option).err.splitlines()[-1] == f"  hint: did you mean {meant}?"
     set_key = cell("run", "ballscrew.mcl", "--set", "controller.axs=4").err
     assert "there is no key controller.axs; did you mean controller.axes?" in set_key
 
@@ -406,6 +408,7 @@ def test_a_setting_of_any_length_is_told(cell: Cell, value: str) -> None:
     ran = cell("run", "ballscrew.mcl", "--set", f"controller.axes={value}")
     assert ran.status in (1, 2)
     assert "controller.axes must be " in ran.err
+    assert len(ran.err) < 500
 
 
 def test_a_forgotten_go_is_told_by_the_run(cell: Cell) -> None:

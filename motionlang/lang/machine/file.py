@@ -29,16 +29,18 @@ from motionlang.lang.machine.keys import (
 )
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import problem as reading_problem
+from motionlang.source import Source
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from motionlang.source import Source
-
-
 # A dotted key of so many parts lies deeper than any of the vocabulary.
 _DEEPEST = 5
+# Of more parts Python's reader is not asked: it remembers every beginning of a key, 1.6 GB for one of 20 000 parts.
+_MOST_PARTS = 1000
+_PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
+_LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MOST_PARTS}}}"
 
 
 def read_machine(source: Source) -> dict[str, object]:
@@ -65,12 +67,19 @@ def read_toml(source: Source) -> dict[str, object]:
     """A machine file as TOML has it, nothing of it checked; ProgramError where it is none."""
     import tomllib
 
+    if source.text.count(".") >= _MOST_PARTS:
+        _refuse_long_keys(source)
     try:
         return tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
         raise ProgramError([_toml_mistake(source, error)]) from None
     except (ValueError, RecursionError) as error:
         raise ProgramError([_beyond_python(source, error)]) from None
+
+
+def read_value(text: str) -> object:
+    """One value as a machine file has it; ProgramError where it is none."""
+    return read_toml(Source("value", f"value = {text}"))["value"]
 
 
 def check_setting(key: str, value: object) -> tuple[str, str] | None:
@@ -345,6 +354,15 @@ def _located(source: Source, key: str, message: str, hint: str, name: str, entry
         if full.startswith(inside) and not place[0]:
             place = number, column, len(word)
     return Diagnostic("machine-file", message, *place[:2], length=place[2], hint=hint)
+
+
+def _refuse_long_keys(source: Source) -> None:
+    import re
+
+    found = re.search(_LONG_KEY, source.text)
+    if found is not None:
+        place, hint = source.place(found.start()), f"no key has more than {_DEEPEST + 1}"
+        raise ProgramError([Diagnostic("machine-file", "a key has too many parts", *place, hint=hint)])
 
 
 def _toml_mistake(source: Source, error: Exception) -> Diagnostic:

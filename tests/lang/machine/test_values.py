@@ -158,7 +158,16 @@ def test_any_value_in_a_table(table: str) -> None:
         (f"[controller]\naxes = {DIGITS * 11}\n", 2, 8, "a number has too many digits"),
         ("[controller]\naxes = " + "[" * 2000 + "\n", 2, 2007, "values are nested too deeply"),
         ("[axis.0]\ntravel = [[[[", 2, 14, "Invalid value"),
-        (f"{'a.' * 3000}b = 1\n", 1, 1, "there is no key a.a.a.a.a.a"),
+        (f"{'a.' * 300}b = 1\n", 1, 1, "there is no key a.a.a.a.a.a"),
+        (f"[controller]\n {'a.' * 20_000}b = 1\n", 2, 2, "a key has too many parts"),
+        ("[a" + '. "b c"' * 20_000 + "]\n", 1, 2, "a key has too many parts"),
+        ("x = { y" + " .'z'" * 20_000 + " = 1 }\n", 1, 7, "a key has too many parts"),
+        (
+            f"axis.0.travel = [{'1.5, ' * 20_000}]\n",
+            1,
+            1,
+            "axis.0.travel must be two numbers, the lower first",
+        ),
         ("[axis.01]\ntravel = [0, 1]\n", 2, 1, "there is no key axis.01.travel"),
         ('[axis."²".plant]\nkind = "dc"\n', 2, 1, "there is no key axis.².plant.kind"),
         (
