@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.mutants.equivalent import EQUIVALENT
-from tests.mutants.forks import ACTIVE, ALONE, TASKS, TOLD
+from tests.mutants.forks import ACTIVE, ALONE, BEGUN, FAILED, NONE, TASKS, TOLD
 from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, woven
 
 # All but what starts processes of its own, and what asks about the text of the project.
@@ -114,15 +114,27 @@ def verdicts(tree: Path, mutants: list[Mutant], tests: list[str]) -> Iterator[tu
             f"the tests did not run: {(tree / 'pytest.log').read_text(errors='replace')[-3000:]}"
         )
     for mutant, number, durations in alone:
-        (tree / ALONE).write_text(json.dumps(durations))
-        files = sorted({name.partition("::")[0] for name in durations})
-        process = pytest(tree, files, **{ACTIVE: str(number)})
-        try:
-            status = process.wait(LONGEST)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            status = process.wait()
-        yield mutant, f"a process of its own ended with {status}" if status and files else ""
+        while by := failing(tree, number, durations):
+            if by not in durations or not failing(tree, NONE, {by: durations[by]}):
+                break
+            del durations[by]  # it fails in a process of its own without the mutant, too
+        yield mutant, by
+
+
+def failing(tree: Path, number: int, durations: dict[str, float]) -> str:
+    """Which of the tests fails in a process of its own with a mutant, or what else is different; "" for nothing."""
+    if not durations:
+        return ""
+    (tree / ALONE).write_text(json.dumps(durations))
+    (tree / FAILED).write_text("")
+    process = pytest(tree, sorted({name.partition("::")[0] for name in durations}), **{ACTIVE: str(number)})
+    try:
+        status = process.wait(LONGEST)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        status = process.wait()
+    told = (tree / FAILED).read_text().strip(BEGUN)
+    return told or (f"the end of its process with {status}" if status else "")
 
 
 def main(count: int, seed: int, only: list[str], tests: list[str]) -> int:

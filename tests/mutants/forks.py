@@ -24,6 +24,8 @@ from typing import Any
 import pytest
 
 TASKS, TOLD, TESTS, ALONE = "mutants.json", "told.fifo", "tests.json", "alone.json"
+# Where a process of its own says which test it has come to, and in the end which one fails.
+FAILED = "failed.txt"
 # The environment variable with the number of the mutant that is made, here and in processes of tests.
 ACTIVE = "MOTIONLANG_MUTANT"
 # Seconds of the processor that a test gets beside ten times what it took, and bytes for a child.
@@ -78,7 +80,7 @@ class Forks:
         items = {item.nodeid: item for item in session.items}
         if _active >= 0:
             self.durations = json.loads(Path(ALONE).read_text())
-            self._run([items[name] for name in self.durations if name in items], print)
+            self._run([items[name] for name in self.durations if name in items], Path(FAILED).write_text)
         if not Path(TESTS).exists():
             self._cover(session)
         known = json.loads(Path(TESTS).read_text())

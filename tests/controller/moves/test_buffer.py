@@ -54,6 +54,19 @@ def test_a_pulse_does_not_hold_up_the_next_move() -> None:
     assert c.log.moves[0].start_time == 0.0
 
 
+def test_on_an_axis_that_is_suspended_outputs_change_and_moves_stand() -> None:
+    c = machine(buffer_size=5)
+    c.suspend(0)
+    c.load_output(0, {3: 1})
+    c.load_pulse(0, 2, 0.25)
+    c.load_by(0, 10.0)
+    c.go([0])
+    assert until(c, 1.0).position(0) == 0.0
+    assert list(c.log.outputs) == [(0.0, 3, 1), (0.0, 2, 1), (0.25, 2, 0)]
+    c.resume(0)
+    assert until(c, 3.0).position(0) == 10.0
+
+
 def test_a_second_pulse_prolongs_the_first() -> None:
     c = machine()
     c.pulse(2, 0.25)
