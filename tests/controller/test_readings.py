@@ -42,6 +42,18 @@ def test_a_slave_whose_master_rests_passes_nothing_not_even_where_it_is() -> Non
     assert c.demand_crossing_time(0, here - 1.0) == inf
 
 
+def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
+    """30 at 50 with rates of 100: up to 50 in 0.5 s, level for 0.1 s, and down."""
+    c = controller()
+    c.move_to(0, 30.0)
+    c.clock.advance(0.2)
+    assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.3)
+    c.clock.advance(0.55)
+    assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.6)
+    c.clock.advance(0.7)
+    assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.8)
+
+
 def test_what_remains_of_a_motion_is_that_of_the_last_one() -> None:
     """The plan that an entry of the buffer has where it says nothing of its own."""
     c = controller()

@@ -314,6 +314,17 @@ def test_a_cam_once_ends_by_itself() -> None:
     assert high > 4.0
 
 
+@pytest.mark.parametrize("rise", [2.0, 0.5])
+def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> None:
+    """At the end it has `rise` counts/s, as its master takes a second for the table; it brakes at 1 count/s²."""
+    c = machine()
+    c.configure(1, "decel", 1.0)
+    c.jog(0, 10.0)
+    until(c, 1.0).cam(1, 0, [0.0, 10.0], [0.0, rise])
+    assert until(c, 9.0).position(1) == pytest.approx(rise + 0.5 * rise * rise)
+    assert c.is_idle(1)
+
+
 def test_a_part_of_a_table() -> None:
     c = machine()
     c.cam(1, 0, [0.0, 10.0, 20.0, 30.0], [1.0, 2.0, 5.0, 9.0], first=1, last=1)
