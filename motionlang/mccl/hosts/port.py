@@ -189,7 +189,6 @@ class Port:
         text, dropped = self._typed.decode("latin-1"), self._dropped
         self._typed.clear()
         self._dropped = 0
-        self.board.disturbances += 1
         self.task.enter_text(text, dropped)
 
     def _echo(self, text: str) -> None:
@@ -241,7 +240,6 @@ class PortTask(CommandTask):
     def cancel(self) -> None:
         """ESC: abandon the line, in a wait too. Motion goes on; ST or AB end it."""
         self.board.last_error = codes.CANCELLED
-        self.board.disturbances += 1
         self.abandon()
         self._line = None
         self.paused = self._holds = False

@@ -60,8 +60,6 @@ class Board:
         self.tasks: list[CommandTask] = []
         self.background: dict[int, BackgroundTask] = {}
         self._last_task = 0
-        # Counts what comes from outside the program: a loop that only looks is woken by it.
-        self.disturbances = 0
         # Counts the turns that tasks take.
         self.turns = 0
         self.at_work: CommandTask | None = None
@@ -240,7 +238,6 @@ class Board:
     def foreground(self, task: CommandTask) -> None:
         """The task that carries out what the host sends takes the place of the one before it."""
         self.tasks = [task, *self.background.values()]
-        self.disturbances += 1
 
     def join(self, task: CommandTask) -> None:
         """A further task that carries out what a host sends."""

@@ -1,8 +1,8 @@
-"""Loops that only look: they are left until something can change, and land where they would have been.
+"""Loops that only look: passes that would be as the last one was are skipped.
 
 A jump back that finds the accumulator as it was at the last one, with nothing done in between but reading, will find
-the same again until an event. The task then waits for the last whole pass before that event instead of running them.
-So it is where the accumulator moves on, too, if a pass begins by reading it and does no more than compare it.
+the same again until an event. So it is where the accumulator moves on, too, if a pass begins by reading it and does no
+more than compare it. The command that follows is then that of the last whole pass before that.
 """
 
 from __future__ import annotations
@@ -15,9 +15,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.attention import Note
     from motionlang.mccl.runtime.task import CommandTask
-
-    # The place and what was done by then, the accumulator, the count of commands, the next event.
-    Before = tuple[tuple[object, ...], float | int, int, float]
 
 # What compares the whole accumulator with a number, and what does nothing to it.
 _COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
@@ -33,22 +30,35 @@ class Poll:
         self._task = task
         self.effects = 0
         self.attention = Attention(task.board.controller.clock)
-        self._before: Before = (), 0, 0, 0.0
+        # The place and what was done by then, the accumulator, the count of commands, the next event.
+        self._before: tuple[tuple[object, ...], float | int, int, float] = (), 0, 0, 0.0
 
     def again(self) -> Wait | None:
-        """Called at each jump back: a wait, if nothing can come of another pass."""
+        """Called at each jump back: go on to the last pass that can be no different; a wait if it is so for ever."""
         task, attention, clock = self._task, self.attention, self.attention.clock
-        place = task.line, task.pc, self.effects, len(task.calls), task.board.turns
+        board, now, event = task.board, clock.now, clock.next_time()
+        place = task.line, task.pc, self.effects, len(task.calls), board.turns
         notes, attention.notes = attention.notes, []
-        (before, accumulator, count, event), now = self._before, clock.now
-        self._before = place, task.registers[0], task.count, clock.next_time()
+        (before, accumulator, count, until), held = self._before, task.registers[0]
+        self._before = place, held, task.count, event
         length = task.count - count
-        if before != place or now >= event or length <= 0 or notes is None:
+        if before != place or now >= until or length <= 0 or notes is None:
             return None  # where an event or another task came between, what was read before it is old
-        until = attention.until(now, notes) if accumulator == task.registers[0] else 0.0
+        until = attention.until(now, notes) if accumulator == held else now
         if until <= now:
             until = attention.until(now - length * task.cost - CLOSE, self._levels())
-        return self._wait(length, min(until, clock.next_time(), task.board.next_wake(task)))
+        scheduler, turns = board.machine.scheduler, board.turns
+        assert scheduler is not None
+        until = min(until, event, board.next_wake(task))
+        if until == INFINITY:
+            why = "in a loop that only looks at what does not change"
+            return Wait(now, lambda: board.turns != turns, lambda: INFINITY, why)
+        until = min(until, max(task.horizon, scheduler.reach()))
+        passes = int((until - now) / (length * task.cost)) - 1
+        if passes > 0:
+            task.count += passes * length
+            self._before = place, held, task.count, event
+        return None
 
     def _levels(self) -> list[Note]:
         """What a pass that begins with a reading compares it with; what may change at once where it does more."""
@@ -62,31 +72,3 @@ class Poll:
         where = task.board, task.axis(reading), task.whole(reading)
         # A fraction is cut off: what is compared with 5 may change at 4 and 6, too.
         return [(crossing_time, (*where, level + k)) for level in compared for k in (-1, 0, 1)]
-
-    def _wait(self, length: int, event: float) -> Wait | None:
-        """The wait for the last whole pass, of so many commands, before an event."""
-        task, board, clock = self._task, self._task.board, self.attention.clock
-        now, disturbances = clock.now, board.disturbances
-        if event == INFINITY:
-            why = "in a loop that only looks at what does not change"
-            return Wait(now, lambda: board.disturbances != disturbances, lambda: INFINITY, why)
-        passes = int((event - now) / (length * task.cost)) - 1
-        base, count = task.base, task.count + passes * length
-        due = base + count * task.cost
-        if passes <= 0 or due >= event:
-            return None
-
-        def land(time: float) -> None:
-            # Woken early, by something nobody could foresee, the loop starts afresh where it is.
-            if time == due:
-                task.base, task.count = base, count
-            place, accumulator, _, event = self._before
-            self._before = place, accumulator, task.count, event
-
-        task.then = land
-        return Wait(
-            now,
-            lambda: clock.now >= due or board.disturbances != disturbances,
-            lambda: due,
-            "in a loop that only looks",
-        )

@@ -6,7 +6,7 @@ Time is `base + count * cost`, so that it is the same number however many comman
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.lang.task import Task
+from motionlang.lang.task import INFINITY, Task
 from motionlang.mccl import codes
 from motionlang.mccl.codes import Fault
 from motionlang.mccl.keywords import of_families
@@ -59,6 +59,7 @@ class CommandTask(Task):
         "cost",
         "count",
         "here",
+        "horizon",
         "lacks",
         "line",
         "paid",
@@ -86,6 +87,8 @@ class CommandTask(Task):
         # The contour path that the commands of the line are describing.
         self.path_open: Path | None = None
         self.here = 0
+        # Up to when it may run; the machine time of its first command, and how many there have been since.
+        self.horizon = INFINITY
         self.base = 0.0
         self.count = 0
         self.paid = False
@@ -123,6 +126,7 @@ class CommandTask(Task):
         """Carry out commands to the horizon, a wait or another task's turn: the time, s, and the wait."""
         if now != self.base + self.count * self.cost:
             self.base, self.count = now, 0
+        self.horizon = horizon
         wait = self._go_on(now)
         if wait is not None:
             return now, wait

@@ -6,7 +6,7 @@ exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does
 
     if w2: w2 -= 1
     else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,))
-    if t >= H: t, H = yield t; w2 or (w1 := k1.begin(t, (E.acts, v_state), (v_n,)))
+    if t >= H: t, H = yield t; w1 = w2 and w1
 
 `w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`idle_variables`) is no
 part of that state; counters are given beside it, and come back as they are when turns have been skipped.
@@ -111,7 +111,7 @@ def turn(b: Body, poll: Poll) -> None:
     for each in poll.named:
         b.spelt(each)
     b.emit(f"else: t, H, {look}, {left}, {counters} = {site}.turn(t, H, {look}, {poll.state})")
-    b.horizon(then=f"; {left} or ({look} := {site}.begin(t, {poll.state}))")
+    b.horizon(then=f"; {look} = {left} and {look}")
 
 
 def is_repeated(row: Keyword) -> bool:

@@ -50,52 +50,43 @@ class Site:
         look: Look | int | None,
         state: State,
         counters: tuple[float, ...] = (),
-    ) -> tuple[float, float, Look | int | None, int, tuple[float, ...]]:
+    ) -> tuple[float, float, Look | int, int, tuple[float, ...]]:
         """The end of a turn: the end of the last one that can be no different, and how many pass unlooked at.
 
         Both ends and the horizon are numbers of statements; `state` is what every turn leaves behind, after the count
         of what the program did. What `counters` count decides nothing; the last answer is where they have come to.
         Instead of what a turn began with there may be for how many more turns nobody looks.
         """
-        if not look:
-            return t, horizon, self.begin(t, state, counters), 0, counters
+        attention, statements, left = self._environment.attention, self._environment.statements, 0
         if isinstance(look, int):
-            return t, horizon, look - AT_ONCE, AT_ONCE, counters
-        if look[0] == state:
-            steps = [now - before for now, before in zip(counters, look[1], strict=True)]
-            found = self.skip(t, horizon, look, state, _most(counters, steps))
-            if found is not None:
+            left = look
+        elif look is not None:
+            found = self.skip(t, horizon, look, state, counters) if look[0] == state else None
+            if found is None:
+                self._environment.task.look = None
+                left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE)
+            else:
                 self.left = 0
-                t, horizon, turns = found
-                counters = tuple([n + turns * step for n, step in zip(counters, steps, strict=True)])
-                return t, horizon, self.begin(t, state, counters), 0, counters
-        self._environment.task.look = None
-        left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE)
-        if not left:
-            return t, horizon, self.begin(t, state, counters), 0, counters
-        self._environment.attention.notes = None
-        return t, horizon, max(left - AT_ONCE, 0), min(left, AT_ONCE), counters
-
-    def begin(self, t: float, state: State, counters: tuple[float, ...] = ()) -> Look:
-        """A turn begins that will be looked at."""
-        environment, statements = self._environment, self._environment.statements
-        notes, first = environment.attention.begin()
-        return state, counters, t, statements.base, statements.at(t), environment.resumed, notes, first
+                t, horizon, counters = found
+        if left:
+            attention.notes = None
+            return t, horizon, max(left - AT_ONCE, 0), min(left, AT_ONCE), counters
+        since = t, statements.base, statements.at(t), self._environment.resumed
+        return t, horizon, (state, counters, *since, *attention.begin()), 0, counters
 
     def skip(
-        self, t: float, horizon: float, look: Look, state: State, most: float
-    ) -> tuple[float, float, int] | None:
-        """A turn that ends at `t` was as the one before: the end of the last that can be no different, the horizon, and
-        how many turns lie between, at `most` so many.
+        self, t: float, horizon: float, look: Look, state: State, counters: tuple[float, ...]
+    ) -> tuple[float, float, tuple[float, ...]] | None:
+        """A turn that ends at `t` was as the one before: the end of the last that can be no different.
 
         None where it was not in everything that it read. A turn in which other tasks ran is no more than remembered.
         """
-        environment, task, statements = (
+        environment, statements, task = (
             self._environment,
-            self._environment.task,
             self._environment.statements,
+            self._environment.task,
         )
-        _, _, since, base, began, others, notes, first = look
+        _, before, since, base, began, others, notes, first = look
         scheduler = environment.machine.scheduler
         assert scheduler is not None
         now, level = statements.at(t), environment.attention.held(notes, first, began)
@@ -105,12 +96,14 @@ class Site:
         if self.carries and len(scheduler.tasks) > 1:
             task.look = None  # periods of several tasks know nothing of counters
         if environment.resumed != others:
-            return t, horizon, 0
+            return t, horizon, counters
         until = statements.until
         if began <= scheduler.began and now < until:  # it has done nothing since the others were asked
             environment.clock.now = now
             until = max(until, scheduler.reach())
         until = min(until, level)
+        steps = [n - m for n, m in zip(counters, before, strict=True)]
+        most = _most(counters, steps)
         if until == most == INFINITY:
             raise Refusal("never", "the loop looks for something that can no longer happen", "")
         if self.asks and now - began <= WATCH and task.in_vain is None and until >= scheduler.until:
@@ -121,8 +114,8 @@ class Site:
             statements.leave(t)
             t = statements.repeat(base, since, turns)
             horizon = statements.limit(statements.until)
-        task.looked = statements.at(t)
-        return t, horizon, turns
+            task.looked = statements.at(t)
+        return t, horizon, tuple([n + turns * step for n, step in zip(counters, steps, strict=True)])
 
 
 def _most(counters: Sequence[float], steps: Sequence[float]) -> float:
