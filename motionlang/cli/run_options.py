@@ -74,7 +74,7 @@ def add_parser(commands: Commands, summary: str) -> None:
     )
     parser.add_argument(
         "--columns",
-        type=lambda text: [each.strip() for each in text.split(",")],
+        type=_columns,
         metavar="NAME,…",
         help="what the trace has besides the time, such as position,velocity.0: of every axis, or of one",
     )
@@ -228,6 +228,18 @@ def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentPars
                 )
     if arguments.trajectory_rate and not arguments.as_controller:
         parser.error("--trajectory-rate is about --as-controller, which is missing")
+
+
+def _columns(text: str) -> list[str]:
+    from motionlang.controller.record.trace import quantity_of
+
+    columns = [each.strip() for each in text.split(",")]
+    try:
+        for column in columns:
+            quantity_of(column)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return columns
 
 
 def _number(text: str, low: float, high: float, what: str, *, open_low: bool = False) -> float:

@@ -179,7 +179,7 @@ def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
     rows = (cell.folder / "x.csv").read_text().splitlines()
     assert rows[0] == "time_s,axis1_jerk_uu_per_s3,axis1_position_uu"
     ran = cell(*trace, "speed")
-    assert ran.status == 1
+    assert (ran.status, ran.out) == (2, "")
     assert "'speed' is no quantity of an axis: position, velocity, acceleration, jerk, actual" in ran.err
     assert "'jerk.9': there is no axis 9" in cell(*trace, "jerk.9").err
 

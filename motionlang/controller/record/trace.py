@@ -96,6 +96,16 @@ class Samples:
         raise KeyError((axis, quantity))
 
 
+def quantity_of(column: str) -> tuple[str, str]:
+    """Quantity and axis of a column by its name, such as "velocity.0"; ValueError where there is no such quantity."""
+    text, _, axis = column.partition(".")
+    quantity = text.replace("-", " ")
+    if quantity not in UNITS and quantity not in MOTOR:
+        names = ", ".join(name.replace(" ", "-") for name in (*UNITS, *MOTOR))
+        raise ValueError(f"{text!r} is no quantity of an axis: {names} are")
+    return quantity, axis
+
+
 class Trace:
     """The motion of a controller so far; a trace made before the controller goes on knows nothing of what follows."""
 
@@ -121,11 +131,7 @@ class Trace:
         """
         chosen: list[tuple[int, str]] = []
         for each in wanted:
-            text, _, axis = each.partition(".")
-            quantity = text.replace("-", " ")
-            if quantity not in UNITS and quantity not in MOTOR:
-                names = ", ".join(name.replace(" ", "-") for name in (*UNITS, *MOTOR))
-                raise ValueError(f"{text!r} is no quantity of an axis: {names} are")
+            quantity, axis = quantity_of(each)
             if axis and not (axis.isdecimal() and int(axis) in self.controller.axes):
                 have = ", ".join(map(str, self.controller.axes))
                 raise ValueError(f"{each!r}: there is no axis {axis}; this controller has {have}")
