@@ -109,6 +109,7 @@ BARS: dict[str, Bar] = {
     "events_quiet": _most(1.03),
     "cycle_by_run_and_table": _most(1.1),
     "cycle_by_run_and_json": _most(1.1),
+    "cycle_command": _most(1.1),
 }
 
 

@@ -1,15 +1,22 @@
 """What `run --profile` costs on a shift: eight hours run and reported, without and with where the time went.
 
-The ratios are of the best of several interleaved rounds, in CPU time; the collector rests, as in a process of its own.
+In one process the ratios are of the best of several interleaved rounds, in CPU time; the collector rests, as in a
+process of its own. `cycle_command` is of whole processes, `run shift.mnt` with and without `--profile`;
+`cycle_command_json` of the JSON report without and with the profile in a file beside it: the middle of the ratios of
+pairs.
 """
 
 from __future__ import annotations
 
 import gc
+import os
+import tempfile
 from itertools import pairwise
 from time import process_time
 
 from shift import PROGRAM
+from start import command
+from start import seconds as process_seconds
 
 from motionlang.cycle.profile import TimeProfile
 from motionlang.execution import run
@@ -18,7 +25,7 @@ from motionlang.source import Source
 from motionlang.views.cycle import render_profile
 from motionlang.views.table import render
 
-ROUNDS = 9
+ROUNDS, PAIRS = 9, 9
 
 
 def main() -> None:
@@ -42,6 +49,30 @@ def main() -> None:
     print(f"cycle_profile {best['profile']:.3f} s")
     print(f"cycle_by_run_and_table {1.0 + best['profile'] / (best['run'] + best['table']):.3f} x")
     print(f"cycle_by_run_and_json {1.0 + best['profile'] / (best['run'] + best['json']):.3f} x")
+    for name, ratio in whole().items():
+        print(f"{name} {ratio:.3f} x")
+
+
+def whole() -> dict[str, float]:
+    """What whole processes take with the profile, by what they take without."""
+    with tempfile.TemporaryDirectory() as folder:
+        environment = {**os.environ, "MOTIONLANG_CACHE": folder, "PYTHONPYCACHEPREFIX": f"{folder}/pyc"}
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)
+        with open(f"{folder}/shift.mnt", "w", encoding="utf-8") as file:
+            file.write(PROGRAM)
+        plain = [*command(), "run", f"{folder}/shift.mnt"]
+        written = [*plain, "--report", "json"]
+        cases = {
+            "cycle_command": (plain, [*plain, "--profile"]),
+            "cycle_command_json": (written, [*written, "--profile-to", f"{folder}/cycle.json"]),
+        }
+        ratios: dict[str, list[float]] = {name: [] for name in cases}
+        for number in range(PAIRS + 1):
+            for name, (without, with_it) in cases.items():
+                ratio = 1.0 / process_seconds(without, environment) * process_seconds(with_it, environment)
+                if number:  # the first pair writes bytecode and fills the cache
+                    ratios[name].append(ratio)
+    return {name: sorted(values)[PAIRS // 2] for name, values in ratios.items()}
 
 
 if __name__ == "__main__":

@@ -93,6 +93,7 @@ def run(
     name = _cache_name(source, language, settings) if cache and compiled is None else ""
     if compiled is None:
         compiled = _compile(source, language, settings, result, name)
+    result.program = compiled
     if log_size is not None:
         result.machine.log.store.disk = int(log_size * 1e9)
     if nv is not None and compiled is not None:

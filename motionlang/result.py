@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motionlang.errors import Diagnostic
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.program import Program
     from motionlang.source import Source
 
 
@@ -33,6 +34,7 @@ class Run:
         "machine",
         "not_counted",
         "orders",
+        "program",
         "source",
         "status",
         "time",
@@ -46,6 +48,7 @@ class Run:
         self.not_counted: list[str] = []
         # An error of motionlang's own, which ended the run.
         self.crash: Exception | None = None
+        self.program: Program | None = None  # what the source was compiled to
         self.orders: Orders | None = None  # of a run that is to be proved
         self.certificate: list[Limit] | None = None  # of one whose limits are certified
 

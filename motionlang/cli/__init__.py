@@ -1,7 +1,7 @@
 """The command line: which command is meant, and what becomes of a closed pipe or Ctrl-C.
 
-The commonest lines, `run FILE` with at most a report, a dialect and `--no-cache`, are understood here without
-argparse, whose import alone takes as long as such a run; a test holds both readings equal.
+The commonest lines, `run FILE` with at most a report, a dialect, `--profile` and `--no-cache`, are understood here
+without argparse, whose import alone takes as long as such a run; a test holds both readings equal.
 """
 
 from __future__ import annotations
@@ -77,6 +77,8 @@ def quick_options(given: Sequence[str]) -> Options | None:
     for word in rest:
         if word == "--no-cache":
             options.cache = False
+        elif word == "--profile":
+            options.profile = True
         elif word == "--report":
             options.report = next(rest, "")
             if options.report not in REPORTS:
@@ -89,6 +91,8 @@ def quick_options(given: Sequence[str]) -> Options | None:
             return None
         else:
             options.file = word
+    if options.profile and options.report != "table":
+        return None
     return options if options.file else None
 
 

@@ -190,7 +190,7 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
 
 def _run(arguments: argparse.Namespace) -> int:
     parser = arguments.parser
-    _check_sampling(arguments, parser)
+    check_options(arguments, parser)
     options = run_options(arguments, parser)
     written = (("--trace", options.trace), ("--plot", options.plot), ("--profile-to", options.profile_to))
     for option, path in written:
@@ -207,7 +207,7 @@ def _run(arguments: argparse.Namespace) -> int:
     return run_command(options)
 
 
-def _check_sampling(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
+def check_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
     """Options that would say something about nothing."""
     if arguments.trace is None:
         for name in ("rate", "columns", "as_controller"):

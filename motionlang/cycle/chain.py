@@ -9,22 +9,27 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from functools import cached_property
-from operator import sub
-from typing import TYPE_CHECKING, NamedTuple
+from operator import itemgetter, sub
 
 from motionlang.cycle.motions import Motions
 from motionlang.cycle.places import Place, Places
 from motionlang.cycle.tasks import ended_at, kept_waits, parent_of
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from motionlang.cycle.motions import Motion, Phases
     from motionlang.cycle.tasks import Wait
+    from motionlang.profile import Profile
+    from motionlang.profile.ramps import Recipe
     from motionlang.result import Run
 
     # One of several links that differ in nothing but their times, and how long each of them took.
     Alike = tuple["Link", list[float]]
+    # Its cause, place, task and axes.
+    About = tuple[str, Place, str, tuple[int, ...]]
+    Put = Callable[[float], None]
 
 # Times of a wait are whole statements behind those of what ends it; nothing else happens within so many.
 STATEMENTS = 2.5
@@ -42,17 +47,22 @@ MOVED = ("axis", "condition")
 NOWHERE = Place(0, "", ())
 # When the waits of a task were over, and the waits, of one that has none.
 NO_WAITS: tuple[list[float], list[Wait]] = ([], [])
+# Of a place where no wait was, and of one where no move was waited for.
+_NOTHING = NO_WAITS[0].append
+UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
+UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
 
 
-class Link(NamedTuple):
+class Link:
     """One stretch of the chain: `cause` as a person would say it, the axes that move in it (none else)."""
 
-    begin: float
-    end: float
-    cause: str
-    place: Place
-    task: str
-    axes: tuple[int, ...]
+    __slots__ = ("axes", "begin", "cause", "end", "place", "task")
+
+    def __init__(
+        self, begin: float, end: float, cause: str, place: Place, task: str, axes: tuple[int, ...]
+    ) -> None:
+        self.begin, self.end, self.cause, self.place = begin, end, cause, place
+        self.task, self.axes = task, axes
 
     @property
     def duration(self) -> float:
@@ -77,6 +87,11 @@ class Strip:
         self.place, self.task, self.phases, self.axes = place, task, phases, axes
         self.begins: list[float] = []
         self.ends: list[float] = []
+
+    @property
+    def columns(self) -> tuple[Put, Put]:
+        """What takes the begins and the ends of more of them."""
+        return self.begins.append, self.ends.append
 
     def add(self, begin: float, end: float) -> None:
         """One more stretch; the last of its phases lasts up to its end."""
@@ -112,13 +127,17 @@ class Chain:
     @cached_property
     def links(self) -> list[Link]:
         """Each stretch, a motion by its phases, in the order of time."""
-        return sorted(
-            Link(low, high, name, strip.place, strip.task, strip.axes)
-            for strip in self._strips.values()
-            for name, lows, highs in strip.parts()
-            for low, high in zip(lows, highs, strict=True)
-            if low < high
-        )
+        return [Link(low, high, *about) for low, high, about in self.spans()]
+
+    def spans(self) -> list[tuple[float, float, About]]:
+        """The begin and the end of each of them, and what else a link has, which those that are alike share."""
+        found: list[tuple[float, float, About]] = []
+        for strip in self._strips.values():
+            for name, lows, highs in strip.parts():
+                about = name, strip.place, strip.task, strip.axes
+                found += [(low, high, about) for low, high in zip(lows, highs, strict=True) if low < high]
+        found.sort(key=itemgetter(0))  # no two begin together
+        return found
 
     def alike(self) -> list[Alike]:
         """What a table needs of the links, without making each of them."""
@@ -143,67 +162,78 @@ class Chain:
 
     def _follow_task(self, task: str, time: float) -> tuple[str, float]:
         """From `time` back as far as it is one task, and which one it is then; a long run takes its time in here."""
-        near, that_ended = self._near, self.motions.that_ended
+        near, motions = self._near, self.motions
+        begins, ends, order = motions.begins, motions.ends, motions.order
+        rows, lines, alone = motions.rows, motions.lines, motions.alone
+        rank = len(ends) - 1  # of the last motion that was over by then
         untils, waits = self._ends.get(task, NO_WAITS)
-        # By the place in the program the cause and the callers of the last wait there, and what it was charged to.
-        known: dict[int, tuple[str, tuple[int, ...], Place, Strip, Strip]] = {}
-        nothing = Strip(NOWHERE, task, ())
-        unknown = "", (), NOWHERE, nothing, nothing
-        strips: dict[object, Strip] = {}  # of moves
-        last = bisect_right(untils, time + 1e-12) - 1
-        while time > 0.0:
-            # The last wait that was over by then.
-            while last >= 0 and (waits[last][2] >= time or untils[last] > time + 1e-12):
-                last -= 1
-            if last < 0:
-                starter = self._starter(task)
-                self._add(starter[1], time, "computing", self._first_place(task), task)
-                return starter
+        # By the place in the program the cause and the callers of the last wait there, where it was, and what takes the
+        # begins and ends of what was computed behind it, and of the wait where no motion ends it.
+        known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
+        # By the same the last move that was waited for there, and what takes the begins and ends of such.
+        moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, Place, Put, Put]] = {}
+        for last in range(bisect_right(untils, time + 1e-12) - 1, -1, -1):
             _, at, since, until, cause, what, _, callers = wait = waits[last]
-            kind, caller, place, computing, waiting = known.get(at, unknown)
+            if since >= time or until > time + 1e-12:
+                continue  # it was not over by then
+            kind, caller, place, began, ended, of_motion, begun, over = known.get(at, UNKNOWN)
             if kind != cause or caller != callers:
                 place = self.places.of(at, callers)
-                computing = self._strip("computing", place, task)
-                waiting = self._strip(CAUSES[cause], place, task)
-                known[at] = cause, callers, place, computing, waiting
+                began, ended = self._strip("computing", place, task).columns
+                of_motion = cause in MOVED
+                begun, over = self._strip(CAUSES[cause], place, task).columns
+                known[at] = cause, callers, place, began, ended, of_motion, begun, over
             if until < time:
-                computing.begins.append(until)
-                computing.ends.append(time)
+                began(until)
+                ended(time)
                 time = until
-            if cause not in MOVED:
-                waiting.begins.append(since)
-                waiting.ends.append(time)
+            if not of_motion:
+                begun(since)
+                over(time)
                 time = since
                 continue
-            motion = that_ended(since, time, near, what if cause == "axis" else None)
-            if motion is None:
-                self._add(since, time, self._cause(wait, time), place, task)
-                time = since
-                continue
-            end, begin, _, line, axes, shape = motion
+            soon = time + near
+            while rank >= 0 and ends[rank] > soon:
+                rank -= 1
+            alone_near = rank > 0 and ends[rank - 1] < time - near <= (end := ends[rank]) > since
+            if alone_near and (not what or cause != "axis"):  # as most often
+                number = order[rank]
+                begin, line, row = begins[number], lines[number], rows[number]
+                axes, shape = alone[row[0]], row[5]
+            else:
+                motion = motions.that_ended(since, time, near, what if cause == "axis" else None)
+                if motion is None:
+                    self._add(since, time, self._cause(wait, time), place, task)
+                    time = since
+                    continue
+                end, begin, line, axes, shape = motion
             if end < time:
                 if end < time - near:
                     self._add(end, time, "settling", place, task)
                 else:
-                    computing.begins.append(end)
-                    computing.ends.append(time)
+                    began(end)
+                    ended(time)
                 time = end
-            key = line, shape, axes, id(place)
-            strip = strips.get(key)
+            line_before, axes_before, shape_before, where, started, arrived = moved.get(at, UNMOVED)
             if (
-                strip is None
-                or not begin - near <= since
-                or not begin + near < until
-                or (last and begin + near < untils[last - 1])
-            ):
-                strips[key] = self._strip_of(motion, task, place)
-                other, time = self._back(motion, time, task, place)
-                if other != task:
-                    return other, time
-            else:  # the task itself began it, as most often
-                strip.begins.append(begin)
-                strip.ends.append(time)
+                line == line_before and axes == axes_before and place is where
+                and begin - near <= since and begin + near < until
+                and not (last and begin + near < untils[last - 1])
+                and shape == shape_before
+            ):  # the task itself began it, as most often  # fmt: skip
+                started(begin)
+                arrived(time)
                 time = begin
+                continue
+            motion = end, begin, line, axes, shape
+            moved[at] = line, axes, shape, place, *self._strip_of(motion, task, place).columns
+            other, time = self._back(motion, time, task, place)
+            if other != task:
+                return other, time
+        if time > 0.0:
+            starter = self._starter(task)
+            self._add(starter[1], time, "computing", self._first_place(task), task)
+            return starter
         return task, time
 
     def _cause(self, wait: Wait, time: float) -> str:
@@ -217,7 +247,7 @@ class Chain:
     def _back(self, motion: Motion, time: float, task: str, waited: Place) -> tuple[str, float]:
         """Charge a move to its line, and those before it in the buffer that it waited for; `waited` is who did."""
         while True:
-            _, begin, _, line, axes, _ = motion
+            _, begin, line, axes, _ = motion
             self._add_motion(motion, time, task, waited, begin)
             begin = min(begin, time)
             waiting = self._waiting_at(task, begin)
@@ -243,7 +273,7 @@ class Chain:
         if motion is None:
             self._add(over, time, "settling", NOWHERE, task)
             return over
-        end, begin, _, line, _, _ = motion
+        end, begin, line, _, _ = motion
         if end < time:
             self._add(end, time, "settling", self.places.at_line(line), task)
         self._add_motion(motion, end, task, NOWHERE, max(begin, over))
@@ -303,7 +333,7 @@ class Chain:
 
     def _strip_of(self, motion: Motion, task: str, waited: Place, begin: float = 0.0) -> Strip:
         """The strip of a move, or of what is left of it from `begin` on."""
-        _, began, _, line, axes, shape = motion
+        _, began, line, axes, shape = motion
         place = self.places.at_line(line)
         if waited.callers and place.sub == waited.sub:
             place = self.places.called(place.line, waited.callers)

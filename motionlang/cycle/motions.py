@@ -6,14 +6,14 @@ Axes that begin and end together on one line are one motion.
 from __future__ import annotations
 
 from bisect import bisect_right
-from itertools import compress, pairwise
-from operator import gt, itemgetter, ne
-from typing import TYPE_CHECKING
+from itertools import compress, islice
+from operator import add, itemgetter, ne
 
 from motionlang.profile.ramps import named_ramps
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Sequence
     from typing import Any
 
     from motionlang.controller.move import Move
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from motionlang.profile.ramps import Recipe
     from motionlang.result import Run
 
-    # End, begin, number in the log, line, axes, and the profile or its recipe of ramps: those that are one motion have
-    # the axes of all of them, and the profile of the first.
-    Motion = tuple[float, float, int, int, tuple[int, ...], Profile | Recipe]
+    # End, begin, line, axes, and the profile or its recipe of ramps: those that are one motion have the axes of all of
+    # them, and the profile of the first.
+    Motion = tuple[float, float, int, tuple[int, ...], Profile | Recipe]
     # What a stretch is called in each phase of a move, and how many seconds that takes.
     Phases = tuple[tuple[str, float], ...]
 
@@ -31,45 +31,53 @@ if TYPE_CHECKING:
 PHASES = {"accel": "accelerating", "slew": "at speed", "decel": "decelerating", "stop": "stopping"}
 OTHER = "in motion"
 MOVING = (*PHASES.values(), OTHER)
+# Of a plain move as it is kept: (axis, begin, _, _, duration, recipe, _, _, _, (_, _, command, line, …)).
+_AXIS, _BEGIN, _DURATION, _ENTRY, _LINE = map(itemgetter, (0, 1, 4, 9, 3))
 
 
 class Motions:
-    """Every motion of a run by its end, at the latest that of the run."""
+    """Every motion of a run by its end, at the latest that of the run: in columns, as a shift has tens of thousands.
+
+    `ends` are in the order of time, `order[n]` is the number of the motion that ended as the n-th, by which `begins`,
+    `lines` and `rows` have it. A plain move is read as it lies in the log, any other one as the same tuple.
+    """
 
     def __init__(self, run: Run) -> None:
         over = run.time
-        alone = {axis: (axis,) for axis in run.controller.axes}
-        log: list[Any] = list(run.controller.log.moves.as_kept())
-        # A plain move is read as it lies there: (axis, start time, _, _, duration, recipe, _, _, _, (…, line, …)).
-        rows: list[Motion] = [
-            (row[1] + row[4], row[1], number, row[9][3], alone[row[0]], row[5])
-            if row.__class__ is tuple
-            else _motion(row, number, alone)
-            for number, row in enumerate(log)
+        self.alone: dict[int, tuple[int, ...]] = {axis: (axis,) for axis in run.controller.axes}
+        log: Iterable[Any] = run.controller.log.moves.as_kept()
+        self.rows: list[tuple[Any, ...]] = [
+            row if row.__class__ is tuple else _kept(row)
+            for row in log
             if row.__class__ is tuple or row.profile is not None
         ]
-        rows.sort()
-        late = bisect_right(rows, (over, float("inf")))
-        if late < len(rows):
-            rows[late:] = [(over, *row[1:]) for row in rows[late:]]
-            rows.sort()
-        self._rows = rows
-        self._ends = [row[0] for row in rows]
+        self.begins: list[float] = list(map(_BEGIN, self.rows))
+        ends: list[float] = list(map(add, self.begins, map(_DURATION, self.rows)))
+        self._in_order = self.begins == sorted(self.begins)
+        self.ends = sorted(ends)
+        if ends and self.ends[-1] > over:
+            ends = [min(end, over) for end in ends]
+            self.ends = sorted(ends)
+        self._ends_of = ends  # by number
+        # Those that end together in the order of their begins.
+        self.order = sorted(self._by_begin(), key=ends.__getitem__)
+        self.lines: list[int] = list(map(_LINE, map(_ENTRY, self.rows)))
         self._phases: dict[object, Phases] = {}
 
-    def together(self) -> tuple[list[Motion], list[int]]:
-        """The motions by their begins and lines, those that are alike in both by their ends; where the next ones begin.
+    def together(self) -> tuple[list[int], list[float], list[int], list[int]]:
+        """Where those of a begin start, and behind the last; ends, axes and lines of all, in the order of begins."""
+        begins, ends, axes, lines = self.begins, self._ends_of, list(map(_AXIS, self.rows)), self.lines
+        if not self._in_order:
+            numbers = self._by_begin()
+            begins, ends = [begins[number] for number in numbers], [ends[number] for number in numbers]
+            axes, lines = [axes[number] for number in numbers], [lines[number] for number in numbers]
+        later = map(ne, begins, islice(begins, 1, None))
+        cuts = [0, *compress(range(1, len(begins)), later), len(begins)] if begins else []
+        return cuts, ends, axes, lines
 
-        The last of those places is behind the last motion.
-        """
-        rows = sorted(self._rows, key=itemgetter(1))  # those of one begin stay in the order of their ends
-        later = list(map(ne, map(itemgetter(1), rows), map(itemgetter(1), rows[1:])))
-        lines = list(map(itemgetter(3), rows))
-        other_line = list(map(ne, lines, lines[1:]))
-        if any(map(gt, other_line, later)):  # several lines began some at the same moment
-            rows.sort(key=itemgetter(1, 3))
-            later = [row[1] != after[1] or row[3] != after[3] for row, after in pairwise(rows)]
-        return rows, [0, *compress(range(1, len(rows)), later), len(rows)] if rows else []
+    def _by_begin(self) -> Sequence[int]:
+        numbers = range(len(self.rows))
+        return numbers if self._in_order else sorted(numbers, key=self.begins.__getitem__)
 
     def phases(self, shape: Profile | Recipe) -> Phases:
         """The phases of a profile, or of a recipe of ramps, the same object for all that are alike."""
@@ -91,20 +99,20 @@ class Motions:
 
         With `axes` one of theirs (with () of any axis), and where none ended then the last one before.
         """
-        rows, ends, low = self._rows, self._ends, time - near
+        ends, low = self.ends, time - near
         place = bisect_right(ends, time + near) - 1
-        if place > 0 and ends[place - 1] < low <= ends[place] > since:
-            row = rows[place]  # the only one near to it
-            if not axes or row[4][0] in axes:
-                return row
+        alone = place > 0 and ends[place - 1] < low <= ends[place] > since  # no other one is near to it
+        if alone and (not axes or self.axis(place) in axes):
+            return self._motion(place)
         found, best = -1, (0.0, 0.0)
         while place >= 0:
-            end, begin, _, _, (axis,), _ = rows[place]
+            end = ends[place]
             if end <= since or (end < low and (found >= 0 or axes is None)):
                 break
-            if not axes or axis in axes:
+            if not axes or self.axis(place) in axes:
                 if end < low:
                     return self._whole(place)
+                begin = self.begins[self.order[place]]
                 if found < 0 or (begin, end) >= best:
                     found, best = place, (begin, end)
             place -= 1
@@ -112,41 +120,51 @@ class Motions:
 
     def before(self, axes: tuple[int, ...], begin: float, near: float) -> Motion | None:
         """The motion of one of some axes that began before `begin`, and ended within `near` of it."""
-        place = bisect_right(self._ends, begin + near) - 1
+        place = bisect_right(self.ends, begin + near) - 1
         while place >= 0:
-            end, began, _, _, (axis,), _ = self._rows[place]
-            if end < begin - near:
+            if self.ends[place] < begin - near:
                 return None
-            if axis in axes and began < begin:
+            if self.axis(place) in axes and self.begins[self.order[place]] < begin:
                 return self._whole(place)
             place -= 1
         return None
 
     def last(self, after: float, time: float) -> Motion | None:
         """The last one that ended behind `after`, and by `time`."""
-        place = bisect_right(self._ends, time) - 1
-        return self._whole(place) if place >= 0 and self._ends[place] > after else None
+        place = bisect_right(self.ends, time) - 1
+        return self._whole(place) if place >= 0 and self.ends[place] > after else None
+
+    def axis(self, place: int) -> int:
+        """Whose motion it is that ended as the one of that number."""
+        axis: int = self.rows[self.order[place]][0]
+        return axis
 
     def _whole(self, place: int) -> Motion:
-        """The motion of a row, with the axes of all rows that are it."""
-        rows, ends = self._rows, self._ends
-        end, begin, _, line, _, _ = row = rows[place]
+        """The motion that ended as the one of that number, with the axes of all that are one with it."""
+        ends, order, begins = self.ends, self.order, self.begins
+        end, number = ends[place], order[place]
         first, last = place, place + 1
         while first and ends[first - 1] == end:
             first -= 1
         while last < len(ends) and ends[last] == end:
             last += 1
         if last - first == 1:
-            return row
-        same = [each for each in rows[first:last] if each[1] == begin and each[3] == line]
-        _, _, number, _, _, profile = same[0]
-        return end, begin, number, line, tuple(axes[0] for _, _, _, _, axes, _ in same), profile
+            return self._motion(place)
+        begin, line = begins[number], self.lines[number]
+        same = [each for each in order[first:last] if begins[each] == begin and self.lines[each] == line]
+        return end, begin, line, tuple(self.rows[each][0] for each in same), self.rows[same[0]][5]
+
+    def _motion(self, place: int) -> Motion:
+        """That motion alone."""
+        number = self.order[place]
+        row = self.rows[number]
+        return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
 
 
-def _motion(move: Move, number: int, alone: Mapping[int, tuple[int]]) -> Motion:
-    """A move of the log that is a `Move`, and has a profile."""
+def _kept(move: Move) -> tuple[Any, ...]:
+    """A move that is none of the plain ones, as those are kept: as much of it as is asked for."""
     profile = move.profile
     assert profile is not None
     shape = profile._recipe if profile.pieced and len(profile._recipe) > 2 else profile
-    begin = move.start_time
-    return begin + profile.duration, begin, number, move.line, alone[move.axis], shape
+    entry = None, None, move.command, move.line
+    return move.axis, move.start_time, None, None, profile.duration, shape, None, None, None, entry

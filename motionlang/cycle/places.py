@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.result import Run
 
 
-class Place(NamedTuple):
+class Place:
     """A line, the sub it stands in ("" outside of all), and the lines of the calls that led there, outermost first."""
 
-    line: int
-    sub: str
-    callers: tuple[int, ...]
+    __slots__ = ("callers", "line", "sub")
+
+    def __init__(self, line: int, sub: str, callers: tuple[int, ...]) -> None:
+        self.line, self.sub, self.callers = line, sub, callers
 
 
 class Places:
@@ -21,8 +21,9 @@ class Places:
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        self._lines: dict[int, int] = {}
-        self._blocks = run.dialect.blocks(run.source)
+        # From the compiled program, which has been through the text already, or else read again.
+        outline = None if run.program is None else run.program.outline
+        self._blocks, self._lines = (run.dialect.blocks(run.source), {}) if outline is None else outline
         self._called: dict[tuple[int, tuple[int, ...]], Place] = {}
         self._at_lines: dict[int, Place] = {}
         self._known: dict[tuple[int, tuple[int, ...]], Place] = {}

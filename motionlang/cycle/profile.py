@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
-from collections import defaultdict
-from itertools import pairwise
+from functools import cached_property
 from math import fsum
-from operator import sub
-from typing import TYPE_CHECKING, Any, NamedTuple
 
 from motionlang.cycle.chain import Chain, Link, alike
-from motionlang.cycle.tasks import TaskTime, kept_waits, task_times
+from motionlang.cycle.slacks import Slack, slacks
+from motionlang.cycle.tasks import TaskTime, kept_waits, parent_of, task_times
 from motionlang.profile.total import exact_terms
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from typing import Any
 
+    from motionlang.cycle.chain import About
     from motionlang.result import Run
 
 SCHEMA = "motionlang.cycle/1"
@@ -23,22 +23,14 @@ SCHEMA = "motionlang.cycle/1"
 PROGRAM = "the program"
 
 
-class Share(NamedTuple):
+class Share:
     """Seconds of the chain that belong together: of a line, a sub or an axis; `total` has what it called, too."""
 
-    name: str
-    line: int
-    seconds: float
-    total: float
-    causes: dict[str, float]
+    __slots__ = ("causes", "line", "name", "seconds", "total")
 
-
-class Slack(NamedTuple):
-    """`axis` had ended its move and stood while `other` still moved: the seconds that it could have been slower."""
-
-    axis: int
-    other: int
-    seconds: float
+    def __init__(self, name: str, line: int, seconds: float, total: float, causes: dict[str, float]) -> None:
+        self.name, self.line = name, line
+        self.seconds, self.total, self.causes = seconds, total, causes
 
 
 class TimeProfile:
@@ -47,15 +39,28 @@ class TimeProfile:
     def __init__(self, run: Run) -> None:
         self.run = run
         self._waits = kept_waits(run)
-        self.tasks: list[TaskTime] = task_times(run, self._waits)
         self._chain = Chain(run, self._waits)
         self._places = self._chain.places
         self._alike = _summed(self._chain.alike())
+
+    @cached_property
+    def tasks(self) -> list[TaskTime]:
+        """Each task's own time."""
+        return task_times(self.run, self._waits)
+
+    @property
+    def has_tasks(self) -> bool:
+        """Whether there is more than the parent task."""
+        return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.turns)
 
     @property
     def links(self) -> list[Link]:
         """The stretches of the chain, from the begin of the run to its end."""
         return self._chain.links
+
+    def spans(self) -> list[tuple[float, float, About]]:
+        """The same without an object for each."""
+        return self._chain.spans()
 
     @property
     def seconds(self) -> float:
@@ -92,60 +97,27 @@ class TimeProfile:
 
     def slacks(self) -> list[Slack]:
         """Who stood and waited for whom, where a task waited for several axes that had begun together."""
-        waited = {  # in milliseconds
-            int(until * 1000.0)
-            for waits in self._waits.values()
-            for _, _, _, until, cause, _, _, _ in waits
-            if cause != "time"
-        }
-        motions, cuts = self._chain.motions.together()
-        ends = [motion[0] for motion in motions]
-        axes = tuple([axis for _, _, _, _, (axis,), _ in motions])
-        # By the axes of a group, and how many of them had ended before the last: when they ended, group after group.
-        groups: dict[tuple[tuple[int, ...], int], list[float]] = {}
-        for low, high in pairwise(cuts):
-            last = ends[high - 1]
-            if ends[low] < last:
-                millis = int(last * 1000.0)
-                if millis in waited or millis + 1 in waited:
-                    kind = axes[low:high], bisect_left(ends, last, low, high) - low
-                    times = groups.get(kind)
-                    if times is None:
-                        groups[kind] = ends[low:high]
-                    else:
-                        times += ends[low:high]
-        found: dict[tuple[int, int], list[float]] = defaultdict(list)
-        for (group, stood), times in groups.items():
-            for k in range(stood):
-                found[group[k], group[stood]] += map(sub, times[stood :: len(group)], times[k :: len(group)])
-        rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items()]
-        return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))
+        return slacks(self._chain.motions, self._waits)
 
-    def report(self) -> dict[str, Any]:
-        """The profile as plain data, schema `motionlang.cycle/1`."""
-        return {
+    def report(self, *, chain: bool = True) -> dict[str, Any]:
+        """The profile as plain data, schema `motionlang.cycle/1`; the chain, if it is wanted, is the last of it."""
+        document: dict[str, Any] = {
             "schema": SCHEMA,
             "program": self.run.source.name,
             "time": self.run.time,
-            "tasks": [task._asdict() for task in self.tasks],
-            "kinds": [share._asdict() for share in self.kinds()],
-            "lines": [share._asdict() for share in self.lines()],
-            "subs": [share._asdict() for share in self.subs()],
-            "slack": [slack._asdict() for slack in self.slacks()],
-            "chain": [
-                {
-                    "begin": link.begin,
-                    "end": link.end,
-                    "cause": link.cause,
-                    "line": link.place.line,
-                    "sub": link.place.sub,
-                    "callers": link.place.callers,
-                    "task": link.task,
-                    "axes": link.axes,
-                }
-                for link in self.links
+            "tasks": [
+                _row(task, "name", "begin", "end", "waiting", "computing", "ready") for task in self.tasks
             ],
+            "kinds": list(map(_share, self.kinds())),
+            "lines": list(map(_share, self.lines())),
+            "subs": list(map(_share, self.subs())),
+            "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
         }
+        if chain:
+            document["chain"] = [
+                {"begin": begin, "end": end, **about_link(about)} for begin, end, about in self.spans()
+            ]
+        return document
 
     def sub(self, line: int) -> str:
         """The sub that a line stands in, "" for none."""
@@ -190,3 +162,18 @@ class TimeProfile:
 def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[float]]]:
     """Links with a few terms in place of their many durations, which add up to the very same."""
     return [(link, exact_terms(times)) for link, times in links]
+
+
+def _share(share: Share) -> dict[str, Any]:
+    return _row(share, "name", "line", "seconds", "total", "causes")
+
+
+def _row(each: object, *names: str) -> dict[str, Any]:
+    return {name: getattr(each, name) for name in names}
+
+
+def about_link(about: About) -> dict[str, Any]:
+    """What a report says of a link besides its times."""
+    cause, place, task, axes = about
+    where = {"line": place.line, "sub": place.sub, "callers": place.callers}
+    return {"cause": cause, **where, "task": task, "axes": axes}

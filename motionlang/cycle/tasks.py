@@ -11,26 +11,26 @@ from collections import defaultdict
 from itertools import groupby
 from math import fsum
 from operator import itemgetter
-from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.controller.record.records import Waited
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from motionlang.controller.record.records import Waited
     from motionlang.result import Run
 
     # The fields of a `Waited`.
     Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]
 
 
-class TaskTime(NamedTuple):
+class TaskTime:
     """Seconds of one task from `begin` to `end`: `waiting` by cause, `computing`, and `ready` while others computed."""
 
-    name: str
-    begin: float
-    end: float
-    waiting: dict[str, float]
-    computing: float
-    ready: float
+    __slots__ = ("begin", "computing", "end", "name", "ready", "waiting")
+
+    def __init__(
+        self, name: str, begin: float, end: float, waiting: dict[str, float], computing: float, ready: float
+    ) -> None:
+        self.name, self.begin, self.end = name, begin, end
+        self.waiting, self.computing, self.ready = waiting, computing, ready
 
     @property
     def life(self) -> float:
@@ -40,6 +40,8 @@ class TaskTime(NamedTuple):
 
 def waits_of(run: Run) -> dict[str, list[Waited]]:
     """The waits of each task in the order of time, those too that were under way when the run ended."""
+    from motionlang.controller.record.records import Waited
+
     return {name: list(map(Waited._make, waits)) for name, waits in kept_waits(run).items()}
 
 

@@ -10,6 +10,9 @@ if TYPE_CHECKING:
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.task import Task
 
+    # The blocks of a program as `Dialect.blocks` has them, and the lines of places in it.
+    Outline = tuple[list[tuple[str, int, int]], dict[int, int]]
+
 
 class Program:
     """Something that can be started; each dialect has its own."""
@@ -30,6 +33,11 @@ class Program:
     def warnings(self) -> Sequence[Diagnostic]:
         """What a run of it must be told beforehand."""
         return ()
+
+    @property
+    def outline(self) -> Outline | None:
+        """What of the text is known without reading it again: blocks and lines; None where nothing is kept."""
+        return None
 
     def start(self, machine: Machine) -> Task:
         """The parent task of the program, bound to `machine`, not yet run."""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from motionlang.errors import Diagnostic
     from motionlang.lang.machine.machine import Machine
+    from motionlang.lang.program import Outline
     from motionlang.lang.task import Task
     from motionlang.mint.runtime.code_units import Code
     from motionlang.source import Source
@@ -32,7 +33,7 @@ class MintProgram(Program):
     Not so those of `given`: their values are bound when the program starts. It says which are texts.
     """
 
-    __slots__ = ("_others", "_warnings", "code", "given", "name", "settings", "text")
+    __slots__ = ("_others", "_outline", "_warnings", "code", "given", "name", "settings", "text")
 
     def __init__(
         self,
@@ -42,7 +43,9 @@ class MintProgram(Program):
         settings: Mapping[str, object] | None,
         warnings: Sequence[Diagnostic] = (),
         given: Mapping[str, bool] | None = None,
+        outline: bytes = b"",
     ) -> None:
+        self._outline = outline  # packed: few look at it
         self.code, self.name, self.text, self.settings = code, name, text, dict(settings or {})
         self.given = given or {}
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
@@ -71,8 +74,19 @@ class MintProgram(Program):
             self.text,
             self.settings,
             self._warnings,
+            self._outline,
         )
         return dumps(everything)
+
+    @property
+    def outline(self) -> Outline | None:
+        """Its blocks, and the lines of the places in its code."""
+        if not self._outline:
+            return None
+        from marshal import loads
+
+        blocks, lines = loads(self._outline)
+        return blocks, dict(zip(self.code.places, lines, strict=True))
 
     def start(self, machine: Machine) -> Task:
         """The parent task, bound to `machine`; ProgramError when an override names nothing."""
@@ -148,9 +162,8 @@ def compile_source(
     from motionlang.mint.compile.compiler import compile_text
 
     compiled = compile_text(source, settings, overrides, given)
-    return MintProgram(
-        compiled.code, source.name, source.text, settings, compiled.problems.of_the_run(), given
-    )
+    warnings = compiled.problems.of_the_run()
+    return MintProgram(compiled.code, source.name, source.text, settings, warnings, given, compiled.outline)
 
 
 def compile_given(
@@ -183,8 +196,8 @@ def load(payload: bytes) -> MintProgram:
     """The program that `MintProgram.payload` was made of."""
     from marshal import loads
 
-    code, name, text, settings, warnings = loads(payload)
-    program = MintProgram(loaded(code), name, text, settings)
+    code, name, text, settings, warnings, outline = loads(payload)
+    program = MintProgram(loaded(code), name, text, settings, outline=outline)
     program._warnings = warnings
     return program
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from math import fsum
-from typing import TYPE_CHECKING
 
 from motionlang.cycle.motions import MOVING
 from motionlang.views.grid import Column, grid
 from motionlang.views.terminal import printable, styled
 from motionlang.views.words import clock_time
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
@@ -68,7 +68,7 @@ def render_profile(
     subs = made.subs()
     if len(subs) > 1:
         parts.append(grid(_SUBS, [_sub(share, whole) for share in subs], width=width, colour=colour))
-    if len(made.tasks) > 1:
+    if made.has_tasks and len(made.tasks) > 1:
         parts.append(
             grid(_TASKS, [_task(made, k) for k in range(len(made.tasks))], width=width, colour=colour)
         )

@@ -11,12 +11,13 @@ import pytest
 
 from motionlang.cli import quick_options
 from motionlang.cli.commands import build_parser
-from motionlang.cli.run_options import run_options
+from motionlang.cli.run_options import check_options, run_options
 from tests.cases import cases
 
 PARTS = (
     ("pick.mnt",),
     ("--no-cache",),
+    ("--profile",),
     ("--report", "json"),
     ("--report", "none"),
     ("--dialect", "mccl"),
@@ -35,6 +36,7 @@ def test_both_ways_to_read_a_line_agree(line: list[str]) -> None:
     parser = build_parser("run")
     try:
         arguments = parser.parse_args(line)
+        check_options(arguments, arguments.parser)
     except SystemExit:
         assert quick is None
     else:
@@ -63,19 +65,29 @@ def test_everything_else_is_left_to_argparse(line: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "needed"),
-    [("hello.mnt", "PRINT 1\n", []), ("hello.mcl", "1MN,1TP\n", ["enum", "re"])],
+    ("name", "text", "options", "needed"),
+    [
+        ("hello.mnt", "PRINT 1\n", ("--report", "none"), []),
+        ("hello.mcl", "1MN,1TP\n", ("--report", "none"), ["enum", "re"]),
+        ("hello.mnt", "MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n", ("--profile",), []),
+    ],
 )
-def test_a_plain_run_imports_nothing_slow(tmp_path: Path, name: str, text: str, needed: list[str]) -> None:
-    """First sight may compile; the second run imports nothing that costs milliseconds but the patterns of MCCL."""
+def test_a_plain_run_imports_nothing_slow(
+    tmp_path: Path, name: str, text: str, options: tuple[str, ...], needed: list[str]
+) -> None:
+    """First sight may compile; the second run imports nothing that costs milliseconds but the patterns of MCCL.
+
+    A profile has lines and blocks from the compiled program, and parses nothing.
+    """
     program = tmp_path / name
     program.write_text(text)
     script = (
         "import sys; from motionlang.cli import main; code = main(sys.argv[1:]); "
-        "slow = {'argparse', 'json', 'numpy', 'lark', 'rich', 'dataclasses', 're', 'typing', 'enum', 'pathlib'}; "
+        "slow = {'argparse', 'json', 'numpy', 'lark', 'rich', 'dataclasses', 're', 'typing', 'enum', 'pathlib', "
+        "'motionlang.mint.syntax.parser'}; "
         "print(code, sorted(slow & set(sys.modules)))"
     )
-    command = [sys.executable, "-S", "-c", script, "run", str(program), "--report", "none"]
+    command = [sys.executable, "-S", "-c", script, "run", str(program), *options]
     for _ in range(2):
         ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=".")
     assert ran.stdout.splitlines()[-1] == f"0 {needed}"

@@ -10,6 +10,7 @@ session.
 from __future__ import annotations
 
 import gc
+from marshal import dumps
 
 from motionlang.errors import ProgramError
 from motionlang.mint.compile import jumps
@@ -22,6 +23,7 @@ from motionlang.mint.keywords import table
 from motionlang.mint.keywords.machine_readings import words
 from motionlang.mint.resolve.names import Names
 from motionlang.mint.resolve.problems import Problems, bracketed
+from motionlang.mint.syntax.extent import blocks_of
 from motionlang.mint.syntax.parser import parse
 
 TYPE_CHECKING = False
@@ -39,12 +41,16 @@ DEFAULT_AXES = 8
 
 
 class Compiled:
-    """A program's code, its names, and what there is to say about the program."""
+    """A program's code, its names, and what there is to say about the program.
 
-    __slots__ = ("code", "names", "problems")
+    `outline` is, packed, the blocks of its text and the line of each place in the code: a profile need not parse again.
+    """
+
+    __slots__ = ("code", "names", "outline", "problems")
 
     def __init__(self, code: Code, names: Names, problems: Problems) -> None:
         self.code, self.names, self.problems = code, names, problems
+        self.outline = b""
 
 
 def compile_module(module: Module, settings: dict[str, object] | None = None) -> Compiled:
@@ -144,7 +150,10 @@ def compile_text(
         module = _parsed(source, settings)
         if overrides or given:
             override(module, overrides or {}, given)
-        return compile_module(module, settings)
+        blocks = blocks_of(module)
+        compiled = compile_module(module, settings)
+        compiled.outline = dumps((blocks, list(map(module.line, compiled.code.places))))
+        return compiled
     finally:
         if collecting:
             gc.enable()

@@ -15,7 +15,11 @@ if TYPE_CHECKING:
 
 def blocks(source: Source) -> list[tuple[str, int, int]]:
     """Name, first and last line of every block; a sub in a task is a block in a block."""
-    module = parse(source)
+    return blocks_of(parse(source))
+
+
+def blocks_of(module: Module) -> list[tuple[str, int, int]]:
+    """The same of a program that is parsed."""
     named: list[tuple[str, Node, Sequence[object]]] = []
     for task in module.tasks:
         named.append((f"task {task.name}", task, [*task.body, *task.subs]))
