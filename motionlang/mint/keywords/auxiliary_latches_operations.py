@@ -12,13 +12,9 @@ from motionlang.mint.keywords.sensing_operations import channel_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 
 class AuxLatch(Latch):
@@ -70,7 +66,6 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     latches, name = environment.part(AuxLatches), _setting(row)
 
     def write(channel: int, value: float) -> None:
-        row.check(value)
         latches.latch(channel).set(name, value * abs(_per_unit(environment, row, channel)))
 
     return write
@@ -179,7 +174,6 @@ def write_zero_enable(environment: Environment, row: Row) -> Operation:
     indexes = environment.part(Indexes)
 
     def write(channel: int, armed: int) -> None:
-        row.check(armed)
         indexes.of(_aux(channel)).armed = bool(armed)
 
     return write
@@ -195,7 +189,6 @@ def write_zero_mode(environment: Environment, row: Row) -> Operation:
     indexes = environment.part(Indexes)
 
     def write(channel: int, mode: int) -> None:
-        row.check(mode)
         indexes.of(_aux(channel)).mode = mode
 
     return write

@@ -8,12 +8,8 @@ from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 
 def do_default_axes(environment: Environment, row: Row) -> Operation:
@@ -31,7 +27,6 @@ def write_buffer_size(environment: Environment, row: Row) -> Operation:
     """MOVEBUFFERSIZE, while the buffer is empty."""
 
     def write(axis: int, value: int) -> None:
-        row.check(value)
         scale_of(environment, axis)
         a = environment.controller.axes[axis]
         if a.move is not None or a.buffer:
@@ -89,7 +84,6 @@ def write_scale(environment: Environment, row: Row) -> Operation:
     """Settings keep their values in counts, as the controller does: set the scale first."""
 
     def write(axis: int, value: float) -> None:
-        row.check(value)
         scale_of(environment, axis)
         environment.controller.set_scale(axis, value)
 
@@ -106,7 +100,6 @@ def write_profile_mode(environment: Environment, row: Row) -> Operation:
     configure = environment.controller.configure
 
     def write(axis: int, value: int) -> None:
-        row.check(value)
         scale_of(environment, axis)
         configure(axis, "shape", "scurve" if value == 1 else "trapezoid")
 

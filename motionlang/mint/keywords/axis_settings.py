@@ -2,40 +2,91 @@
 
 from __future__ import annotations
 
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import scale_of, to_each_axis
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from typing import TypeVar
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.controller.scale import Scale
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
     Value = TypeVar("Value")
 
-
-def reading(environment: Environment, row: Row, setting: Callable[[str, int], float]) -> Operation:
-    """What reads a setting as its word shows it: a whole number where that is what it is."""
-    name, whole = row.name, row.unit in ("integer", "bool")
-
-    def read(axis: int) -> float:
-        value = setting(name, axis_of(environment, axis))
-        return int(value) if whole else value
-
-    return read
+# Units of what is whole.
+WHOLE = ("integer", "bool", "bits", "ms", "counts")
 
 
-def writing(environment: Environment, row: Row, give: Callable[..., None]) -> Operation:
-    """What writes a setting, in the range of its word; `give` takes the word, the axis and the value."""
-    name = row.name
+class Settings:
+    """What a program wrote by keyword and axis, and until then what `defaults` has, or what is `otherwise`.
 
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        give(name, axis_of(environment, axis), value)
+    Those with a user unit are kept in counts where a family is `in_counts`, without their sign where it is `unsigned`.
+    """
 
-    return write
+    defaults: Mapping[str, float] = {}
+    otherwise = 0.0
+    in_counts = unsigned = False
+
+    def __init__(self, environment: Environment) -> None:
+        self.environment, self.controller = environment, environment.controller
+        self._settings: dict[tuple[str, int], float] = {}
+
+    def setting(self, name: str, axis: int) -> float:
+        return self._settings.get((name, axis), self.defaults.get(name, self.otherwise))
+
+    def set(self, name: str, axis: int, value: float) -> None:
+        self._settings[name, axis] = value
+
+    def scale(self, axis: int) -> Scale:
+        return self.controller.axes[axis].scale
+
+    def default(self, axis: int) -> None:
+        """DEFAULT."""
+        forget(self._settings, axis)
+
+
+def reading(kind: type[Settings]) -> Maker:
+    """What reads a setting of a family as its word shows it: a whole number where that is what it is."""
+
+    def bound(environment: Environment, row: Row) -> Callable[[int], Operation]:
+        part, name, whole = environment.part(kind), row.name, row.unit in WHOLE
+        unit = row.unit if part.in_counts else ""
+
+        def to_axis(axis: int) -> Operation:
+            scale = scale_of(environment, axis)
+
+            def read() -> float:
+                value = scale.to_user(part.setting(name, axis), unit)
+                return int(value) if whole else value
+
+            return read
+
+        return to_axis
+
+    return to_each_axis(bound)
+
+
+def writing(kind: type[Settings]) -> Maker:
+    """What writes a setting of a family."""
+
+    def bound(environment: Environment, row: Row) -> Callable[[int], Operation]:
+        part, name = environment.part(kind), row.name
+        unit = row.unit if part.in_counts else ""
+
+        def to_axis(axis: int) -> Operation:
+            scale = scale_of(environment, axis)
+
+            def write(value: float) -> None:
+                value = scale.to_counts(value, unit)
+                part.set(name, axis, abs(value) if part.unsigned else value)
+
+            return write
+
+        return to_axis
+
+    return to_each_axis(bound)
 
 
 def forget(settings: dict[tuple[str, int], Value], axis: int) -> None:

@@ -3,33 +3,31 @@
 from __future__ import annotations
 
 from motionlang.controller.triggers.watch import Watch, arm
-from motionlang.mint.keywords.axis_settings import reading, writing
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.motion_operations import refuse_stopping
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import axis_of, of
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 AUTO, AT_GO, AT_INPUT, AT_POSITION = range(4)
-_DEFAULTS = {"TRIGGERINPUT": -1.0, "TRIGGERSOURCE": 0.0, "TRIGGERCHANNEL": 0.0, "TRIGGERVALUE": 0.0}
+_DEFAULTS = {"TRIGGERINPUT": -1.0}
 
 
-class Triggers:
+class Triggers(Settings):
     """TRIGGERMODE of every axis, and what it goes by."""
 
+    defaults = _DEFAULTS
+
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._controller = environment.controller
+        super().__init__(environment)
         self._modes: dict[int, int] = {}
-        self._settings: dict[tuple[str, int], float] = {}
         self._watches: dict[int, tuple[Axis, Watch]] = {}
         # The counts at which TRIGGERVALUE lies where it is a position of an axis: it keeps them whatever the scale.
         self._places: dict[int, float] = {}
@@ -45,11 +43,8 @@ class Triggers:
         self._modes[axis] = mode
         self._watch(axis)
 
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), _DEFAULTS[name])
-
     def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
+        super().set(name, axis, value)
         watched = self._watched_axis(axis)
         if name != "TRIGGERINPUT" and watched is not None:
             self._places[axis] = watched.scale.position_to_counts(self.setting("TRIGGERVALUE", axis))
@@ -59,7 +54,7 @@ class Triggers:
         """The axis whose position may start moves; None for an encoder."""
         if self.setting("TRIGGERSOURCE", axis):
             return None
-        return self._controller.axes.get(int(self.setting("TRIGGERCHANNEL", axis)))
+        return self.controller.axes.get(int(self.setting("TRIGGERCHANNEL", axis)))
 
     def _rescaled(self, what: str, channel: int) -> None:
         """TRIGGERVALUE shows its counts in the units of now."""
@@ -73,19 +68,18 @@ class Triggers:
     def loaded(self, axis: int) -> None:
         """Something was put into the buffer of an axis."""
         if self._modes.get(axis) == AUTO:
-            self._controller.go((axis,))
+            self.controller.go((axis,))
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
         self._modes.pop(axis, None)
-        for name in _DEFAULTS:
-            self._settings.pop((name, axis), None)
+        super().default(axis)
         self._places.pop(axis, None)
         self._watch(axis)
 
     def _start(self, axis: int) -> None:
-        if self._controller.axes[axis].buffer:
-            self._controller.go((axis,))
+        if self.controller.axes[axis].buffer:
+            self.controller.go((axis,))
 
     def _changed(self, channel: int, on: bool) -> None:
         for axis, mode in self._modes.items():
@@ -101,134 +95,89 @@ class Triggers:
             return
         from motionlang.mint.keywords.following_masters import master
 
-        found = master(self._environment, int(self.setting("TRIGGERSOURCE", axis)),
+        found = master(self.environment, int(self.setting("TRIGGERSOURCE", axis)),
                        int(self.setting("TRIGGERCHANNEL", axis)))  # fmt: skip
         place = found.to_counts(self.setting("TRIGGERVALUE", axis))
         made = Watch(place, lambda _: self._start(axis), False)
         found.track.watches.append(made)
-        arm(found.track, made, self._controller.clock, self._controller.clock.now)
+        arm(found.track, made, self.controller.clock, self.controller.clock.now)
         self._watches[axis] = found.track, made
 
 
-# ----------------------------------------------------------------------------------------------- operations
-
-
-def read_trigger_mode(environment: Environment, row: Row) -> Operation:
-    triggers = environment.part(Triggers)
-    return lambda axis: triggers.mode(axis_of(environment, axis))
-
-
-def write_trigger_mode(environment: Environment, row: Row) -> Operation:
-    """TRIGGERMODE."""
-    triggers = environment.part(Triggers)
-
-    def write(axis: int, mode: int) -> None:
-        row.check(mode)
-        triggers.set_mode(axis_of(environment, axis), mode)
-
-    return write
-
-
-def read_trigger(environment: Environment, row: Row) -> Operation:
-    """TRIGGERINPUT, -SOURCE, -CHANNEL and -VALUE, the value in units of what is watched."""
-    return reading(environment, row, environment.part(Triggers).setting)
-
-
-def write_trigger(environment: Environment, row: Row) -> Operation:
-    """TRIGGERINPUT, -SOURCE, -CHANNEL and -VALUE; moves that wait go by it at once."""
-    return writing(environment, row, environment.part(Triggers).set)
-
-
-def read_last_id(environment: Environment, row: Row) -> Operation:
-    controller = environment.controller
-    return lambda axis: controller.move_id(axis_of(environment, axis))
-
-
-def read_status(environment: Environment, row: Row) -> Operation:
+def read_status(environment: Environment, axis: int) -> int:
     """MOVEBUFFERSTATUS: the first three bits are those of the move that is executing."""
     controller = environment.controller
-
-    def read(axis: int) -> int:
-        a = controller.axes[axis_of(environment, axis)]
-        bits = (not a.buffer) << 3 | (controller.room(axis) <= 0) << 4
-        if a.move is None:
-            return bits
-        at_rest = a.suspended and not a.velocity(controller.clock.now)
-        run = getattr(a.move.action, "run", None)
-        contour = run is not None and run.axes[0].contour_mode
-        bits |= (a.move.speed is not None) << 0 | a.move.overridden << 1 | contour << 2 | at_rest << 5
-        return bits | (run is not None and run.stops_at_corner) << 6
-
-    return read
+    a = controller.axes[axis]
+    bits = (not a.buffer) << 3 | (controller.room(axis) <= 0) << 4
+    if a.move is None:
+        return bits
+    at_rest = a.suspended and not a.velocity(controller.clock.now)
+    run = getattr(a.move.action, "run", None)
+    contour = run is not None and run.axes[0].contour_mode
+    bits |= (a.move.speed is not None) << 0 | a.move.overridden << 1 | contour << 2 | at_rest << 5
+    return bits | (run is not None and run.stops_at_corner) << 6
 
 
-def loader(environment: Environment, put: Callable[..., None]) -> Operation:
-    """The operation of a move: true while the buffer of its axis is full; `put` takes axis, …, value and line."""
-    room = environment.controller.room
+def loads(kind: type, put: Callable[..., None]) -> Maker:
+    """What loads a move: true while the buffer of its axis is full.
 
-    def load(axis: int, *arguments: float) -> bool:
-        scale_of(environment, axis)
-        refuse_stopping(environment, axis)
-        if room(axis) <= 0:
-            return True
-        put(axis, *arguments)
-        if environment.loaded is not None:
-            environment.loaded(axis)
-        return False
+    `put` is given a part of the environment, the row, the axis, …, the value and the line.
+    """
 
-    return load
+    def made(environment: Environment, row: Row) -> Operation:
+        room = environment.controller.room
+        part: object = environment.part(kind)
+
+        def load(axis: int, *arguments: float) -> bool:
+            axis_of(environment, axis)
+            refuse_stopping(environment, axis)
+            if room(axis) <= 0:
+                return True
+            put(part, row, axis, *arguments)
+            if environment.loaded is not None:
+                environment.loaded(axis)
+            return False
+
+        return load
+
+    return made
 
 
-def load_dwell(environment: Environment, row: Row) -> Operation:
+def put_dwell(environment: Environment, row: Row, axis: int, milliseconds: float, line: int) -> None:
     """MOVEDWELL: a rest between two moves, ms."""
-    load = environment.controller.load_dwell
-
-    def put(axis: int, milliseconds: float, line: int) -> None:
-        row.check(milliseconds)
-        load(axis, milliseconds / 1000.0, row.name, line)
-
-    return loader(environment, put)
+    row.check(milliseconds)
+    environment.controller.load_dwell(axis, milliseconds / 1000.0, row.name, line)
 
 
-def load_out(environment: Environment, row: Row) -> Operation:
+def put_bank(environment: Environment, row: Row, axis: int, bank: int, bits: int, line: int) -> None:
     """MOVEOUT: a bank of outputs, set between two moves."""
-    load = environment.controller.load_output
-
-    def put(axis: int, bank: int, bits: int, line: int) -> None:
-        first = checked(bank, LAST_CHANNEL // BANK, "bank") * BANK
-        load(axis, {first + k: bits >> k & 1 for k in range(BANK)}, row.name, line)
-
-    return loader(environment, put)
+    first = checked(bank, LAST_CHANNEL // BANK, "bank") * BANK
+    values = {first + k: bits >> k & 1 for k in range(BANK)}
+    environment.controller.load_output(axis, values, row.name, line)
 
 
-def load_out_bit(environment: Environment, row: Row) -> Operation:
+def put_bit(environment: Environment, row: Row, axis: int, channel: int, value: int, line: int) -> None:
     """MOVEOUTX: one output, set between two moves."""
-    load = environment.controller.load_output
-
-    def put(axis: int, channel: int, value: int, line: int) -> None:
-        load(axis, {checked(channel, LAST_CHANNEL, "output"): int(value != 0)}, row.name, line)
-
-    return loader(environment, put)
+    values = {checked(channel, LAST_CHANNEL, "output"): int(value != 0)}
+    environment.controller.load_output(axis, values, row.name, line)
 
 
-def load_pulse(environment: Environment, row: Row) -> Operation:
+def put_pulse(
+    environment: Environment, row: Row, axis: int, channel: int, milliseconds: float, line: int
+) -> None:
     """MOVEPULSEOUTX: a pulse of an output, ms, that begins between two moves."""
-    load = environment.controller.load_pulse
-
-    def put(axis: int, channel: int, milliseconds: float, line: int) -> None:
-        row.check(milliseconds)
-        load(axis, checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0, row.name, line)
-
-    return loader(environment, put)
+    row.check(milliseconds)
+    output = checked(channel, LAST_CHANNEL, "output")
+    environment.controller.load_pulse(axis, output, milliseconds / 1000.0, row.name, line)
 
 
 OPERATIONS = {
-    "buffer.last_id": {"read": read_last_id},
-    "buffer.status": {"read": read_status},
-    "buffer.trigger_mode": {"read": read_trigger_mode, "write": write_trigger_mode},
-    "buffer.trigger": {"read": read_trigger, "write": write_trigger},
-    "buffer.dwell": {"load": load_dwell},
-    "buffer.out": {"load": load_out},
-    "buffer.out_bit": {"load": load_out_bit},
-    "buffer.pulse": {"load": load_pulse},
+    "buffer.last_id": {"read": of(Environment, lambda e, axis: e.controller.move_id(axis))},
+    "buffer.status": {"read": of(Environment, read_status)},
+    "buffer.trigger_mode": {"read": of(Triggers, Triggers.mode), "write": of(Triggers, Triggers.set_mode)},
+    "buffer.trigger": {"read": reading(Triggers), "write": writing(Triggers)},
+    "buffer.dwell": {"load": loads(Environment, put_dwell)},
+    "buffer.out": {"load": loads(Environment, put_bank)},
+    "buffer.out_bit": {"load": loads(Environment, put_bit)},
+    "buffer.pulse": {"load": loads(Environment, put_pulse)},
 }

@@ -20,13 +20,11 @@ from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 LAST_BOX = 31
 # The sources, numbered as LATCHSOURCE numbers them.
@@ -177,7 +175,6 @@ def write_box(environment: Environment, row: Row) -> Operation:
     box = environment.part(CamBoxes).box
 
     def write(number: int, enabled: int) -> None:
-        row.check(enabled)
         box(number).enable(bool(enabled))
 
     return write

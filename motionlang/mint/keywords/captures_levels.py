@@ -40,7 +40,7 @@ def watch(
     quantities.check(environment, quantity, where)
     if quantity in (quantities.ADC, quantities.DAC):
         return _watch_analogue(environment, quantity, where, level, absolute, told)
-    has_motor = quantities.is_of_axis(quantity) and environment.controller.has_motor(where)
+    has_motor = quantities.is_of(quantity) and environment.controller.has_motor(where)
     if quantity in _KINDS:
         source = source_of(environment, _KINDS[quantity], where)
         view = _as_it_is if has_motor and quantity == quantities.DEMAND else None

@@ -18,11 +18,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
     from motionlang.profile import Profile
-
-    Operation = Callable[..., object]
 
 LAST_CHANNEL, LAST_TRIGGER = 7, 1
 MOST_POINTS, POINTS = 100_000, 1000
@@ -40,7 +38,7 @@ class Channel:
 
     @property
     def where(self) -> int:
-        return self.axis if quantities.is_of_axis(self.mode) else self.parameter
+        return self.axis if quantities.is_of(self.mode) else self.parameter
 
 
 class Trigger:
@@ -278,7 +276,6 @@ def write_channel(environment: Environment, row: Row) -> Operation:
     capture, name = environment.part(Capture), _CHANNEL[row.name]
 
     def write(channel: int, value: int) -> None:
-        row.check(value)
         checked(channel, LAST_CHANNEL, "capture channel")
         capture.refuse_running()
         setattr(capture.channels[channel], name, value)
@@ -305,7 +302,6 @@ def write_trigger(environment: Environment, row: Row) -> Operation:
     capture, name = environment.part(Capture), _trigger_setting(row)
 
     def write(trigger: int, value: float) -> None:
-        row.check(value)
         checked(trigger, LAST_TRIGGER, "trigger")
         capture.refuse_running()
         setattr(capture.triggers[trigger], name, value)
@@ -328,7 +324,6 @@ def write_spacing(environment: Environment, row: Row) -> Operation:
     capture, name = environment.part(Capture), row.name
 
     def write(value: float) -> None:
-        row.check(value)
         capture.space(name, value)
 
     return write
@@ -363,7 +358,6 @@ def write_before(environment: Environment, row: Row) -> Operation:
     capture = environment.part(Capture)
 
     def write(milliseconds: float) -> None:
-        row.check(milliseconds)
         capture.refuse_running()
         capture.before = int(milliseconds)
 
@@ -383,7 +377,6 @@ def write_running(environment: Environment, row: Row) -> Operation:
     capture, waits = environment.part(Capture), row.name == "CAPTURECOMMAND"
 
     def write(command: int) -> None:
-        row.check(command)
         if command:
             capture.start(waits)
         else:

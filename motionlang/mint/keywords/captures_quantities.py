@@ -53,14 +53,14 @@ _TOLD = {MEASURED: DEMAND, MEASURED_SPEED: SPEED}
 _PERCENT = 10.0  # percent of full scale in one volt
 
 
-def is_of_axis(quantity: int) -> bool:
+def is_of(quantity: int) -> bool:
     """Whether a quantity is an axis's, not a channel's."""
     return OFF < quantity < ENCODER
 
 
 def check(environment: Environment, quantity: int, where: int) -> None:
     """Refuse an axis, an encoder, a channel or a bank that does not exist."""
-    if is_of_axis(quantity):
+    if is_of(quantity):
         axis_of(environment, where)
     elif quantity == ENCODER:
         channel_of(environment, where)
@@ -90,10 +90,10 @@ def column(
         return _analogue(environment, quantity, where, times)
     if quantity in (INPUTS, OUTPUTS):
         return _bank(environment, quantity, where, times)
-    return _of_axis(environment, quantity, where, times)
+    return _of(environment, quantity, where, times)
 
 
-def _of_axis(environment: Environment, quantity: int, axis: int, times: Sequence[float]) -> list[float]:
+def _of(environment: Environment, quantity: int, axis: int, times: Sequence[float]) -> list[float]:
     a, scale = environment.controller.axes[axis], scale_of(environment, axis)
     wrap = environment.wraps.get(axis)
     if quantity in _MOTOR and a.feedback is not None:

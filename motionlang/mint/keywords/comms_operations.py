@@ -7,12 +7,8 @@ from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # Which elements raise an event, by product (ABB AN00198 p. 19): first, last, only where the value has changed.
 Span = tuple[int, int, bool]
@@ -93,7 +89,6 @@ def write_modbus_parameter(environment: Environment, row: Row) -> Operation:
     parameters = environment.part(ModbusParameters)
 
     def write(bus: int, parameter: int, value: int) -> None:
-        row.check(value)
         parameters.write(bus, parameter, value)
 
     return write

@@ -16,10 +16,8 @@ _TABLE = (
 )
 
 
-def _setting(
-    name: str, short: str, unit: str, verb: str, help: str, example: str, low: float, high: float
-) -> Keyword:
-    return Keyword(name, short, "setting", "RW", "axis", unit, f"compensation.{verb}", help, example, default=0.0,
+def _setting(name: str, short: str, unit: str, help: str, example: str, low: float, high: float) -> Keyword:
+    return Keyword(name, short, "setting", "RW", "axis", unit, "compensation.setting", help, example, default=0.0,
                    low=low, high=high, group="compensation")  # fmt: skip
 
 
@@ -29,24 +27,24 @@ def _mode(name: str, value: int, help: str) -> Keyword:
 
 
 ROWS = (
-    _setting("BACKLASH", "", "uu", "size",
+    _setting("BACKLASH", "", "uu",
              "The play of the axis. Its sign is the direction in which homing took the play up: positive, the motor "
              "needs the whole of it to go forward and nothing to go in reverse; negative, the other way round. The "
              "axis must be idle.", _PLAY, -_LARGEST, _LARGEST),
-    _setting("BACKLASHINTERVAL", "BLI", "integer", "interval",
+    _setting("BACKLASHINTERVAL", "BLI", "integer",
              "Servo cycles of LOOPTIME over which the play is taken up, while the axis moves; 0 at once. The axis must "
              "be idle.", _PLAY, 0, _LARGEST),
-    _setting("BACKLASHMODE", "BLM", "integer", "backlash_mode", "1: play is compensated. Not with _lsDUAL_TABLE.",
+    _setting("BACKLASHMODE", "BLM", "integer", "1: play is compensated. Not with _lsDUAL_TABLE.",
              _PLAY, 0, 1),
     _mode("_blOFF", 0, "BACKLASHMODE: off."),
     Keyword("PRECISIONTABLE", "", "command", "C", "axis, array, array", "", "compensation.table",
             "Attach arrays to an axis: the positions of the nut at steps of PRECISIONINCREMENT, going forward, and in "
             "reverse (NULL: as forward). Element 1 is the number of positions.", _TABLE, group="compensation"),
-    _setting("PRECISIONINCREMENT", "", "uu", "step", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,
+    _setting("PRECISIONINCREMENT", "", "uu", "How far apart the positions of PRECISIONTABLE should be.", _TABLE,
              0, _LARGEST),
-    _setting("PRECISIONOFFSET", "PCO", "uu", "step", "Where PRECISIONTABLE begins, from the axis's zero.", _TABLE,
+    _setting("PRECISIONOFFSET", "PCO", "uu", "Where PRECISIONTABLE begins, from the axis's zero.", _TABLE,
              -_LARGEST, _LARGEST),
-    _setting("PRECISIONMODE", "", "integer", "precision_mode",
+    _setting("PRECISIONMODE", "", "integer",
              "Compensation of the leadscrew: _lsOFF, _lsSINGLE_TABLE for both directions, _lsDUAL_TABLE for one each.",
              _TABLE, 0, 2),
     _mode("_lsOFF", 0, "PRECISIONMODE: leadscrew compensation off."),

@@ -7,44 +7,43 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.takeup import Takeup
-from motionlang.mint.keywords.axis_settings import reading
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.sensing_operations import Encoders
 from motionlang.mint.keywords.table_motion_cams import elements
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of_word, scale_of
 from motionlang.profile.leadscrew import Leadscrew
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
     Array = list[float]
 
 SINGLE, DUAL = 1, 2
+_AT_REST = ("BACKLASH", "BACKLASHINTERVAL")
 
 
-class Compensation:
+class Compensation(Settings):
     """The settings of every axis, in user units, and what its motor does for them, in counts."""
 
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
+        super().__init__(environment)
         self.tables: dict[int, tuple[Array, Array | None]] = {}
-        self._settings: dict[tuple[str, int], float] = {}
         self._screws: dict[int, tuple[Leadscrew, Leadscrew]] = {}
         self._takeups: dict[int, Takeup] = {}
         # What keeps ENCODER where it is when a setting changes.
         self._bases: dict[int, float] = {}
         environment.part(Encoders).compensation = self
 
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), 0.0)
-
     def set(self, name: str, axis: int, value: float) -> None:
-        """Write a setting; Refusal of modes that lack what they need."""
+        """Write a setting; Refusal of modes that lack what they need, and of play in motion.
+
+        BACKLASH: the motor is taken to stand at the end that the sign says.
+        """
+        if name in _AT_REST and not self.controller.is_idle(axis):
+            raise Refusal("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
         before, kept = self.shift(axis), self._settings.get((name, axis))
         self._settings[name, axis] = value
         try:
@@ -55,6 +54,9 @@ class Compensation:
         if name == "BACKLASH":
             self._takeup(axis).taken = 0.0
         self._bases[axis] = self._bases.get(axis, 0.0) + before - self.shift(axis)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT: the screw and its play are what they are."""
 
     def attach(self, axis: int, forward: Array, reverse: Array | None) -> None:
         """PRECISIONTABLE; a mode that is on goes by it at once."""
@@ -72,17 +74,17 @@ class Compensation:
         self._advance(axis)
         takeup = self._takeup(axis)
         slope = self._screwed(axis)[1]
-        velocity = self._environment.controller.velocity(axis)
+        velocity = self.environment.controller.velocity(axis)
         return (slope - 1.0) * velocity + (takeup.rate() if self.setting("BACKLASHMODE", axis) else 0.0)
 
     def _advance(self, axis: int) -> float:
-        now = self._environment.controller.clock.now
+        now = self.environment.controller.clock.now
         return self._takeup(axis).advance(now, bool(self.setting("BACKLASHMODE", axis)))
 
     def _takeup(self, axis: int) -> Takeup:
         found = self._takeups.get(axis)
         if found is None:
-            controller = self._environment.controller
+            controller = self.environment.controller
             found = self._takeups[axis] = Takeup(controller.axes[axis], controller.clock.now)
         return found
 
@@ -92,13 +94,13 @@ class Compensation:
         if screws is None:
             return 0.0, 1.0
         screw = screws[self._takeup(axis).heading < 0]
-        scale = scale_of(self._environment, axis)
-        nut = scale.position_to_user(self._environment.controller.position(axis))
+        scale = scale_of(self.environment, axis)
+        nut = scale.position_to_user(self.environment.controller.position(axis))
         return scale.to_counts(screw.motor(nut) - nut), screw.slope(nut)
 
     def _renew(self, axis: int) -> None:
         """Take the settings over."""
-        environment, takeup = self._environment, self._takeup(axis)
+        environment, takeup = self.environment, self._takeup(axis)
         mode = self.setting("PRECISIONMODE", axis)
         if mode == DUAL and self.setting("BACKLASHMODE", axis):
             raise Refusal("range", f"axis {axis} cannot have two tables and BACKLASHMODE 1",
@@ -131,52 +133,19 @@ class Compensation:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def _writing(environment: Environment, row: Row, idle: bool) -> Operation:
-    compensation, controller, name = environment.part(Compensation), environment.controller, row.name
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        if idle and not controller.is_idle(axis_of(environment, axis)):
-            raise Refusal("moving", f"axis {axis} is moving", f"{name} needs the axis idle")
-        compensation.set(name, axis_of(environment, axis), value)
-
-    return write
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
-    return reading(environment, row, environment.part(Compensation).setting)
-
-
-def write_at_rest(environment: Environment, row: Row) -> Operation:
-    """BACKLASH: the motor is taken to stand at the end that the sign says."""
-    return _writing(environment, row, True)
-
-
-def write_in_motion(environment: Environment, row: Row) -> Operation:
-    """BACKLASHMODE and the PRECISION settings, which may be written in motion."""
-    return _writing(environment, row, False)
-
-
-def do_table(environment: Environment, row: Row) -> Operation:
+def do_table(
+    compensation: Compensation, row: Row, axis: int, forward: Array | None, reverse: Array | None
+) -> None:
     """PRECISIONTABLE: the positions of the nut, forward and in reverse."""
-    compensation = environment.part(Compensation)
-
-    def do(axis: int, forward: Array | None, reverse: Array | None) -> None:
-        if forward is None:
-            raise Refusal(
-                "range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL"
-            )
-        elements(forward, row.name)
-        compensation.attach(axis_of(environment, axis), forward, reverse)
-
-    return do
+    if forward is None:
+        raise Refusal(
+            "range", f"{row.name}: there is no table forward", "only the one in reverse may be NULL"
+        )
+    elements(forward, row.name)
+    compensation.attach(axis, forward, reverse)
 
 
 OPERATIONS = {
-    "compensation.size": {"read": read_setting, "write": write_at_rest},
-    "compensation.interval": {"read": read_setting, "write": write_at_rest},
-    "compensation.backlash_mode": {"read": read_setting, "write": write_in_motion},
-    "compensation.step": {"read": read_setting, "write": write_in_motion},
-    "compensation.precision_mode": {"read": read_setting, "write": write_in_motion},
-    "compensation.table": {"do": do_table},
+    "compensation.setting": {"read": reading(Compensation), "write": writing(Compensation)},
+    "compensation.table": {"do": of_word(Compensation, do_table)},
 }

@@ -7,12 +7,8 @@ from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 
 def write_correction(environment: Environment, row: Row) -> Operation:
@@ -20,7 +16,6 @@ def write_correction(environment: Environment, row: Row) -> Operation:
     controller = environment.controller
 
     def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
         counts = scale_of(environment, axis).to_counts(value)
         if controller.is_idle(axis):
             words = f"axis {axis} is on no move that could be corrected"
@@ -57,7 +52,6 @@ def write_time(environment: Environment, row: Row) -> Operation:
     scales = environment.part(TimeScales)
 
     def write(axis: int, seconds: float) -> None:
-        row.check(seconds)
         scales.set(axis_of(environment, axis), seconds)
 
     return write

@@ -9,42 +9,38 @@ from math import inf
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.reference import PERIOD
-from motionlang.mint.keywords.axis_settings import forget
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving, repeatable
+from motionlang.mint.runtime.environment import Environment
 from motionlang.profile.reference import Slope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # Settings that are not 0 until they are written.
 DEFAULTS = {"SPEEDREFENABLE": 1.0}
 
 
-class Drives:
+class Drives(Settings):
     """The settings of drives, by keyword and axis (speeds in counts/s, times in ms), and their references."""
 
+    defaults = DEFAULTS
+    in_counts = unsigned = True
+
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._controller = environment.controller
-        self._settings: dict[tuple[str, int], float] = {}
+        super().__init__(environment)
         # The line of the program that wrote a reference last, by its word and axis.
         self._lines: dict[tuple[str, int], int] = {}
-        self._controller.analogue_inputs.listeners.append(self._analogue)
-
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), DEFAULTS.get(name, 0.0))
+        self.controller.analogue_inputs.listeners.append(self._analogue)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
+        if name == "SPEEDREFSOURCE" and value:
+            checked(int(value) - 1, LAST_ANALOGUE, "analogue input")
+        super().set(name, axis, value)
         if name in ("SPEEDREFENABLE", "SPEEDREFSOURCE") and ("SPEEDREF", axis) in self._lines:
             self.run(axis)
 
@@ -57,17 +53,17 @@ class Drives:
     def run(self, axis: int, name: str = "SPEEDREF", takes: bool = False) -> None:
         """Let the axis follow its reference; from another motion only a reference `takes` it that was just written."""
         velocity, most = self.wanted(axis, name), self.setting("DRIVESPEEDMAX", axis) or inf
-        if not self.runs(axis, name) and not (velocity and (takes or self._controller.is_idle(axis))):
+        if not self.runs(axis, name) and not (velocity and (takes or self.controller.is_idle(axis))):
             return
         error_time = self.setting("SPEEDREFERRORDECELTIME", axis)
-        rate = top_speed(self._environment, axis) / error_time * 1000.0 if error_time else 0.0
+        rate = top_speed(self.environment, axis) / error_time * 1000.0 if error_time else 0.0
         limited = max(-most, min(velocity, most))
         line = self._lines.get((name, axis), 0)
-        self._controller.refer_speed(axis, limited, self._slopes(axis, name), rate, name, line)
+        self.controller.refer_speed(axis, limited, self._slopes(axis, name), rate, name, line)
 
     def runs(self, axis: int, name: str) -> bool:
         """Whether a reference has the axis."""
-        move = self._controller.axes[axis].move
+        move = self.controller.axes[axis].move
         return move is not None and move.command == name
 
     def wanted(self, axis: int, name: str = "SPEEDREF") -> float:
@@ -79,17 +75,13 @@ class Drives:
         source = int(self.setting("SPEEDREFSOURCE", axis))
         if not source:
             return self.setting(name, axis)
-        share = self._environment.part(Analogue).read(source - 1) / 100.0
-        return share * top_speed(self._environment, axis)
-
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        forget(self._settings, axis)
+        share = self.environment.part(Analogue).read(source - 1) / 100.0
+        return share * top_speed(self.environment, axis)
 
     def _slopes(self, axis: int, name: str) -> tuple[Slope, Slope]:
-        a, top = self._controller.axes[axis], top_speed(self._environment, axis)
+        a, top = self.controller.axes[axis], top_speed(self.environment, axis)
         times = [self.setting(f"{name}{way}TIME", axis) / 1000.0 for way in ("ACCEL", "DECEL")]
-        rates = (0.0, 0.0) if all(times) else self._controller.rates(a, a.speed)
+        rates = (0.0, 0.0) if all(times) else self.controller.rates(a, a.speed)
         made = []
         for way, time, rate in zip(("ACCEL", "DECEL"), times, rates, strict=True):
             edges = [self.setting(f"{name}{way}JERK{edge}TIME", axis) / 1000.0 for edge in ("START", "END")]
@@ -99,7 +91,7 @@ class Drives:
     def _analogue(self, channel: int, value: float) -> None:
         for name, axis in list(self._settings):
             hears = name == "SPEEDREFSOURCE" and self._settings[name, axis] == channel + 1
-            if hears and not self._controller.faults(axis) and self._controller.is_enabled(axis):
+            if hears and not self.controller.faults(axis) and self.controller.is_enabled(axis):
                 self.run(axis)
 
 
@@ -113,118 +105,62 @@ def top_speed(environment: Environment, axis: int) -> float:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_setting(environment: Environment, row: Row) -> Operation:
-    """DRIVESPEEDMAX, times in ms and the other settings of speed references."""
-    drives, name, unit = environment.part(Drives), row.name, row.unit
-
-    def read(axis: int) -> float:
-        value = scale_of(environment, axis).to_user(drives.setting(name, axis), unit)
-        return int(value) if unit in ("integer", "bool") else value
-
-    return read
-
-
-@repeatable
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """DRIVESPEEDMAX, times in ms and the other settings of speed references."""
-    drives, name, unit = environment.part(Drives), row.name, row.unit
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        if name == "SPEEDREFSOURCE" and value:
-            checked(int(value) - 1, LAST_ANALOGUE, "analogue input")
-        drives.set(name, axis, abs(scale_of(environment, axis).to_counts(value, unit)))
-
-    return write
-
-
-@repeatable
-def write_speed(environment: Environment, row: Row) -> Operation:
+def write_speed(drives: Drives, row: Row, axis: int, value: float, line: int) -> None:
     """SPEEDREF and SPEEDTESTREF, user units a second."""
-    drives, name, unit = environment.part(Drives), row.name, row.unit
-
-    def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
-        drives.refer(name, axis, scale_of(environment, axis).to_counts(value, unit), line)
-
-    return write
+    drives.refer(row.name, axis, drives.scale(axis).to_counts(value, row.unit), line)
 
 
-def read_speed(environment: Environment, row: Row) -> Operation:
+def read_speed(drives: Drives, row: Row, axis: int) -> float:
     """SPEEDREF and SPEEDTESTREF: the reference in force, from an analogue input where one is its source."""
-    drives, name, unit = environment.part(Drives), row.name, row.unit
-
-    def read(axis: int) -> float:
-        return scale_of(environment, axis).to_user(drives.wanted(axis_of(environment, axis), name), unit)
-
-    return read
+    return drives.scale(axis).to_user(drives.wanted(axis, row.name), row.unit)
 
 
-@repeatable
-def write_velocity(environment: Environment, row: Row) -> Operation:
+def write_velocity(drives: Drives, row: Row, axis: int, value: float, line: int) -> None:
     """VELREF: within a period of the profiler the axis has the velocity."""
-    controller, drives = environment.controller, environment.part(Drives)
-
-    def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
-        velocity = scale_of(environment, axis).to_counts(value, row.unit)
-        if velocity == drives.setting(row.name, axis) and drives.runs(axis, row.name):
-            return
-        drives.set(row.name, axis, velocity)
-        change = abs(velocity - controller.demand_velocity(axis))
-        slope = Slope(max(change, 1.0) / PERIOD)
-        controller.refer_speed(axis, velocity, (slope, slope), 0.0, row.name, line)
-
-    return write
+    controller, velocity = drives.controller, drives.scale(axis).to_counts(value, row.unit)
+    if velocity == drives.setting(row.name, axis) and drives.runs(axis, row.name):
+        return
+    drives.set(row.name, axis, velocity)
+    change = abs(velocity - controller.demand_velocity(axis))
+    slope = Slope(max(change, 1.0) / PERIOD)
+    controller.refer_speed(axis, velocity, (slope, slope), 0.0, row.name, line)
 
 
-def read_velocity(environment: Environment, row: Row) -> Operation:
-    drives, name, unit = environment.part(Drives), row.name, row.unit
-    return lambda axis: scale_of(environment, axis).to_user(drives.setting(name, axis), unit)
-
-
-def write_position(environment: Environment, row: Row) -> Operation:
+def write_position(environment: Environment, row: Row, axis: int, value: float, line: int) -> None:
     """POSREF."""
     controller = environment.controller
-
-    def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
-        place = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
-        controller.refer_position(axis, place, row.name, line)
-
-    return write
+    place = controller.axes[axis].scale.position_to_counts(value + environment.turn(axis))
+    controller.refer_position(axis, place, row.name, line)
 
 
-def read_position(environment: Environment, row: Row) -> Operation:
+def read_position(environment: Environment, axis: int) -> float:
     """Where the reference is, or would begin: the target of the axis, as far as it has one."""
-    controller = environment.controller
-
-    def read(axis: int) -> float:
-        target = controller.axes[axis_of(environment, axis)].target
-        place = target if abs(target) < INFINITY else controller.demand(axis)
-        shown = scale_of(environment, axis).position_to_user(place)
-        wrap = environment.wraps.get(axis)
-        return shown % wrap if wrap else shown
-
-    return read
+    a, wrap = environment.controller.axes[axis], environment.wraps.get(axis)
+    place = a.target if abs(a.target) < INFINITY else environment.controller.demand(axis)
+    shown = a.scale.position_to_user(place)
+    return shown % wrap if wrap else shown
 
 
-@moving
-def read_error(environment: Environment, row: Row) -> Operation:
+def read_error(environment: Environment, row: Row, axis: int) -> float:
     """Demanded minus measured velocity."""
     controller = environment.controller
-
-    def read(axis: int) -> float:
-        error = controller.demand_velocity(axis_of(environment, axis)) - controller.velocity(axis)
-        return scale_of(environment, axis).to_user(error, row.unit)
-
-    return read
+    error = controller.demand_velocity(axis) - controller.velocity(axis)
+    return controller.axes[axis].scale.to_user(error, row.unit)
 
 
 OPERATIONS = {
-    "drives.setting": {"read": read_setting, "write": write_setting},
-    "drives.speed": {"read": read_speed, "write": write_speed},
-    "drives.velocity": {"read": read_velocity, "write": write_velocity},
-    "drives.position": {"read": read_position, "write": write_position},
-    "drives.error": {"read": read_error},
+    "drives.setting": {"read": reading(Drives), "write": repeatable(writing(Drives))},
+    "drives.speed": {
+        "read": of_word(Drives, read_speed),
+        "write": repeatable(of_word(Drives, write_speed)),
+    },
+    "drives.velocity": {
+        "read": reading(Drives),
+        "write": repeatable(of_word(Drives, write_velocity)),
+    },
+    "drives.position": {
+        "read": of(Environment, read_position),
+        "write": of_word(Environment, write_position),
+    },
+    "drives.error": {"read": moving(of_word(Environment, read_error))},
 }

@@ -5,87 +5,53 @@ from __future__ import annotations
 from math import floor
 
 from motionlang.controller.moves import buffer
-from motionlang.mint.keywords.homing_operations import write_home
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.keywords.homing_operations import Homes
+from motionlang.mint.runtime.binding import axis_of, of, of_word
 from motionlang.mint.runtime.changes import moving
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 NEGATIVE_INDEX = 4
 
 
-def _turns(environment: Environment, counts: Callable[[int], float]) -> Operation:
+def _turns(environment: Environment, axis: int, place: float) -> int:
     """The number of turns of a position in counts; where that has no end, of the axis as it stands."""
-
-    def read(axis: int) -> int:
-        scale, wrap = scale_of(environment, axis), environment.wraps.get(axis)
-        if not wrap:
-            return 0
-        place = counts(axis)
-        if not abs(place) < 1e300:
-            place = environment.controller.position(axis)
-        return floor(scale.position_to_user(place) / wrap + 1e-12)
-
-    return read
+    wrap = environment.wraps.get(axis)
+    if not wrap:
+        return 0
+    if not abs(place) < 1e300:
+        place = environment.controller.position(axis)
+    return floor(environment.controller.axes[axis].scale.position_to_user(place) / wrap + 1e-12)
 
 
-@moving
-def read_demand(environment: Environment, row: Row) -> Operation:
-    controller = environment.controller
-    return _turns(environment, controller.demand)
-
-
-@moving
-def read_target(environment: Environment, row: Row) -> Operation:
-    return _turns(environment, environment.controller.target)
-
-
-@moving
-def read_last_target(environment: Environment, row: Row) -> Operation:
-    axes = environment.controller.axes
-    return _turns(environment, lambda axis: buffer.end(axes[axis]))
-
-
-def do_datum(environment: Environment, row: Row) -> Operation:
+def do_datum(environment: Environment, row: Row, axes: tuple[int, ...], line: int) -> None:
     """DATUM: HOME of type _hmNEGATIVE_INDEX."""
-    home = write_home(environment, row)
-
-    def do(axes: tuple[int, ...], line: int) -> None:
-        for axis in [axis_of(environment, axis) for axis in axes]:
-            home(axis, NEGATIVE_INDEX, line)
-
-    return do
+    homes = environment.part(Homes)
+    for axis in [axis_of(environment, axis) for axis in axes]:
+        homes.begin(axis, NEGATIVE_INDEX, line)
 
 
-def write_frequency(environment: Environment, row: Row) -> Operation:
+def write_frequency(environment: Environment, row: Row, axis: int, pulses: float, line: int) -> None:
     """FREQ, pulses a second; 0 ends it, as it ends a jog."""
-    controller = environment.controller
-
-    def write(axis: int, pulses: float, line: int) -> None:
-        row.check(pulses)
-        controller.jog(axis_of(environment, axis), pulses, row.name, line, None, not pulses)
-
-    return write
-
-
-@moving
-def read_frequency(environment: Environment, row: Row) -> Operation:
-    """Pulses a second as they are demanded now."""
-    axes, clock = environment.controller.axes, environment.clock
-    return lambda axis: axes[axis_of(environment, axis)].velocity(clock.now)
+    environment.controller.jog(axis, pulses, row.name, line, None, not pulses)
 
 
 OPERATIONS = {
-    "encoder_wrap.demand": {"read": read_demand},
-    "encoder_wrap.target": {"read": read_target},
-    "encoder_wrap.last_target": {"read": read_last_target},
-    "encoder_wrap.datum": {"do": do_datum},
-    "encoder_wrap.frequency": {"read": read_frequency, "write": write_frequency},
+    "encoder_wrap.demand": {
+        "read": moving(of(Environment, lambda e, axis: _turns(e, axis, e.controller.demand(axis))))
+    },
+    "encoder_wrap.target": {
+        "read": moving(of(Environment, lambda e, axis: _turns(e, axis, e.controller.target(axis))))
+    },
+    "encoder_wrap.last_target": {
+        "read": moving(of(Environment, lambda e, axis: _turns(e, axis, buffer.end(e.controller.axes[axis]))))
+    },
+    "encoder_wrap.datum": {"do": of_word(Environment, do_datum)},
+    "encoder_wrap.frequency": {
+        "read": moving(of(Environment, lambda e, axis: e.controller.axes[axis].velocity(e.clock.now))),
+        "write": of_word(Environment, write_frequency),
+    },
 }

@@ -14,12 +14,8 @@ from motionlang.mint.keywords.io_inputs import BANK
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # Kinds whose first datum is a bank, and kinds whose first datum is a number; the others take a bit pattern.
 _BANKED, _NUMBERED = ("in", "fastin"), ("latch",)

@@ -5,17 +5,13 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # FEEDRATEPARAMETER: what each parameter is, in user units.
 PARAMETERS = ("uu/s", "uu/s2", "uu/s2")
@@ -52,20 +48,6 @@ def _rate(name: str) -> str:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_override(environment: Environment, row: Row) -> Operation:
-    setting = environment.controller.setting
-    return lambda axis: 100.0 * float(setting(axis_of(environment, axis), "override"))  # type: ignore[arg-type]
-
-
-@repeatable
-def write_override(environment: Environment, row: Row) -> Operation:
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        environment.controller.configure(axis_of(environment, axis), "override", value / 100.0)
-
-    return write
-
-
 def _parameter(parameter: int) -> str:
     if not 0 <= parameter < len(PARAMETERS):
         hint = "0 is the speed, 1 the acceleration, 2 the deceleration"
@@ -73,141 +55,97 @@ def _parameter(parameter: int) -> str:
     return PARAMETERS[parameter]
 
 
-def read_parameter(environment: Environment, row: Row) -> Operation:
+def read_parameter(environment: Environment, axis: int, parameter: int) -> float:
     """FEEDRATEPARAMETER, user units; 0 where moves have the axis's own rate."""
-    axes = environment.controller.axes
-
-    def read(axis: int, parameter: int) -> float:
-        unit, scale = _parameter(parameter), scale_of(environment, axis)
-        own = axes[axis].own_rates
-        return scale.to_user((own[parameter] if own is not None else None) or 0.0, unit)
-
-    return read
+    a, unit = environment.controller.axes[axis], _parameter(parameter)
+    return a.scale.to_user((a.own_rates[parameter] if a.own_rates is not None else None) or 0.0, unit)
 
 
-def write_parameter(environment: Environment, row: Row) -> Operation:
+def write_parameter(environment: Environment, axis: int, parameter: int, value: float) -> None:
     """FEEDRATEPARAMETER: a rate for the moves that are loaded from now on, user units; 0 takes it back."""
-    controller = environment.controller
-
-    def write(axis: int, parameter: int, value: float) -> None:
-        row.check(value)
-        unit, scale = _parameter(parameter), scale_of(environment, axis)
-        own = list(controller.axes[axis].own_rates or (None, None, None))
-        own[parameter] = abs(scale.to_counts(value, unit)) or None
-        controller.configure(axis, "own_rates", tuple(own) if any(own) else None)
-
-    return write
+    a, unit = environment.controller.axes[axis], _parameter(parameter)
+    own = list(a.own_rates or (None, None, None))
+    own[parameter] = abs(a.scale.to_counts(value, unit)) or None
+    environment.controller.configure(axis, "own_rates", tuple(own) if any(own) else None)
 
 
-def read_time_to_most(environment: Environment, row: Row) -> Operation:
+def read_time_to_most(environment: Environment, row: Row, axis: int) -> int:
     """ACCELTIMEMAX and DECELTIMEMAX, ms; 0 without MAXSPEED."""
-    axes, which = environment.controller.axes, 0 if row.name.startswith("ACCEL") else 1
-
-    def read(axis: int) -> int:
-        a = axes[axis_of(environment, axis)]
-        rate = a.rates(a.speed)[which]
-        return round(a.max_speed / rate * 1000.0) if rate and a.max_speed < inf else 0
-
-    return read
+    a = environment.controller.axes[axis]
+    rate = a.rates(a.speed)[_rate(row.name) == "decel"]
+    return round(a.max_speed / rate * 1000.0) if rate and a.max_speed < inf else 0
 
 
-@repeatable
-def write_time_to_most(environment: Environment, row: Row) -> Operation:
+def write_time_to_most(times: TimesToMost, row: Row, axis: int, milliseconds: float) -> None:
     """ACCELTIMEMAX and DECELTIMEMAX, ms from rest to MAXSPEED."""
-    times, name = environment.part(TimesToMost), row.name
-
-    def write(axis: int, milliseconds: float) -> None:
-        row.check(milliseconds)
-        times.set(name, axis_of(environment, axis), milliseconds / 1000.0)
-
-    return write
+    times.set(row.name, axis, milliseconds / 1000.0)
 
 
-def read_jerk_time(environment: Environment, row: Row) -> Operation:
+def read_jerk_time(environment: Environment, row: Row, axis: int) -> int:
     """In ms, also where the jerk itself was written."""
-    axes, which = environment.controller.axes, 0 if row.name.startswith("ACCEL") else 1
-
-    def read(axis: int) -> int:
-        a = axes[axis_of(environment, axis)]
-        jerk = a.decel_jerk if which else a.accel_jerk
-        return round(a.rates(a.speed)[which] / jerk * 1000.0)
-
-    return read
+    a = environment.controller.axes[axis]
+    accel, decel = a.rates(a.speed)
+    return round((accel / a.accel_jerk if _rate(row.name) == "accel" else decel / a.decel_jerk) * 1000.0)
 
 
-@repeatable
-def write_jerk_time(environment: Environment, row: Row) -> Operation:
+def write_jerk_time(environment: Environment, row: Row, axis: int, milliseconds: float) -> None:
     """ACCELJERKTIME and DECELJERKTIME, ms in which a rate builds up."""
-    configure = environment.controller.configure
-    name = "accel_jerk_time" if row.name.startswith("ACCEL") else "decel_jerk_time"
-
-    def write(axis: int, milliseconds: float) -> None:
-        row.check(milliseconds)
-        configure(axis_of(environment, axis), name, milliseconds / 1000.0)
-
-    return write
+    name = f"{_rate(row.name)}_jerk_time"
+    environment.controller.configure(axis, name, milliseconds / 1000.0)
 
 
-def read_s_ramp(environment: Environment, row: Row) -> Operation:
-    """SRAMP, percent."""
-    axes = environment.controller.axes
-
-    def read(axis: int) -> float:
-        a = axes[axis_of(environment, axis)]
-        return 100.0 * (a.s_ramp or 0.0)
-
-    return read
-
-
-@repeatable
-def write_s_ramp(environment: Environment, row: Row) -> Operation:
+def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
     """SRAMP: the percentage of a ramp that is rounded; it replaces jerk times, and 0 makes trapezoids."""
     configure = environment.controller.configure
-
-    def write(axis: int, percent: float) -> None:
-        row.check(percent)
-        axis_of(environment, axis)
-        for name in ("accel_jerk_time", "decel_jerk_time"):
-            configure(axis, name, None)
-        configure(axis, "shape", "scurve" if percent else "trapezoid")
-        configure(axis, "s_ramp", percent / 100.0 if percent else None)
-
-    return write
+    for name in ("accel_jerk_time", "decel_jerk_time"):
+        configure(axis, name, None)
+    configure(axis, "shape", "scurve" if percent else "trapezoid")
+    configure(axis, "s_ramp", percent / 100.0 if percent else None)
 
 
-def read_limit(environment: Environment, row: Row) -> Operation:
+_LIMITS = {"MAXSPEED": "max_speed", "MAXACCEL": "max_accel", "MAXDECEL": "max_decel"}
+
+
+def read_limit(environment: Environment, row: Row, axis: int) -> float:
     """MAXSPEED and the like; without a limit the largest number that they take."""
-    axes = environment.controller.axes
-    attribute = {"MAXSPEED": "max_speed", "MAXACCEL": "max_accel", "MAXDECEL": "max_decel"}[row.name]
-
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        value: float = getattr(axes[axis], attribute)
-        return 8388607.0 if value == inf else scale.to_user(value, row.unit)
-
-    return read
+    a = environment.controller.axes[axis]
+    value: float = getattr(a, _LIMITS[row.name])
+    return 8388607.0 if value == inf else a.scale.to_user(value, row.unit)
 
 
-@repeatable
-def write_limit(environment: Environment, row: Row) -> Operation:
+def write_limit(environment: Environment, row: Row, axis: int, value: float) -> None:
     """MAXSPEED, MAXACCEL and MAXDECEL, user units; rates that were times to MAXSPEED follow it."""
-    configure, times = environment.controller.configure, environment.part(TimesToMost)
-    attribute = {"MAXSPEED": "max_speed", "MAXACCEL": "max_accel", "MAXDECEL": "max_decel"}[row.name]
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        configure(axis, attribute, abs(scale_of(environment, axis).to_counts(value, row.unit)))
-        if attribute == "max_speed":
-            times.renew(axis)
-
-    return write
+    counts = abs(environment.controller.axes[axis].scale.to_counts(value, row.unit))
+    environment.controller.configure(axis, _LIMITS[row.name], counts)
+    if row.name == "MAXSPEED":
+        environment.part(TimesToMost).renew(axis)
 
 
 OPERATIONS = {
-    "feedrate.override": {"read": read_override, "write": write_override},
-    "feedrate.parameter": {"read": read_parameter, "write": write_parameter},
-    "feedrate.limit": {"read": read_limit, "write": write_limit},
-    "feedrate.time_to_most": {"read": read_time_to_most, "write": write_time_to_most},
-    "feedrate.jerk_time": {"read": read_jerk_time, "write": write_jerk_time},
-    "feedrate.s_ramp": {"read": read_s_ramp, "write": write_s_ramp},
+    "feedrate.override": {
+        "read": of(Environment, lambda e, axis: 100.0 * float(e.controller.setting(axis, "override"))),
+        "write": repeatable(
+            of(Environment, lambda e, axis, value: e.controller.configure(axis, "override", value / 100.0))
+        ),
+    },
+    "feedrate.parameter": {
+        "read": of(Environment, read_parameter),
+        "write": of(Environment, write_parameter),
+    },
+    "feedrate.limit": {
+        "read": of_word(Environment, read_limit),
+        "write": repeatable(of_word(Environment, write_limit)),
+    },
+    "feedrate.time_to_most": {
+        "read": of_word(Environment, read_time_to_most),
+        "write": repeatable(of_word(TimesToMost, write_time_to_most)),
+    },
+    "feedrate.jerk_time": {
+        "read": of_word(Environment, read_jerk_time),
+        "write": repeatable(of_word(Environment, write_jerk_time)),
+    },
+    "feedrate.s_ramp": {
+        "read": of(Environment, lambda e, axis: 100.0 * (e.controller.axes[axis].s_ramp or 0.0)),
+        "write": repeatable(of(Environment, write_s_ramp)),
+    },
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.io.encoder import AUXILIARY
-from motionlang.mint.keywords.axis_settings import reading
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.sensing_operations import Encoders
@@ -13,13 +13,8 @@ from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 AXIS, ENCODER, AUX_ENCODER = range(3)
 LAST_ENCODER = 63
@@ -76,55 +71,33 @@ def master(environment: Environment, source: int, channel: int) -> Master:
     return Master(controller.encoder(channel), channel, True, per_unit)
 
 
-class Masters:
+class Masters(Settings):
     """The settings of following, by keyword and axis, and the ratios in force."""
 
+    defaults = DEFAULTS
+
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._settings: dict[tuple[str, int], float] = {}
+        super().__init__(environment)
         self.ratios: dict[int, float] = {}
 
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), DEFAULTS[name])
-
     def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
+        """Whom an axis follows, and how; a GEARINGMODE is noted, for it corrects nothing."""
+        super().set(name, axis, value)
+        if name == "GEARINGMODE" and value:  # what it corrects a lag by is not told
+            self.environment.machine.without_effect.setdefault(name, [])
 
     def of(self, axis: int) -> Master:
         """The master of an axis."""
         return master(
-            self._environment,
+            self.environment,
             int(self.setting("MASTERSOURCE", axis)),
             int(self.setting("MASTERCHANNEL", axis)),
         )
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name in DEFAULTS:
-            self._settings.pop((name, axis), None)
+        super().default(axis)
         self.ratios.pop(axis, None)
-
-
-# ----------------------------------------------------------------------------------------------- operations
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
-    """Whom an axis follows, and how: the settings of masters, gears, offsets and cams."""
-    return reading(environment, row, environment.part(Masters).setting)
-
-
-@repeatable
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """Whom an axis follows, and how; a GEARINGMODE is noted, for it corrects nothing."""
-    masters, name = environment.part(Masters), row.name
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        masters.set(name, axis_of(environment, axis), value)
-        if name == "GEARINGMODE" and value:  # what it corrects a lag by is not told
-            environment.machine.without_effect.setdefault(name, [])
-
-    return write
 
 
 def distance(environment: Environment, axis: int, word: str) -> tuple[Master, float]:
@@ -140,5 +113,5 @@ def distance(environment: Environment, axis: int, word: str) -> tuple[Master, fl
 
 
 OPERATIONS = {
-    "following.masters.setting": {"read": read_setting, "write": write_setting},
+    "following.masters.setting": {"read": reading(Masters), "write": repeatable(writing(Masters))},
 }

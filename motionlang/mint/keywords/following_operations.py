@@ -2,30 +2,24 @@
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.buffer_operations import loader
+from motionlang.mint.keywords.buffer_operations import loads
 from motionlang.mint.keywords.following_masters import Masters, distance
 from motionlang.mint.keywords.motion_operations import finite
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word, scale_of
 from motionlang.mint.runtime.changes import Changes, repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
+    from motionlang.mint.runtime.binding import Operation, Row
 
 RAMPED = 1
 
 
-def _follow(environment: Environment, axis: int, line: int) -> None:
+def _follow(masters: Masters, axis: int, line: int) -> None:
     """Follow at the ratio that is set; 0 ends following."""
-    masters, controller = environment.part(Masters), environment.controller
-    ratio = masters.ratios.get(axis, 0.0)
+    controller, ratio = masters.controller, masters.ratios.get(axis, 0.0)
     ratio *= masters.setting("FOLLOWNUMERATOR", axis) / masters.setting("FOLLOWDENOM", axis)
-    scale = scale_of(environment, axis)
     if not ratio:
         if controller.master_of(axis) is not None:
             controller.come_to_rest(axis, "stop")
@@ -34,7 +28,7 @@ def _follow(environment: Environment, axis: int, line: int) -> None:
     controller.gear(
         axis,
         found.number,
-        ratio * scale.counts / found.per_unit,
+        ratio * masters.scale(axis).counts / found.per_unit,
         masters.setting("FOLLOWMODE", axis) == RAMPED,
         found.encoder,
         "FOLLOW",
@@ -42,79 +36,39 @@ def _follow(environment: Environment, axis: int, line: int) -> None:
     )
 
 
-def read_follow(environment: Environment, row: Row) -> Operation:
+def read_follow(masters: Masters, axis: int) -> float:
     """The ratio while the axis follows, 0 otherwise."""
-    masters, controller = environment.part(Masters), environment.controller
-
-    def read(axis: int) -> float:
-        follows = controller.master_of(axis_of(environment, axis)) is not None
-        return masters.ratios.get(axis, 0.0) if follows else 0.0
-
-    return read
+    return masters.ratios.get(axis, 0.0) if masters.controller.master_of(axis) is not None else 0.0
 
 
-def write_follow(environment: Environment, row: Row) -> Operation:
+def write_follow(masters: Masters, axis: int, ratio: float, line: int) -> None:
     """FOLLOW: the ratio of slave to master from now on; 0 brings the slave to rest."""
-    masters = environment.part(Masters)
-
-    def write(axis: int, ratio: float, line: int) -> None:
-        row.check(ratio)
-        masters.ratios[axis_of(environment, axis)] = ratio
-        _follow(environment, axis, line)
-
-    return write
+    masters.ratios[axis] = ratio
+    _follow(masters, axis, line)
 
 
-def read_part(environment: Environment, row: Row) -> Operation:
-    masters, name = environment.part(Masters), row.name
-    return lambda axis: masters.setting(name, axis_of(environment, axis))
-
-
-@repeatable
-def write_part(environment: Environment, row: Row) -> Operation:
+def write_part(masters: Masters, row: Row, axis: int, value: float, line: int) -> None:
     """An axis that follows already takes the new ratio."""
-    masters, controller, name = environment.part(Masters), environment.controller, row.name
-
-    def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
-        masters.set(name, axis_of(environment, axis), value)
-        if controller.master_of(axis) is not None and masters.ratios.get(axis):
-            _follow(environment, axis, line)
-
-    return write
+    masters.set(row.name, axis, value)
+    if masters.controller.master_of(axis) is not None and masters.ratios.get(axis):
+        _follow(masters, axis, line)
 
 
-def load_fly(environment: Environment, row: Row) -> Operation:
+def put_fly(environment: Environment, row: Row, axis: int, value: float, line: int) -> None:
     """FLY: user units of the slave while the master goes MASTERDISTANCE."""
-    load = environment.controller.load_fly
-
-    def put(axis: int, value: float, line: int) -> None:
-        found, over = distance(environment, axis, row.name)
-        found.refuse(environment, axis)
-        load(
-            axis,
-            found.number,
-            scale_of(environment, axis).to_counts(value),
-            over,
-            found.encoder,
-            row.name,
-            line,
-        )
-
-    return loader(environment, put)
+    found, over = distance(environment, axis, row.name)
+    found.refuse(environment, axis)
+    counts = scale_of(environment, axis).to_counts(value)
+    environment.controller.load_fly(axis, found.number, counts, over, found.encoder, row.name, line)
 
 
-def load_offset(environment: Environment, row: Row) -> Operation:
+def put_offset(masters: Masters, row: Row, axis: int, value: float, line: int) -> None:
     """OFFSET: user units on top of what the axis follows, over OFFSETDISTANCE of the master."""
-    controller, masters = environment.controller, environment.part(Masters)
-
-    def put(axis: int, value: float, line: int) -> None:
-        finite(row, value)
-        mode = int(masters.setting("OFFSETMODE", axis))
-        over = masters.setting("OFFSETDISTANCE", axis) * masters.of(axis).per_unit
-        controller.load_offset(axis, scale_of(environment, axis).to_counts(value), mode, over, row.name, line)
-
-    return loader(environment, put)
+    finite(row, value)
+    mode = int(masters.setting("OFFSETMODE", axis))
+    over = masters.setting("OFFSETDISTANCE", axis) * masters.of(axis).per_unit
+    counts = masters.scale(axis).to_counts(value)
+    masters.controller.load_offset(axis, counts, mode, over, row.name, line)
 
 
 def read_offset(environment: Environment, row: Row) -> Operation:
@@ -131,8 +85,11 @@ def read_offset(environment: Environment, row: Row) -> Operation:
 
 
 OPERATIONS = {
-    "following.follow": {"read": read_follow, "write": write_follow},
-    "following.part": {"read": read_part, "write": write_part},
-    "following.fly": {"load": load_fly},
-    "following.offset": {"read": read_offset, "load": load_offset},
+    "following.follow": {"read": of(Masters, read_follow), "write": of(Masters, write_follow)},
+    "following.part": {
+        "read": of_word(Masters, lambda masters, row, axis: masters.setting(row.name, axis)),
+        "write": repeatable(of_word(Masters, write_part)),
+    },
+    "following.fly": {"load": loads(Environment, put_fly)},
+    "following.offset": {"read": read_offset, "load": loads(Masters, put_offset)},
 }

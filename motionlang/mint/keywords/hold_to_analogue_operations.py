@@ -8,20 +8,15 @@ of the converter. The sum begins anew there and when HTAKINT is written.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal, names
-from motionlang.mint.keywords.axis_settings import forget, reading
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.motion.sampled_velocity import Track
-    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # Steps of the converter over the range of an input, -100 to 100 percent or 0 to 100.
 COUNTS = 4096.0
@@ -69,21 +64,19 @@ class Hold:
         return (0.0 if abs(error) <= deadband else error), lively
 
 
-class Holds:
+class Holds(Settings):
     """The settings of holding, by keyword and axis, and the axes that hold."""
 
     def __init__(self, environment: Environment) -> None:
-        self.environment = environment
-        self._settings: dict[tuple[str, int], float] = {}
+        super().__init__(environment)
         self._holding: dict[int, Hold] = {}
         environment.controller.analogue_inputs.listeners.append(self._changed)
 
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), 0.0)
-
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting; an axis that holds goes by it at once, and a new HTAKINT begins a new sum."""
-        self._settings[name, axis] = value
+        if name == "HTACHANNEL":
+            checked(int(value), LAST_ANALOGUE, "analogue input")
+        super().set(name, axis, value)
         hold = self.holding(axis)
         if hold is not None:
             if name == "HTAKINT":
@@ -116,10 +109,6 @@ class Holds:
         hold.track = self.environment.controller.track(axis, hold.decide, "HTA", line)
         self._holding[axis] = hold
 
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        forget(self._settings, axis)
-
     def _changed(self, channel: int, value: float) -> None:
         for axis in list(self._holding):
             hold = self.holding(axis)
@@ -127,46 +116,7 @@ class Holds:
                 hold.track.wake()
 
 
-# ----------------------------------------------------------------------------------------------- operations
-
-
-def read_hold(environment: Environment, row: Row) -> Operation:
-    """HTA: what the axis holds, or held last, percent."""
-    holds = environment.part(Holds)
-    return lambda axis: holds.wanted(axis_of(environment, axis))
-
-
-def write_hold(environment: Environment, row: Row) -> Operation:
-    """HTA: move so that the analogue input holds a value, percent."""
-    holds = environment.part(Holds)
-
-    def write(axis: int, value: float, line: int) -> None:
-        row.check(value)
-        scale_of(environment, axis)
-        holds.start(axis, value, line)
-
-    return write
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
-    """HTACHANNEL and the gains of the law."""
-    return reading(environment, row, environment.part(Holds).setting)
-
-
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """HTACHANNEL and the gains of the law; an axis that holds goes by them at once."""
-    holds, name = environment.part(Holds), row.name
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        if name == "HTACHANNEL":
-            checked(int(value), LAST_ANALOGUE, "analogue input")
-        holds.set(name, axis_of(environment, axis), value)
-
-    return write
-
-
 OPERATIONS = {
-    "hold_to_analogue.hold": {"read": read_hold, "write": write_hold},
-    "hold_to_analogue.setting": {"read": read_setting, "write": write_setting},
+    "hold_to_analogue.hold": {"read": of(Holds, Holds.wanted), "write": of(Holds, Holds.start)},
+    "hold_to_analogue.setting": {"read": reading(Holds), "write": writing(Holds)},
 }

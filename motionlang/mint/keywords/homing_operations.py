@@ -4,48 +4,50 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.homing import HOME, LIMIT, STATES, Homing
-from motionlang.mint.keywords.axis_settings import forget
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYPES
 from motionlang.mint.keywords.limits_switches import NONE, Switches
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, unchecked
 from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
+_DEFAULTS = {"HOMESPEED": HOME_SPEED, "HOMEBACKOFF": HOME_BACKOFF}
 
 
-class Homes:
+class Homes(Settings):
     """The homing of every axis: settings in counts, what is going on, what was found."""
 
+    defaults = _DEFAULTS
+    in_counts = True
+
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._settings: dict[tuple[str, int], float] = {}
+        super().__init__(environment)
         self._active: dict[int, Homing] = {}
         self.types: dict[int, int] = {}
         self.found: dict[int, bool] = {}
         # Where the datum was found, as the axis counted until then.
-        self.before: dict[int, float] = {}
+        self._before: dict[int, float] = {}
 
     def setting(self, name: str, axis: int) -> float:
         """A setting, or what stands for it while it has not been written."""
-        value = self._settings.get((name, axis))
-        if value is not None:
-            return value
-        if name == "HOMECREEPSPEED":
-            return self.setting("HOMESPEED", axis) / self.setting("HOMEBACKOFF", axis)
-        if name in ("HOMEACCEL", "HOMEDECEL"):
-            a = self._environment.controller.axes[axis]
-            return a.rates(a.speed)[name == "HOMEDECEL"]
-        return {"HOMESPEED": HOME_SPEED, "HOMEBACKOFF": HOME_BACKOFF}.get(name, 0.0)
+        if (name, axis) not in self._settings:
+            if name == "HOMECREEPSPEED":
+                return self.setting("HOMESPEED", axis) / self.setting("HOMEBACKOFF", axis)
+            if name in ("HOMEACCEL", "HOMEDECEL"):
+                a = self.controller.axes[axis]
+                return a.rates(a.speed)[name == "HOMEDECEL"]
+        return super().setting(name, axis)
 
-    def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
+    def position_before(self, axis: int) -> float:
+        """HOMEPOS: what POS was at the datum before homing gave it another value."""
+        if axis not in self._before:
+            return 0.0
+        found = self.controller.axes[axis].scale.position_to_user(self._before[axis])
+        wrap = self.environment.wraps.get(axis)
+        return found % wrap if wrap else found
 
     def phase(self, axis: int) -> int:
         """Where the homing is, as the place among `STATES`."""
@@ -54,8 +56,7 @@ class Homes:
 
     def begin(self, axis: int, kind: int, line: int) -> None:
         """HOME(axis) = kind."""
-        controller = self._environment.controller
-        if not controller.is_idle(axis):
+        if not self.controller.is_idle(axis):
             raise Refusal("moving", f"axis {axis} is moving", "HOME needs the axis at rest")
         _, direction, switch, index = HOME_TYPES[kind]
         self.types[axis], self.found[axis] = kind, False
@@ -64,7 +65,7 @@ class Homes:
         speed = self.setting("HOMESPEED", axis)
         try:
             self._active[axis] = Homing(
-                controller,
+                self.controller,
                 axis,
                 direction,
                 speed,
@@ -87,20 +88,19 @@ class Homes:
         self._give_back(homing.axis)
         self.found[homing.axis] = homing.found
         if homing.found:
-            self.before[homing.axis] = homing.before
+            self._before[homing.axis] = homing.before
 
     def _borrow(self, axis: int) -> None:
         """HOMEACCEL and HOMEDECEL stand in for ACCEL and DECEL for as long as the homing lasts."""
         accel, decel = (self._settings.get((name, axis)) for name in ("HOMEACCEL", "HOMEDECEL"))
-        self._environment.controller.lend_rates(axis, accel, decel)
+        self.controller.lend_rates(axis, accel, decel)
 
     def _give_back(self, axis: int) -> None:
-        self._environment.controller.return_rates(axis)
+        self.controller.return_rates(axis)
 
     def _provided(self, axis: int, switch: str, index: bool, line: int) -> bool:
         """Whether the machine has all that is looked for; says beforehand what it lacks."""
-        environment = self._environment
-        a = environment.controller.axes[axis]
+        a = self.controller.axes[axis]
         missing = []
         if switch == HOME and not self._has_switch(axis):
             missing.append(f"a home switch on axis {axis}")
@@ -113,111 +113,40 @@ class Homes:
 
             hint = f"the machine file sets them: axis.{axis}.home_switch, travel and index_every"
             message = f"HOME looks for {' and '.join(missing)}, which nothing provides"
-            environment.machine.complain(Diagnostic("never", message, line, hint=hint, severity="warning"))
+            diagnostic = Diagnostic("never", message, line, hint=hint, severity="warning")
+            self.environment.machine.complain(diagnostic)
         return not missing
 
     def _has_switch(self, axis: int) -> bool:
-        machine = self._environment.machine
+        machine = self.environment.machine
         if machine.settings.get(f"axis.{axis}.home_switch") is not None:
             return True
 
-        channel = self._environment.part(Switches).channel("HOMEINPUT", axis)
+        channel = self.environment.part(Switches).channel("HOMEINPUT", axis)
         return channel != NONE and machine.world is not None and channel in machine.world.driven
-
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        forget(self._settings, axis)
 
 
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def write_home(environment: Environment, row: Row) -> Operation:
-    """HOME: begin a search of the type given."""
-    homes = environment.part(Homes)
-
-    def write(axis: int, kind: int, line: int) -> None:
-        row.check(kind)
-        homes.begin(axis_of(environment, axis), kind, line)
-
-    return write
+def write_type(homes: Homes, axis: int, kind: int) -> None:
+    homes.types[axis] = kind
 
 
-def read_home(environment: Environment, row: Row) -> Operation:
-    types = environment.part(Homes).types
-    return lambda axis: types.get(axis_of(environment, axis), 0)
-
-
-def write_type(environment: Environment, row: Row) -> Operation:
-    """HOMETYPE."""
-    types = environment.part(Homes).types
-
-    def write(axis: int, kind: int) -> None:
-        row.check(kind)
-        types[axis_of(environment, axis)] = kind
-
-    return write
-
-
-read_type = read_home
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
-    homes, name, unit = environment.part(Homes), row.name, row.unit
-    return lambda axis: scale_of(environment, axis).to_user(homes.setting(name, axis), unit)
-
-
-@repeatable
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """HOMESPEED, HOMEOFFSET and the like, user units of the axis."""
-    homes, name, unit = environment.part(Homes), row.name, row.unit
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        homes.set(name, axis, scale_of(environment, axis).to_counts(value, unit))
-
-    return write
-
-
-def read_phase(environment: Environment, row: Row) -> Operation:
-    homes = environment.part(Homes)
-    return lambda axis: homes.phase(axis_of(environment, axis))
-
-
-def read_status(environment: Environment, row: Row) -> Operation:
-    found = environment.part(Homes).found
-    return lambda axis: int(found.get(axis_of(environment, axis), False))
-
-
-def write_status(environment: Environment, row: Row) -> Operation:
+def write_status(homes: Homes, axis: int, value: int) -> None:
     """HOMESTATUS: the program says itself whether the axis is homed."""
-    found = environment.part(Homes).found
-
-    def write(axis: int, value: int) -> None:
-        found[axis_of(environment, axis)] = bool(value)
-
-    return write
+    homes.found[axis] = bool(value)
 
 
-def read_position(environment: Environment, row: Row) -> Operation:
-    """HOMEPOS: what POS was at the datum before homing gave it another value."""
-    before, wraps = environment.part(Homes).before, environment.wraps
-
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        if axis not in before:
-            return 0.0
-        found, wrap = scale.position_to_user(before[axis]), wraps.get(axis)
-        return found % wrap if wrap else found
-
-    return read
-
-
+_TYPE = of(Homes, lambda homes, axis: homes.types.get(axis, 0))
 OPERATIONS = {
-    "homing.home": {"read": read_home, "write": write_home},
-    "homing.type": {"read": read_type, "write": write_type},
-    "homing.setting": {"read": read_setting, "write": write_setting},
-    "homing.position": {"read": read_position},
-    "homing.status": {"read": read_status, "write": write_status},
-    "homing.phase": {"read": read_phase},
+    "homing.home": {"read": _TYPE, "write": of(Homes, Homes.begin)},
+    "homing.type": {"read": _TYPE, "write": of(Homes, write_type)},
+    "homing.setting": {"read": reading(Homes), "write": repeatable(writing(Homes))},
+    "homing.position": {"read": of(Homes, Homes.position_before)},
+    "homing.status": {
+        "read": of(Homes, lambda homes, axis: int(homes.found.get(axis, False))),
+        "write": unchecked(of(Homes, write_status)),
+    },
+    "homing.phase": {"read": of(Homes, Homes.phase)},
 }

@@ -9,12 +9,10 @@ from motionlang.mint.runtime.changes import always
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # What the library of WorkBench calls its own simulated controller.
 VIRTUAL = "Virtual Controller"

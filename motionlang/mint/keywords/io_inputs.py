@@ -15,10 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 BANK = 32
 LAST_CHANNEL = 999
@@ -184,7 +182,6 @@ def write_debounce(environment: Environment, row: Row) -> Operation:
     inputs = environment.part(Inputs)
 
     def write(bank: int, samples: int) -> None:
-        row.check(samples)
         inputs.set_debounce(checked(bank, LAST_CHANNEL // BANK, "bank"), samples)
 
     return write

@@ -8,12 +8,8 @@ from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 LAST_BANK = LAST_CHANNEL // BANK
 
@@ -108,7 +104,6 @@ def write_adc_setting(environment: Environment, row: Row) -> Operation:
     analogue, name = environment.part(Analogue), row.name
 
     def write(channel: int, value: float) -> None:
-        row.check(value)
         analogue.set(name, checked(channel, LAST_ANALOGUE, "analogue input"), value)
 
     return write
@@ -125,7 +120,6 @@ def write_dac(environment: Environment, row: Row) -> Operation:
     set_output = environment.controller.set_analogue_output
 
     def write(channel: int, value: float) -> None:
-        row.check(value)
         set_output(checked(channel, LAST_ANALOGUE, "analogue output"), value)
 
     return write

@@ -15,10 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 INFINITY = float("inf")
 LAST_LATCH = 31
@@ -193,7 +191,6 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     find, name, unit = _find(environment, row), SETTINGS[row.name], row.unit
 
     def write(channel: int, value: float) -> None:
-        row.check(value)
         latch = find(channel)
         if name == "axis":
             axis_of(environment, int(value))

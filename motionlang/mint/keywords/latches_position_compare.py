@@ -12,10 +12,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # COMPAREMODE, from memory: the output comes on at position 0 and stays on; it is on between positions 0 and 1.
 AT, BETWEEN = 0, 1
@@ -128,7 +126,6 @@ def write_setting(environment: Environment, row: Row) -> Operation:
     compare, name = environment.part(Compares).compare, _NAMES[row.name]
 
     def write(axis: int, value: int) -> None:
-        row.check(value)
         compare(axis).set(name, value)
 
     return write
@@ -150,7 +147,6 @@ def write_position(environment: Environment, row: Row) -> Operation:
     compare = environment.part(Compares).compare
 
     def write(axis: int, register: int, value: float) -> None:
-        row.check(value)
         checked(register, 1, "compare register")
         compare(axis).place(register, scale_of(environment, axis).position_to_counts(value))
 

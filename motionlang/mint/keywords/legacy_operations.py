@@ -8,13 +8,9 @@ from motionlang.mint.runtime.errors import AXIS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.runtime.errors import Error
-
-    Operation = Callable[..., object]
 
 
 def _last(environment: Environment, of_axis: bool = False) -> Error | None:

@@ -19,19 +19,15 @@ from motionlang.controller.faults import (
 )
 from motionlang.controller.triggers.conditions import Undirected
 from motionlang.controller.triggers.limit import Limit
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import MODES
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.controller.controller import Controller
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 ACTIONS = ("ignore", "abort", "off", "error-stop", "error-stop", "event")
 STOP_THEN_OFF = 4
@@ -47,30 +43,29 @@ ERRORS: dict[str, tuple[int, ...]] = {
 SIGNS = {SOFT_LIMIT_FORWARD: 1, SOFT_LIMIT_REVERSE: -1, LIMIT_FORWARD: 1, LIMIT_REVERSE: -1}
 
 
-class AxisErrors:
+class AxisErrors(Settings):
     """The modes of every axis, its software limits, and the switches that keywords assign to it."""
 
+    defaults = MODES
+
     def __init__(self, environment: Environment) -> None:
-        self._controller: Controller = environment.controller
+        super().__init__(environment)
         self._world = environment.machine.world
-        self._modes: dict[tuple[str, int], int] = {}
         self._soft: dict[tuple[int, int], tuple[Limit, float]] = {}
         self._inputs: dict[tuple[int, int, int], Undirected] = {}
         self._going_off: set[int] = set()
-        self._controller.listeners.append(self._heard, "fault", "idle")
+        self.controller.listeners.append(self._heard, "fault", "idle")
 
     # ---------------------------------------------------------------------------------------------- modes
 
-    def mode(self, name: str, axis: int) -> int:
-        return self._modes.get((name, axis), MODES[name])
-
-    def set_mode(self, name: str, axis: int, mode: int) -> None:
+    def set(self, name: str, axis: int, value: float) -> None:
         """Say what an axis does about a kind of error."""
-        self._modes[name, axis] = mode
+        super().set(name, axis, value)
+        mode = int(value)
         for bit in ERRORS[name]:
             if self._world is not None:
                 self._world.actions[axis, bit] = ACTIONS[mode]
-            self._controller.set_limit_action(axis, bit, ACTIONS[mode])
+            self.controller.set_limit_action(axis, bit, ACTIONS[mode])
             for (number, about, _), condition in self._inputs.items():
                 if (number, about) == (axis, bit):
                     condition.action = ACTIONS[mode]
@@ -80,21 +75,21 @@ class AxisErrors:
         return ACTIONS[self._mode_of(axis, bit)]
 
     def _mode_of(self, axis: int, bit: int) -> int:
-        return next(self.mode(name, axis) for name, bits in ERRORS.items() if bit in bits)
+        return next(int(self.setting(name, axis)) for name, bits in ERRORS.items() if bit in bits)
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "fault":
-            bits = self._controller.faults(axis)
+            bits = self.controller.faults(axis)
             found = [name for name, group in ERRORS.items() if any(bits & bit for bit in group)]
-            if any(self.mode(name, axis) == STOP_THEN_OFF for name in found):
+            if any(self.setting(name, axis) == STOP_THEN_OFF for name in found):
                 self._off_at_rest(axis)
         elif what == "idle" and axis in self._going_off:
             self._going_off.discard(axis)
-            self._controller.disable(axis)
+            self.controller.disable(axis)
 
     def _off_at_rest(self, axis: int) -> None:
-        if self._controller.is_idle(axis):
-            self._controller.disable(axis)
+        if self.controller.is_idle(axis):
+            self.controller.disable(axis)
         else:
             self._going_off.add(axis)
 
@@ -102,11 +97,11 @@ class AxisErrors:
 
     def limit(self, axis: int, bit: int) -> Limit:
         """The limit of an axis for an error: the machine's own switch, or one that is made now."""
-        for limit in self._controller.axes[axis].limits:
+        for limit in self.controller.axes[axis].limits:
             if limit.bit == bit:
                 return limit
         physical = bit in (LIMIT_FORWARD, LIMIT_REVERSE)
-        return self._controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
+        return self.controller.add_limit(axis, SIGNS[bit], bit, self.action(axis, bit), physical)
 
     def set_input(self, axis: int, bit: int, active: bool, channel: int = 0) -> None:
         """An input of an axis that is an error in every direction has come to be so, or is so no longer.
@@ -117,12 +112,12 @@ class AxisErrors:
         if found is None:
             if not active:
                 return
-            found = Undirected(self._controller, axis, 0, bit, self.action(axis, bit))
+            found = Undirected(self.controller, axis, 0, bit, self.action(axis, bit))
             self._inputs[axis, bit, channel] = found
         found.set_active(active)
 
     def is_active(self, axis: int, bit: int) -> bool:
-        return any(limit.active for limit in self._controller.axes[axis].limits if limit.bit == bit)
+        return any(limit.active for limit in self.controller.axes[axis].limits if limit.bit == bit)
 
     def soft_limit(self, axis: int, bit: int) -> float:
         """The position of a software limit in counts."""
@@ -139,8 +134,8 @@ class AxisErrors:
     def default(self, axis: int) -> None:
         """DEFAULT: modes and limits as at power-up."""
         for name in MODES:
-            if (name, axis) in self._modes:
-                self.set_mode(name, axis, MODES[name])
+            if (name, axis) in self._settings:
+                self.set(name, axis, MODES[name])
         if (axis, SOFT_LIMIT_FORWARD) in self._soft:
             for bit in (SOFT_LIMIT_FORWARD, SOFT_LIMIT_REVERSE):
                 self.set_soft_limit(axis, bit, 0.0)
@@ -149,83 +144,31 @@ class AxisErrors:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_mode(environment: Environment, row: Row) -> Operation:
-    errors, name = environment.part(AxisErrors), row.name
-    return lambda axis: errors.mode(name, axis_of(environment, axis))
-
-
-@repeatable
-def write_mode(environment: Environment, row: Row) -> Operation:
-    """What an axis does about one kind of error."""
-    errors, name = environment.part(AxisErrors), row.name
-
-    def write(axis: int, mode: int) -> None:
-        row.check(mode)
-        errors.set_mode(name, axis_of(environment, axis), mode)
-
-    return write
-
-
 def _soft_bit(row: Row) -> int:
     return SOFT_LIMIT_FORWARD if row.name.endswith("FORWARD") else SOFT_LIMIT_REVERSE
 
 
-def read_soft(environment: Environment, row: Row) -> Operation:
-    errors, bit = environment.part(AxisErrors), _soft_bit(row)
-    return lambda axis: scale_of(environment, axis).to_user(errors.soft_limit(axis, bit))
-
-
-@repeatable
-def write_soft(environment: Environment, row: Row) -> Operation:
+def read_soft(errors: AxisErrors, row: Row, axis: int) -> float:
     """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
-    errors, bit = environment.part(AxisErrors), _soft_bit(row)
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        errors.set_soft_limit(axis, bit, scale_of(environment, axis).to_counts(value))
-
-    return write
+    return errors.scale(axis).to_user(errors.soft_limit(axis, _soft_bit(row)))
 
 
-def read_forward(environment: Environment, row: Row) -> Operation:
-    errors = environment.part(AxisErrors)
-    return lambda axis: int(errors.is_active(axis_of(environment, axis), LIMIT_FORWARD))
+def write_soft(errors: AxisErrors, row: Row, axis: int, value: float) -> None:
+    """SOFTLIMITFORWARD and SOFTLIMITREVERSE, user units."""
+    errors.set_soft_limit(axis, _soft_bit(row), errors.scale(axis).to_counts(value))
 
 
-def read_reverse(environment: Environment, row: Row) -> Operation:
-    errors = environment.part(AxisErrors)
-    return lambda axis: int(errors.is_active(axis_of(environment, axis), LIMIT_REVERSE))
+def is_at(*bits: int) -> Maker:
+    """What tells whether an axis is at one of some limits."""
+    return of(AxisErrors, lambda errors, axis: int(any(errors.is_active(axis, bit) for bit in bits)))
 
 
-def read_either(environment: Environment, row: Row) -> Operation:
-    forward, reverse = read_forward(environment, row), read_reverse(environment, row)
-    return lambda axis: forward(axis) or reverse(axis)
-
-
-def read_error(environment: Environment, row: Row) -> Operation:
-    controller = environment.controller
-    return lambda axis: controller.faults(axis_of(environment, axis))
-
-
-def write_error(environment: Environment, row: Row) -> Operation:
-    def write(axis: int, value: int) -> None:
-        row.check(value)
-        environment.controller.clear_faults(axis_of(environment, axis))
-
-    return write
-
-
-def do_abort(environment: Environment, row: Row) -> Operation:
+def do_abort(errors: AxisErrors) -> None:
     """ABORT: every axis does what its ABORTMODE says."""
-    errors, controller = environment.part(AxisErrors), environment.controller
-
-    def abort() -> None:
-        for axis in controller.axes:
-            action = errors.action(axis, ABORT)
-            if action != "ignore":
-                controller.fault(axis, ABORT, action)
-
-    return abort
+    for axis in errors.controller.axes:
+        action = errors.action(axis, ABORT)
+        if action != "ignore":
+            errors.controller.fault(axis, ABORT, action)
 
 
 def do_line(environment: Environment, row: Row) -> Operation:
@@ -236,12 +179,18 @@ def do_line(environment: Environment, row: Row) -> Operation:
 
 
 OPERATIONS = {
-    "limits.mode": {"read": read_mode, "write": write_mode},
-    "limits.soft": {"read": read_soft, "write": write_soft},
-    "limits.forward": {"read": read_forward},
-    "limits.reverse": {"read": read_reverse},
-    "limits.either": {"read": read_either},
-    "limits.error": {"read": read_error, "write": write_error},
-    "limits.abort": {"do": do_abort},
+    "limits.mode": {"read": reading(AxisErrors), "write": repeatable(writing(AxisErrors))},
+    "limits.soft": {
+        "read": of_word(AxisErrors, read_soft),
+        "write": repeatable(of_word(AxisErrors, write_soft)),
+    },
+    "limits.forward": {"read": is_at(LIMIT_FORWARD)},
+    "limits.reverse": {"read": is_at(LIMIT_REVERSE)},
+    "limits.either": {"read": is_at(LIMIT_FORWARD, LIMIT_REVERSE)},
+    "limits.error": {
+        "read": of(Environment, lambda e, axis: e.controller.faults(axis)),
+        "write": of(Environment, lambda e, axis, value: e.controller.clear_faults(axis)),
+    },
+    "limits.abort": {"do": of(AxisErrors, do_abort)},
     "limits.line": {"do": do_line},
 }

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import axis_of, of
 from motionlang.mint.runtime.changes import repeatable
-from motionlang.mint.runtime.environment import mint_settings
+from motionlang.mint.runtime.environment import Environment, mint_settings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
+    from motionlang.mint.runtime.binding import Maker
 
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
@@ -25,6 +22,9 @@ class StopModes:
 
     def __init__(self, environment: Environment) -> None:
         self.modes: dict[int, int] = {}
+
+    def set(self, axis: int, mode: int) -> None:
+        self.modes[axis] = mode
 
     def default(self, axis: int) -> None:
         self.modes.pop(axis, None)
@@ -48,7 +48,8 @@ def reset(environment: Environment, axis: int) -> None:
     controller.define_position(axis, 0.0)
 
 
-def _default(environment: Environment, axis: int) -> None:
+def default(environment: Environment, axis: int) -> None:
+    """Settings as at power-up; refused in motion."""
     controller = environment.controller
     if not controller.is_idle(axis):
         raise Refusal("moving", f"axis {axis} is moving", "DEFAULT needs the axis at rest")
@@ -66,87 +67,56 @@ def _default(environment: Environment, axis: int) -> None:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-@repeatable
-def do_stop(environment: Environment, row: Row) -> Operation:
+def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
     """STOP: each axis as its STOPMODE says; one that there is not stops none."""
     modes = environment.part(StopModes).modes
-
-    def do(axes: tuple[int, ...], line: int) -> None:
-        for axis in axes:
-            axis_of(environment, axis)
-        for axis in axes:
-            stop(environment, axis, modes.get(axis, AT_DECEL))
-
-    return do
+    for axis in axes:
+        axis_of(environment, axis)
+    for axis in axes:
+        stop(environment, axis, modes.get(axis, AT_DECEL))
 
 
-def held_by_stop(environment: Environment, row: Row) -> Operation:
+def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) -> object:
     """What STOP changes of its axes beside their motion, of which the clock tells."""
-    axes, room, is_suspended = (
-        environment.controller.axes,
-        environment.controller.room,
-        environment.controller.is_suspended,
-    )
-
-    def held(numbers: tuple[int, ...], line: int) -> object:
-        return [(room(axis), is_suspended(axis), axes[axis].sequence) for axis in numbers if axis in axes]
-
-    return held
+    controller = environment.controller
+    return [
+        (controller.room(axis), controller.is_suspended(axis), controller.axes[axis].sequence)
+        for axis in numbers
+        if axis in controller.axes
+    ]
 
 
-def read_stop_mode(environment: Environment, row: Row) -> Operation:
-    modes = environment.part(StopModes).modes
-    return lambda axis: modes.get(axis_of(environment, axis), AT_DECEL)
+def on_axes(act: Callable[[Environment, int], None]) -> Maker:
+    """What does something to each of some axes, all of which there are."""
 
-
-def write_stop_mode(environment: Environment, row: Row) -> Operation:
-    """STOPMODE."""
-    modes = environment.part(StopModes).modes
-
-    def write(axis: int, mode: int) -> None:
-        row.check(mode)
-        modes[axis_of(environment, axis)] = mode
-
-    return write
-
-
-def do_reset(environment: Environment, row: Row) -> Operation:
-    def do(axes: tuple[int, ...], line: int) -> None:
+    def do(environment: Environment, axes: tuple[int, ...], line: int) -> None:
         for axis in [axis_of(environment, axis) for axis in axes]:
-            reset(environment, axis)
+            act(environment, axis)
 
-    return do
+    return of(Environment, do)
 
 
-def do_reset_all(environment: Environment, row: Row) -> Operation:
-    def do() -> None:
+def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
+    """What does something to every axis."""
+
+    def do(environment: Environment, *line: int) -> None:
         for axis in environment.controller.axes:
-            reset(environment, axis)
+            act(environment, axis)
 
-    return do
-
-
-def do_default(environment: Environment, row: Row) -> Operation:
-    def do(axes: tuple[int, ...], line: int) -> None:
-        for axis in [axis_of(environment, axis) for axis in axes]:
-            _default(environment, axis)
-
-    return do
-
-
-def do_default_all(environment: Environment, row: Row) -> Operation:
-    def do() -> None:
-        for axis in environment.controller.axes:
-            _default(environment, axis)
-
-    return do
+    return of(Environment, do)
 
 
 OPERATIONS = {
-    "limits.resetting.stop": {"do": do_stop, "held": held_by_stop},
-    "limits.resetting.stop_mode": {"read": read_stop_mode, "write": write_stop_mode},
-    "limits.resetting.reset": {"do": do_reset},
-    "limits.resetting.reset_all": {"do": do_reset_all},
-    "limits.resetting.default": {"do": do_default},
-    "limits.resetting.default_all": {"do": do_default_all},
+    "limits.resetting.stop": {
+        "do": repeatable(of(Environment, do_stop)),
+        "held": of(Environment, held_by_stop),
+    },
+    "limits.resetting.stop_mode": {
+        "read": of(StopModes, lambda stops, axis: stops.modes.get(axis, AT_DECEL)),
+        "write": of(StopModes, StopModes.set),
+    },
+    "limits.resetting.reset": {"do": on_axes(reset)},
+    "limits.resetting.reset_all": {"do": on_every_axis(reset)},
+    "limits.resetting.default": {"do": on_axes(default)},
+    "limits.resetting.default_all": {"do": on_every_axis(default)},
 }

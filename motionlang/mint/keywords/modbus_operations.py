@@ -16,12 +16,11 @@ from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
     Entry = Mapping[str, object]
 
 LAST = 65535
@@ -160,7 +159,6 @@ def write_word(environment: Environment, row: Row) -> Operation:
     servers = environment.part(Servers)
 
     def write(server: int, register: int, value: int) -> None:
-        row.check(value)
         servers.write(server, register, words_of(value, "word"))
 
     return write
@@ -215,7 +213,6 @@ def write_own_register(environment: Environment, row: Row) -> Operation:
     host = environment.machine.host
 
     def write(register: int, value: int) -> None:
-        row.check(value)
         area, element = _own(environment, register)
         halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
         halves[register & 1] = value & LAST

@@ -65,7 +65,7 @@ ROWS = (
     _word("DRIVEERROR", "dre", "RW", "axis", "bits", "monitoring.drive_error",
           "Errors of the drive, which only the machine file brings about. Writing 0 clears the errors of the axis.",
           "DRIVEERROR(0) = 0\nPRINT DRIVEERROR(0)", 0.0, 0, 0),
-    _word("DRIVEFAULT", "", "R", "axis", "integer", "monitoring.drive_error", "1 while the drive has an error.",
+    _word("DRIVEFAULT", "", "R", "axis", "integer", "monitoring.drive_fault", "1 while the drive has an error.",
           "PRINT DRIVEFAULT(0)"),
     _word("MISCERROR", "", "RW", "none", "bits", "monitoring.misc",
           "Errors of the controller itself, which only the machine file brings about. Writing 0 clears them.",

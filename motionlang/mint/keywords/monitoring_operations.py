@@ -7,19 +7,15 @@ from motionlang.mint.keywords.defaults import FATAL_ERROR
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
 from motionlang.mint.keywords.limits_operations import AxisErrors
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
-from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS
+from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS, Errors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.runtime.errors import Error
-
-    Operation = Callable[..., object]
 
 LIMITS = {"ADCMIN": -100.0, "ADCMAX": 100.0}
 MONITORED = 32  # the analogue inputs that a bit pattern can name
@@ -79,50 +75,15 @@ class Monitors:
                 self._errors.set_input(axis, ANALOGUE_LIMIT, bool(beyond >> k & 1), k)
 
 
-def read_limit(environment: Environment, row: Row) -> Operation:
-    monitors, name = environment.part(Monitors), row.name
-    return lambda channel: monitors.limit(name, checked(channel, LAST_ANALOGUE, "analogue input"))
+def analogue(channel: int) -> int:
+    return checked(channel, LAST_ANALOGUE, "analogue input")
 
 
-@repeatable
-def write_limit(environment: Environment, row: Row) -> Operation:
-    """ADCMAX and ADCMIN, percent."""
-    monitors, name = environment.part(Monitors), row.name
-
-    def write(channel: int, value: float) -> None:
-        row.check(value)
-        monitors.set_limit(name, checked(channel, LAST_ANALOGUE, "analogue input"), value)
-
-    return write
-
-
-def read_minded(environment: Environment, row: Row) -> Operation:
-    """ADCMONITOR."""
-    minded = environment.part(Monitors).minded
-    return lambda axis: minded.get(axis_of(environment, axis), 0)
-
-
-def write_minded(environment: Environment, row: Row) -> Operation:
-    monitors = environment.part(Monitors)
-    return lambda axis, pattern: monitors.mind(axis_of(environment, axis), pattern)
-
-
-def read_beyond(environment: Environment, row: Row) -> Operation:
-    """ADCERROR."""
-    monitors = environment.part(Monitors)
-    return lambda axis: monitors.beyond(axis_of(environment, axis))
-
-
-def do_trim(environment: Environment, row: Row) -> Operation:
+def do_trim(environment: Environment, channel: int) -> None:
     """ADCOFFSETTRIM: what the input shows now is its zero."""
-    analogue, inputs = environment.part(Analogue), environment.controller.analogue_inputs
-
-    def do(channel: int) -> None:
-        checked(channel, LAST_ANALOGUE, "analogue input")
-        gain = analogue.setting("ADCGAIN", channel) / 100.0
-        analogue.set("ADCOFFSET", channel, -float(inputs[channel]) * gain)
-
-    return do
+    inputs = environment.part(Analogue)
+    gain = inputs.setting("ADCGAIN", analogue(channel)) / 100.0
+    inputs.set("ADCOFFSET", channel, -float(environment.controller.analogue_inputs[channel]) * gain)
 
 
 # ------------------------------------------------------------------------------------------------- warnings
@@ -147,6 +108,10 @@ class Warnings:
         self.bits.pop(axis, None)
         self._watch(axis, self.levels.get(axis, float("inf")))
 
+    def disable(self, axis: int, pattern: int) -> None:
+        """AXISWARNINGDISABLE: the bits that are set do not warn."""
+        self.disabled[axis] = pattern
+
     def default(self, axis: int) -> None:
         """DEFAULT."""
         self.disabled.pop(axis, None)
@@ -161,59 +126,20 @@ class Warnings:
             self.bits[axis] = self.bits.get(axis, 0) | FOLLOWING_WARNING
 
 
-def read_warning(environment: Environment, row: Row) -> Operation:
-    bits = environment.part(Warnings).bits
-    return lambda axis: bits.get(axis_of(environment, axis), 0)
-
-
-def write_warning(environment: Environment, row: Row) -> Operation:
-    """AXISWARNING: whatever is written, it clears the warnings of the axis."""
-    warnings = environment.part(Warnings)
-
-    def write(axis: int, value: int) -> None:
-        row.check(value)
-        warnings.clear(axis_of(environment, axis))
-
-    return write
-
-
-def read_warning_disable(environment: Environment, row: Row) -> Operation:
-    disabled = environment.part(Warnings).disabled
-    return lambda axis: disabled.get(axis_of(environment, axis), 0)
-
-
-def write_warning_disable(environment: Environment, row: Row) -> Operation:
-    """AXISWARNINGDISABLE: the bits that are set do not warn."""
-    disabled = environment.part(Warnings).disabled
-
-    def write(axis: int, pattern: int) -> None:
-        disabled[axis_of(environment, axis)] = pattern
-
-    return write
-
-
-def read_following_warning(environment: Environment, row: Row) -> Operation:
+def read_level(environment: Environment, axis: int) -> float:
     """FOLERRORWARNING, user units."""
     levels = environment.part(Warnings).levels
-
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        return scale.to_user(levels[axis], "uu") if axis in levels else FATAL_ERROR
-
-    return read
+    return (
+        environment.controller.axes[axis].scale.to_user(levels[axis], "uu") if axis in levels else FATAL_ERROR
+    )
 
 
-def write_following_warning(environment: Environment, row: Row) -> Operation:
+def write_level(environment: Environment, row: Row, axis: int, value: float) -> None:
     """FOLERRORWARNING, user units; without a motor it has no effect, which the report tells."""
-    warnings = environment.part(Warnings)
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        warnings.set_level(axis, abs(scale_of(environment, axis).to_counts(value, "uu")))
-        if not environment.controller.has_motor(axis):
-            environment.machine.without_effect.setdefault(row.name, [])
-
-    return write
+    level = abs(environment.controller.axes[axis].scale.to_counts(value, "uu"))
+    environment.part(Warnings).set_level(axis, level)
+    if not environment.controller.has_motor(axis):
+        environment.machine.without_effect.setdefault(row.name, [])
 
 
 # ---------------------------------------------------------------------------------------------------- masks
@@ -237,122 +163,93 @@ class Masks:
             return not first & ~self.misc_disabled
         return error.group == AXIS and not error.data[1] & self.calling.get(error.data[0], ALL_BITS)
 
+    def mask(self, axis: int, pattern: int) -> None:
+        """ERRORMASK: the errors of the axis that call ONERROR."""
+        self.calling[axis] = pattern
+
     def default(self, axis: int) -> None:
         """DEFAULT."""
         self.calling.pop(axis, None)
 
 
-def read_mask(environment: Environment, row: Row) -> Operation:
-    calling = environment.part(Masks).calling
-    return lambda axis: calling.get(axis_of(environment, axis), ALL_BITS)
-
-
-def write_mask(environment: Environment, row: Row) -> Operation:
-    """ERRORMASK: the errors of the axis that call ONERROR."""
-    calling = environment.part(Masks).calling
-
-    def write(axis: int, pattern: int) -> None:
-        calling[axis_of(environment, axis)] = pattern
-
-    return write
-
-
-def read_code_mask(environment: Environment, row: Row) -> Operation:
-    codes = environment.part(Masks).codes
-    return lambda code, data: int((code, data) in codes)
-
-
-def write_code_mask(environment: Environment, row: Row) -> Operation:
+def write_code_mask(masks: Masks, code: int, data: int, masked: int) -> None:
     """ERRORMASKCODE: one code, with its first datum, calls ONERROR no more or again."""
-    codes = environment.part(Masks).codes
+    (masks.codes.add if masked else masks.codes.discard)((code, data))
 
-    def write(code: int, data: int, masked: int) -> None:
-        row.check(masked)
-        (codes.add if masked else codes.discard)((code, data))
 
-    return write
+def write_misc_disable(masks: Masks, pattern: int) -> None:
+    masks.misc_disabled = pattern
 
 
 # --------------------------------------------------------------------- the drive and the controller itself
 
 
-def read_asynchronous(environment: Environment, row: Row) -> Operation:
-    """ASYNCERRORPRESENT."""
-    errors = environment.errors
-    return lambda: int(any(error.group != SYNCHRONOUS for error in errors.found))
-
-
-def read_enable_switch(environment: Environment, row: Row) -> Operation:
-    controller = environment.controller
-    return lambda axis: int(controller.may_enable(axis_of(environment, axis)))
-
-
-def read_drive_error(environment: Environment, row: Row) -> Operation:
-    """DRIVEERROR; DRIVEFAULT tells only whether there is one."""
-    world, whole = environment.machine.world, row.name == "DRIVEERROR"
-
-    def read(axis: int) -> int:
-        bits = 0 if world is None else world.drive_errors.get(axis_of(environment, axis), 0)
-        return bits if whole else int(bits != 0)
-
-    return read
-
-
-def write_drive_error(environment: Environment, row: Row) -> Operation:
-    """Clears the errors of the axis, among them the drive's."""
-
-    def write(axis: int, value: int) -> None:
-        row.check(value)
-        environment.controller.clear_faults(axis_of(environment, axis))
-
-    return write
-
-
-def read_misc(environment: Environment, row: Row) -> Operation:
-    world, masks = environment.machine.world, environment.part(Masks)
-    return lambda: 0 if world is None else world.misc & ~masks.misc_disabled
-
-
-def read_misc_disable(environment: Environment, row: Row) -> Operation:
-    masks = environment.part(Masks)
-    return lambda: masks.misc_disabled
-
-
-def write_misc_disable(environment: Environment, row: Row) -> Operation:
-    """MISCERRORDISABLE: the bits that are set call no ONERROR."""
-    masks = environment.part(Masks)
-
-    def write(pattern: int) -> None:
-        masks.misc_disabled = pattern
-
-    return write
-
-
-def write_misc(environment: Environment, row: Row) -> Operation:
-    """MISCERROR: clears the errors of the controller."""
+def drive_errors(environment: Environment, axis: int) -> int:
+    """DRIVEERROR."""
     world = environment.machine.world
-
-    def write(value: int) -> None:
-        row.check(value)
-        if world is not None:
-            world.misc = 0
-
-    return write
+    return 0 if world is None else world.drive_errors.get(axis, 0)
 
 
+def read_misc(environment: Environment) -> int:
+    """MISCERROR."""
+    world, disabled = environment.machine.world, environment.part(Masks).misc_disabled
+    return 0 if world is None else world.misc & ~disabled
+
+
+def write_misc(environment: Environment, value: int) -> None:
+    """MISCERROR: clears the errors of the controller."""
+    if environment.machine.world is not None:
+        environment.machine.world.misc = 0
+
+
+_CLEAR = of(Environment, lambda e, axis, value: e.controller.clear_faults(axis))
 OPERATIONS = {
-    "monitoring.limit": {"read": read_limit, "write": write_limit},
-    "monitoring.minded": {"read": read_minded, "write": write_minded},
-    "monitoring.beyond": {"read": read_beyond},
-    "monitoring.trim": {"do": do_trim},
-    "monitoring.following_warning": {"read": read_following_warning, "write": write_following_warning},
-    "monitoring.warning": {"read": read_warning, "write": write_warning},
-    "monitoring.warning_disable": {"read": read_warning_disable, "write": write_warning_disable},
-    "monitoring.mask": {"read": read_mask, "write": write_mask},
-    "monitoring.code_mask": {"read": read_code_mask, "write": write_code_mask},
-    "monitoring.asynchronous": {"read": read_asynchronous},
-    "monitoring.enable_switch": {"read": read_enable_switch},
-    "monitoring.drive_error": {"read": read_drive_error, "write": write_drive_error},
-    "monitoring.misc": {"read": read_misc, "write": write_misc},
-    "monitoring.misc_disable": {"read": read_misc_disable, "write": write_misc_disable},
+    "monitoring.limit": {
+        "read": of_word(Monitors, lambda part, row, channel: part.limit(row.name, analogue(channel))),
+        "write": repeatable(
+            of_word(
+                Monitors, lambda part, row, channel, value: part.set_limit(row.name, analogue(channel), value)
+            )
+        ),
+    },
+    "monitoring.minded": {
+        "read": of(Monitors, lambda monitors, axis: monitors.minded.get(axis, 0)),
+        "write": of(Monitors, Monitors.mind),
+    },
+    "monitoring.beyond": {"read": of(Monitors, Monitors.beyond)},
+    "monitoring.trim": {"do": of(Environment, do_trim)},
+    "monitoring.following_warning": {
+        "read": of(Environment, read_level),
+        "write": of_word(Environment, write_level),
+    },
+    "monitoring.warning": {
+        "read": of(Warnings, lambda warnings, axis: warnings.bits.get(axis, 0)),
+        "write": of(Warnings, lambda warnings, axis, value: warnings.clear(axis)),
+    },
+    "monitoring.warning_disable": {
+        "read": of(Warnings, lambda warnings, axis: warnings.disabled.get(axis, 0)),
+        "write": of(Warnings, Warnings.disable),
+    },
+    "monitoring.mask": {
+        "read": of(Masks, lambda masks, axis: masks.calling.get(axis, ALL_BITS)),
+        "write": of(Masks, Masks.mask),
+    },
+    "monitoring.code_mask": {
+        "read": of(Masks, lambda masks, code, data: int((code, data) in masks.codes)),
+        "write": of(Masks, write_code_mask),
+    },
+    "monitoring.asynchronous": {
+        "read": of(Errors, lambda errors: int(any(error.group != SYNCHRONOUS for error in errors.found)))
+    },
+    "monitoring.enable_switch": {"read": of(Environment, lambda e, axis: int(e.controller.may_enable(axis)))},
+    "monitoring.drive_error": {"read": of(Environment, drive_errors), "write": _CLEAR},
+    "monitoring.drive_fault": {
+        "read": of(Environment, lambda e, axis: int(drive_errors(e, axis) != 0)),
+        "write": _CLEAR,
+    },
+    "monitoring.misc": {"read": of(Environment, read_misc), "write": of(Environment, write_misc)},
+    "monitoring.misc_disable": {
+        "read": of(Masks, lambda masks: masks.misc_disabled),
+        "write": of(Masks, write_misc_disable),
+    },
 }

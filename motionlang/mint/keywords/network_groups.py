@@ -8,12 +8,8 @@ from motionlang.mint.keywords.remote_operations import LAST_NODE, Nodes, checked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 LAST_GROUP = 31
 
@@ -122,7 +118,6 @@ def write_own_node(environment: Environment, row: Row) -> Operation:
     own = environment.part(Groups).own
 
     def write(bus: int, node: int) -> None:
-        row.check(node)
         own[checked_bus(bus)] = node
 
     return write

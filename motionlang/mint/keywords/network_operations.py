@@ -14,10 +14,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 LAST_OBJECT, LAST_SUB = 0xFFFF, 255
 ERROR_REGISTER, STATUS_REGISTER = 0x1001, 0x1002

@@ -7,12 +7,8 @@ from motionlang.mint.runtime.binding import axis_of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 
 def write_by(environment: Environment, row: Row) -> Operation:
@@ -47,7 +43,6 @@ def write_suspend(environment: Environment, row: Row) -> Operation:
     controller = environment.controller
 
     def write(axis: int, value: int, line: int) -> None:
-        row.check(value)
         (controller.suspend if value else controller.resume)(axis_of(environment, axis))
 
     return write

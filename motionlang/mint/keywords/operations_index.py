@@ -29,8 +29,7 @@ captures.running captures.status captures.progress captures.point
 comms.modbus_parameter comms.real comms.whole
 """,
     "compensation_operations": """
-compensation.size compensation.interval compensation.backlash_mode compensation.step
-compensation.precision_mode compensation.table
+compensation.setting compensation.table
 """,
     "correction_operations": """
 correction.correction correction.time
@@ -109,7 +108,7 @@ modbus.word modbus.whole modbus.real modbus.own_register modbus.coil
     "monitoring_operations": """
 monitoring.limit monitoring.minded monitoring.beyond monitoring.trim monitoring.following_warning
 monitoring.warning monitoring.warning_disable monitoring.mask monitoring.code_mask monitoring.asynchronous
-monitoring.enable_switch monitoring.drive_error monitoring.misc monitoring.misc_disable
+monitoring.enable_switch monitoring.drive_error monitoring.drive_fault monitoring.misc monitoring.misc_disable
 """,
     "motion_operations": """
 load_by load_to go cancel cancel_all

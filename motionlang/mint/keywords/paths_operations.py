@@ -9,12 +9,10 @@ from motionlang.mint.runtime.changes import moving, repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 
 def _ready(environment: Environment, row: Row, axes: Sequence[int], values: Sequence[float]) -> bool:
@@ -94,7 +92,6 @@ def write_mode(environment: Environment, row: Row) -> Operation:
     other = next(each for each in _MODES if each != row.name)
 
     def write(axis: int, mode: int) -> None:
-        row.check(mode)
         axis_of(environment, axis)
         if mode and controller.setting(axis, _MODES[other]):
             raise Refusal("contour-and-blend", f"{row.name} cannot be set while {other} is",

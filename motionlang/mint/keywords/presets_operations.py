@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.axis_settings import forget
+from motionlang.mint.keywords.axis_settings import Settings, reading
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.presets_moves import begin
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import of, of_word
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 LAST_PRESET = 63
 STAYS, STEPS, GOES_ON = range(3)
@@ -26,14 +22,14 @@ DEFAULTS = {"PRESETTRIGGERINPUT": -1, "PRESETSELECTORINPUT": -1, "PRESETINPUTSMA
 _SHORTEST = 1e-3
 
 
-class Presets:
+class Presets(Settings):
     """The table, by keyword, preset and format, in user units; and what starts them, by keyword and axis."""
 
+    defaults = DEFAULTS
+
     def __init__(self, environment: Environment) -> None:
-        self.environment = environment
-        self.controller = environment.controller
+        super().__init__(environment)
         self.table: dict[tuple[str, int, int], float] = {}
-        self._settings: dict[tuple[str, int], int] = {}
         self._lines: dict[int, int] = {}
         # The axes whose next preset follows by itself, with the number of the start it follows: a rest that
         # began for another one, before the presets were disabled and enabled again, ends nothing.
@@ -45,13 +41,13 @@ class Presets:
     def entry(self, name: str, preset: int, format: int = 0) -> float:
         return self.table.get((name, preset, format), 0.0)
 
-    def setting(self, name: str, axis: int) -> int:
-        return self._settings.get((name, axis), DEFAULTS.get(name, 0))
-
-    def set(self, name: str, axis: int, value: int, line: int) -> None:
+    def choose(self, row: Row, axis: int, value: int, line: int) -> None:
         """Set what starts presets; without a trigger input it is the enabling, or the choice of another preset."""
+        name = row.name
+        if name.endswith("INPUT") and value >= 0:
+            checked(value, LAST_CHANNEL)
         before = self.setting(name, axis)
-        self._settings[name, axis] = value
+        self.set(name, axis, int(value))
         enabled = self.setting("PRESETMOVEENABLE", axis)
         if name == "PRESETMOVEENABLE":
             if value == before:
@@ -64,7 +60,7 @@ class Presets:
 
     def inputs(self, axis: int) -> int:
         """The number that the selector inputs say."""
-        first, count = self.setting("PRESETSELECTORINPUT", axis), self.setting("PRESETINPUTSMAX", axis)
+        first, count = (int(self.setting(name, axis)) for name in ("PRESETSELECTORINPUT", "PRESETINPUTSMAX"))
         if first < 0:
             return 0
         is_on = self.environment.part(Inputs).is_on
@@ -73,7 +69,7 @@ class Presets:
     def selected(self, axis: int) -> int:
         """The preset that is next."""
         by_inputs = self.setting("PRESETINDEXSOURCE", axis) == BY_INPUTS
-        return self.inputs(axis) if by_inputs else self.setting("PRESETINDEX", axis)
+        return self.inputs(axis) if by_inputs else int(self.setting("PRESETINDEX", axis))
 
     def start(self, axis: int) -> None:
         """Start the preset that is selected, and select the one after it where the mode says so."""
@@ -87,10 +83,6 @@ class Presets:
             self._going_on[axis] = self._starts
             if self.controller.is_idle(axis):
                 self._rest(axis)
-
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        forget(self._settings, axis)
 
     def _after(self, preset: int) -> int:
         """The next preset of the table that is anything, behind the last one the first."""
@@ -136,26 +128,15 @@ def _preset(preset: int) -> int:
     return checked(preset, LAST_PRESET, "preset")
 
 
-def read_entry(environment: Environment, row: Row) -> Operation:
+def read_entry(presets: Presets, row: Row, preset: int, number: int = 0) -> float:
     """A field of a preset in the table, user units; 0 until it is written."""
-    presets, name, whole = environment.part(Presets), row.name, row.unit == "integer"
-
-    def read(preset: int) -> float:
-        value = presets.entry(name, _preset(preset))
-        return int(value) if whole else value
-
-    return read
+    value = presets.entry(row.name, _preset(preset), _second(row, number))
+    return int(value) if row.unit == "integer" else value
 
 
-def write_entry(environment: Environment, row: Row) -> Operation:
+def write_entry(presets: Presets, row: Row, preset: int, value: float) -> None:
     """A field of a preset in the table, user units."""
-    table, name = environment.part(Presets).table, row.name
-
-    def write(preset: int, value: float) -> None:
-        row.check(value)
-        table[name, _preset(preset), 0] = value
-
-    return write
+    presets.table[row.name, _preset(preset), 0] = value
 
 
 # What stands behind the preset in the brackets of words that have two numbers there: the last one, and what it is.
@@ -168,71 +149,23 @@ _SECOND = {
 
 
 def _second(row: Row, number: int) -> int:
-    last, hint = _SECOND[row.name]
+    last, hint = _SECOND.get(row.name, (0, ""))
     if not 0 <= number <= last:
         raise Refusal("range", f"{row.name} has no number {number} behind the preset", hint)
     return number
 
 
-def read_format(environment: Environment, row: Row) -> Operation:
-    """A field with a format or a parameter of its own, such as PRESETACCEL; 0 until it is written."""
-    presets, name, whole = environment.part(Presets), row.name, row.unit == "integer"
-
-    def read(preset: int, number: int) -> float:
-        value = presets.entry(name, _preset(preset), _second(row, number))
-        return int(value) if whole else value
-
-    return read
-
-
-def write_format(environment: Environment, row: Row) -> Operation:
+def write_format(presets: Presets, row: Row, preset: int, number: int, value: float) -> None:
     """A field with a format or a parameter of its own; a rate and the time for it replace each other."""
-    table, name = environment.part(Presets).table, row.name
-
-    def write(preset: int, number: int, value: float) -> None:
-        row.check(value)
-        table[name, _preset(preset), _second(row, number)] = value
-        if name in ("PRESETACCEL", "PRESETDECEL"):  # a rate and the time for it replace each other
-            table.pop((name, preset, 1 - number), None)
-
-    return write
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
-    presets, name = environment.part(Presets), row.name
-    return lambda axis: presets.setting(name, axis_of(environment, axis))
-
-
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """What selects and starts the presets of an axis; it may start one at once."""
-    presets, name = environment.part(Presets), row.name
-
-    def write(axis: int, value: int, line: int) -> None:
-        row.check(value)
-        if name.endswith("INPUT") and value >= 0:
-            checked(value, LAST_CHANNEL)
-        presets.set(name, axis_of(environment, axis), int(value), line)
-
-    return write
-
-
-def read_inputs(environment: Environment, row: Row) -> Operation:
-    presets = environment.part(Presets)
-    return lambda axis: presets.inputs(axis_of(environment, axis))
-
-
-def read_index(environment: Environment, row: Row) -> Operation:
-    presets = environment.part(Presets)
-    return lambda axis: presets.selected(axis_of(environment, axis))
-
-
-write_index = write_setting
+    presets.table[row.name, _preset(preset), _second(row, number)] = value
+    if row.name in ("PRESETACCEL", "PRESETDECEL"):
+        presets.table.pop((row.name, preset, 1 - number), None)
 
 
 OPERATIONS = {
-    "presets.format": {"read": read_format, "write": write_format},
-    "presets.entry": {"read": read_entry, "write": write_entry},
-    "presets.index": {"read": read_index, "write": write_index},
-    "presets.setting": {"read": read_setting, "write": write_setting},
-    "presets.inputs": {"read": read_inputs},
+    "presets.format": {"read": of_word(Presets, read_entry), "write": of_word(Presets, write_format)},
+    "presets.entry": {"read": of_word(Presets, read_entry), "write": of_word(Presets, write_entry)},
+    "presets.index": {"read": of(Presets, Presets.selected), "write": of_word(Presets, Presets.choose)},
+    "presets.setting": {"read": reading(Presets), "write": of_word(Presets, Presets.choose)},
+    "presets.inputs": {"read": of(Presets, Presets.inputs)},
 }

@@ -12,13 +12,9 @@ from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 FIRST = 1000
 LAST_RELAY = 63
@@ -33,7 +29,6 @@ def write_pulse(environment: Environment, row: Row) -> Operation:
     pulse = environment.controller.pulse
 
     def write(channel: int, milliseconds: float) -> None:
-        row.check(milliseconds)
         pulse(checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0)
 
     return write
@@ -83,7 +78,6 @@ def write_relay(environment: Environment, row: Row) -> Operation:
     set_output = environment.controller.set_output
 
     def write(number: int, value: int) -> None:
-        row.check(value)
         set_output(_relay(row, number), value)
 
     return write
@@ -104,7 +98,6 @@ def write_auxiliary(environment: Environment, row: Row) -> Operation:
     set_output = environment.controller.set_analogue_output
 
     def write(channel: int, value: float) -> None:
-        row.check(value)
         set_output(FIRST + checked(channel, LAST_ANALOGUE, "spare analogue output"), value)
 
     return write
@@ -197,7 +190,6 @@ def write_brake(environment: Environment, row: Row) -> Operation:
     brake = environment.part(Brakes).brake
 
     def write(axis: int, engaged: int) -> None:
-        row.check(engaged)
         brake(axis).engage_by_hand(bool(engaged))
 
     return write
@@ -218,7 +210,6 @@ def write_brake_mode(environment: Environment, row: Row) -> Operation:
     brake = environment.part(Brakes).brake
 
     def write(axis: int, mode: int) -> None:
-        row.check(mode)
         brake(axis).choose(mode)
 
     return write
@@ -234,7 +225,6 @@ def write_brake_output(environment: Environment, row: Row) -> Operation:
     brake = environment.part(Brakes).brake
 
     def write(axis: int, output: int) -> None:
-        row.check(output)
         brake(axis).assign(output)
 
     return write
@@ -250,7 +240,6 @@ def write_brake_delay(environment: Environment, row: Row) -> Operation:
     brake = environment.part(Brakes).brake
 
     def write(axis: int, which: int, milliseconds: float) -> None:
-        row.check(milliseconds)
         brake(axis).delays[checked(which, ENGAGE, "delay of a brake")] = int(milliseconds)
 
     return write

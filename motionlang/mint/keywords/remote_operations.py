@@ -15,10 +15,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import Any
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
     Entry = Mapping[str, Any]
 
 # Powerlink counts its nodes beyond CAN's 127: its manager is 240.
@@ -315,7 +314,6 @@ def write_percent(environment: Environment, row: Row) -> Operation:
     nodes, kind = environment.part(Nodes), _kind(row)
 
     def write(bus: int, node: int, channel: int, value: float) -> None:
-        row.check(value)
         nodes.channels(bus, node, kind)[checked(channel, LAST_CHANNEL, "channel")] = value
 
     return write

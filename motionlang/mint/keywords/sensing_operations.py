@@ -7,19 +7,16 @@ from math import floor
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves import buffer
 from motionlang.lang.task import INFINITY
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import IDLE
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word, scale_of, unchecked
 from motionlang.mint.runtime.changes import Changes, always, moving, passing_within, repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.keywords.compensation_operations import Compensation
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 # AXISMODE: the bit of each kind of motion, by the keyword that began it. 0 is idle; the bits are our own.
 KINDS: dict[int, tuple[str, ...]] = {
@@ -37,57 +34,26 @@ OTHER, SUSPENDED = 512, 1024
 _BITS = {word: bit for bit, words in KINDS.items() for word in words}
 
 
-def read_axis_mode(environment: Environment, row: Row) -> Operation:
+def read_axis_mode(environment: Environment, axis: int) -> int:
     """AXISMODE: a bit for the kind of motion, 0 at rest, and one more while it is suspended."""
-    axes = environment.controller.axes
-
-    def read(axis: int) -> int:
-        a = axes[axis_of(environment, axis)]
-        if a.move is None:
-            return 0
-        return _BITS.get(a.move.command, OTHER) | (SUSPENDED if a.suspended else 0)
-
-    return read
+    a = environment.controller.axes[axis]
+    if a.move is None:
+        return 0
+    return _BITS.get(a.move.command, OTHER) | (SUSPENDED if a.suspended else 0)
 
 
-@moving
-def read_acceleration(environment: Environment, row: Row) -> Operation:
+def read_acceleration(environment: Environment, axis: int) -> float:
     """ACCELDEMAND, user units a second squared."""
-    axes, clock = environment.controller.axes, environment.clock
-
-    def read(axis: int) -> float:
-        scale = scale_of(environment, axis)
-        return scale.to_user(axes[axis].at(clock.now).acceleration, row.unit)
-
-    return read
-
-
-@moving
-def read_target(environment: Environment, row: Row) -> Operation:
-    """POSTARGET; of motion without an end, where the axis is."""
-    target = environment.controller.target
-    return lambda axis: _shown(environment, axis, target(axis_of(environment, axis)))
-
-
-@moving
-def read_last_target(environment: Environment, row: Row) -> Operation:
-    """POSTARGETLAST: where the axis will be when its buffer is empty."""
-    axes = environment.controller.axes
-    return lambda axis: _shown(environment, axis, buffer.end(axes[axis_of(environment, axis)]))
+    a = environment.controller.axes[axis]
+    return a.scale.to_user(a.at(environment.clock.now).acceleration, "uu/s2")
 
 
 def _shown(environment: Environment, axis: int, target: float) -> float:
     """An end in user units, within POSWRAP, as POSROLLOVERTARGET tells the turn; the position where there is none."""
-    scale, wrap = scale_of(environment, axis), environment.wraps.get(axis)
+    scale, wrap = environment.controller.axes[axis].scale, environment.wraps.get(axis)
     counts = target if abs(target) < 1e300 else environment.controller.position(axis)
     shown = scale.position_to_user(counts)
     return shown % wrap if wrap else shown
-
-
-@always
-def read_seconds(environment: Environment, row: Row) -> Operation:
-    clock = environment.clock
-    return lambda: float(clock.now)
 
 
 # --------------------------------------------------------------------------------------------- idle windows
@@ -95,27 +61,26 @@ def read_seconds(environment: Environment, row: Row) -> Operation:
 AT_POSITION, AT_SPEED = 1, 2
 
 
-class IdleWindows:
+class IdleWindows(Settings):
     """What IDLE asks for beyond the end of the move, by keyword and axis, in counts."""
 
+    defaults = IDLE
+    in_counts = True
+
     def __init__(self, environment: Environment) -> None:
-        self._controller = environment.controller
-        self._settings: dict[tuple[str, int], float] = {}
+        super().__init__(environment)
         self._since: dict[int, float] = {}
-        self._controller.listeners.append(self._heard, "idle")
+        self.controller.listeners.append(self._heard, "idle")
         environment.settled = self.settled
 
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), IDLE[name])
-
     def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
+        super().set(name, axis, value)
         self._tell_motor(axis)
 
     def _tell_motor(self, axis: int) -> None:
         """Let a simulated motor know what settling means."""
         mode, far = int(self.setting("IDLEMODE", axis)), float("inf")
-        self._controller.settle_within(
+        self.controller.settle_within(
             axis,
             self.setting("IDLEPOS", axis) if mode & AT_POSITION else far,
             self.setting("IDLEVEL", axis) if mode & AT_SPEED else far,
@@ -127,7 +92,7 @@ class IdleWindows:
         mode = int(self.setting("IDLEMODE", axis))
         if not mode:
             return True
-        controller = self._controller
+        controller = self.controller
         if controller.is_open(axis):
             return True  # nothing holds the motor: there is no error to settle
         if controller.has_motor(axis) and controller.settled_time(axis) > controller.clock.now:
@@ -144,56 +109,21 @@ class IdleWindows:
         if not self.setting("IDLEMODE", axis):
             return 0
         late = 0.0
-        if self._controller.has_motor(axis) and axis in self._since:
-            late = min(max(self._controller.settled_since(axis) - self._since[axis], 0.0), 1e6)
+        if self.controller.has_motor(axis) and axis in self._since:
+            late = min(max(self.controller.settled_since(axis) - self._since[axis], 0.0), 1e6)
         return round(late * 1000.0) + int(self.setting("IDLETIME", axis))
 
     def _heard(self, what: str, axis: int) -> None:
         """The move is over: IDLETIME later whoever waits for IDLE must look again."""
         if what == "idle":
-            clock = self._controller.clock
+            clock = self.controller.clock
             self._since[axis] = clock.now
             clock.at(clock.now + self.setting("IDLETIME", axis) / 1000.0, lambda: None)
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        for name in IDLE:
-            self._settings.pop((name, axis), None)
+        super().default(axis)
         self._tell_motor(axis)
-
-
-def read_window(environment: Environment, row: Row) -> Operation:
-    """IDLEPOS and IDLEVEL in user units, IDLETIME in ms, IDLEMODE."""
-    windows, name, unit = environment.part(IdleWindows), row.name, row.unit
-
-    def read(axis: int) -> float:
-        value = scale_of(environment, axis).to_user(windows.setting(name, axis), unit)
-        return value if unit.startswith("uu") else int(value)
-
-    return read
-
-
-@repeatable
-def write_window(environment: Environment, row: Row) -> Operation:
-    """IDLEPOS and IDLEVEL in user units, IDLETIME in ms, IDLEMODE."""
-    windows, name, unit = environment.part(IdleWindows), row.name, row.unit
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        windows.set(name, axis, scale_of(environment, axis).to_counts(value, unit))
-
-    return write
-
-
-def read_settling_time(environment: Environment, row: Row) -> Operation:
-    """IDLESETTLINGTIME, ms."""
-    windows = environment.part(IdleWindows)
-
-    def read(axis: int) -> int:
-        axis_of(environment, axis)
-        return windows.settling_time(axis)
-
-    return read
 
 
 # ------------------------------------------------------------------------------------------------- encoders
@@ -208,7 +138,7 @@ class Encoders:
     """
 
     def __init__(self, environment: Environment) -> None:
-        self._controller = environment.controller
+        self._environment, self._controller = environment, environment.controller
         self.changes = environment.part(Changes)
         self._settings: dict[tuple[str, int], float] = {}
         # What the motors do on top of what POS shows, where the program compensates.
@@ -242,6 +172,10 @@ class Encoders:
             level,
             lambda place: crossing_time(track, (place - zero) * per_unit),
         )
+
+    def checked(self, channel: int) -> int:
+        """The channel, or the refusal of one that does not exist: those of the axes and of the machine file."""
+        return channel_of(self._environment, channel)
 
     def track(self, channel: int) -> int:
         """The number under which the controller has an encoder that the world turns."""
@@ -280,50 +214,40 @@ def channel_of(environment: Environment, channel: int) -> int:
     return channel
 
 
-def read_encoder(environment: Environment, row: Row) -> Operation:
-    encoders = environment.part(Encoders)
-    return encoders.changes.comparable(
-        lambda channel: encoders.read(channel_of(environment, channel)), encoders.until
-    )
+def compared(kind: type[Encoders]) -> Maker:
+    """What reads an encoder of a family; it tells when that passes what it is compared with."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        encoders = environment.part(kind)
+        return encoders.changes.comparable(
+            lambda channel: encoders.read(encoders.checked(channel)), encoders.until
+        )
+
+    return made
 
 
-def write_encoder(environment: Environment, row: Row) -> Operation:
-    encoders = environment.part(Encoders)
-    return lambda channel, value: encoders.write(channel_of(environment, channel), value)
+def write_encoder(encoders: Encoders, channel: int, value: float) -> None:
+    encoders.write(encoders.checked(channel), value)
 
 
-@moving
-def read_encoder_speed(environment: Environment, row: Row) -> Operation:
-    encoders = environment.part(Encoders)
-    return lambda channel: encoders.speed(channel_of(environment, channel))
+def read_speed(encoders: Encoders, channel: int) -> float:
+    return encoders.speed(encoders.checked(channel))
 
 
-@moving
-def read_encoder_count(environment: Environment, row: Row) -> Operation:
-    encoders = environment.part(Encoders)
-    return lambda channel: floor(encoders.counts(channel_of(environment, channel)) + 0.5)
+def _name(row: Row) -> str:
+    """The word of any family as that of the encoders of axes."""
+    return row.name.removeprefix("AUX").replace("STEPPER", "ENCODER")
 
 
-def read_encoder_setting(environment: Environment, row: Row) -> Operation:
-    """ENCODERSCALE, ENCODERPRESCALE and ENCODERWRAP."""
-    encoders, name, whole = environment.part(Encoders), row.name, row.unit == "integer"
-
-    def read(channel: int) -> float:
-        value = encoders.setting(name, channel_of(environment, channel))
-        return int(value) if whole else value
-
-    return read
+def read_setting(encoders: Encoders, row: Row, channel: int) -> float:
+    """The scale, the prescale and the wrap of an encoder."""
+    value = encoders.setting(_name(row), encoders.checked(channel))
+    return int(value) if row.unit == "integer" else value
 
 
-def write_encoder_setting(environment: Environment, row: Row) -> Operation:
-    """ENCODERSCALE, ENCODERPRESCALE and ENCODERWRAP."""
-    encoders, name = environment.part(Encoders), row.name
-
-    def write(channel: int, value: float) -> None:
-        row.check(value)
-        encoders.set(name, channel_of(environment, channel), value)
-
-    return write
+def write_setting(encoders: Encoders, row: Row, channel: int, value: float) -> None:
+    """The scale, the prescale and the wrap of an encoder."""
+    encoders.set(_name(row), encoders.checked(channel), value)
 
 
 # ---------------------------------------------------------------------------------------------------- wraps
@@ -346,58 +270,50 @@ class Wraps:
             self._environment.wraps[axis] = self._counts[axis] / abs(scale_of(self._environment, axis).counts)
 
 
-def read_wrap(environment: Environment, row: Row) -> Operation:
-    return lambda axis: environment.wraps.get(axis_of(environment, axis), 0.0)
-
-
-def write_wrap(environment: Environment, row: Row) -> Operation:
-    """POSWRAP, user units."""
-    wraps = environment.part(Wraps)
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        wraps.set(axis_of(environment, axis), value)
-
-    return write
-
-
-@moving
-def read_turns(environment: Environment, row: Row) -> Operation:
+def read_turns(environment: Environment, axis: int) -> int:
     """POSROLLOVER: how many times POS has wrapped."""
-    controller = environment.controller
-
-    def read(axis: int) -> int:
-        wrap = environment.wraps.get(axis)
-        scale = scale_of(environment, axis)
-        return floor(scale.position_to_user(controller.position(axis)) / wrap) if wrap else 0
-
-    return read
+    controller, wrap = environment.controller, environment.wraps.get(axis)
+    position = controller.axes[axis].scale.position_to_user(controller.position(axis))
+    return floor(position / wrap) if wrap else 0
 
 
-def write_turns(environment: Environment, row: Row) -> Operation:
+def write_turns(environment: Environment, axis: int, value: int) -> None:
     """POSROLLOVER: the position grows by the turns that are more, POS stays."""
-    turns = read_turns(environment, row)
-
-    def write(axis: int, value: int) -> None:
-        before: int = turns(axis)
-        counts = scale_of(environment, axis).to_counts((value - before) * environment.wraps.get(axis, 0.0))
-        environment.controller.define_position(axis, environment.controller.position(axis) + counts)
-
-    return write
+    controller, wrap = environment.controller, environment.wraps.get(axis, 0.0)
+    more = (value - read_turns(environment, axis)) * wrap
+    counts = controller.axes[axis].scale.to_counts(more)
+    controller.define_position(axis, controller.position(axis) + counts)
 
 
 OPERATIONS = {
-    "sensing.axis_mode": {"read": read_axis_mode},
-    "sensing.acceleration": {"read": read_acceleration},
-    "sensing.target": {"read": read_target},
-    "sensing.last_target": {"read": read_last_target},
-    "sensing.window": {"read": read_window, "write": write_window},
-    "sensing.settling_time": {"read": read_settling_time},
-    "sensing.seconds": {"read": read_seconds},
-    "sensing.encoder": {"read": read_encoder, "write": write_encoder},
-    "sensing.encoder_speed": {"read": read_encoder_speed},
-    "sensing.encoder_count": {"read": read_encoder_count},
-    "sensing.encoder_setting": {"read": read_encoder_setting, "write": write_encoder_setting},
-    "sensing.wrap": {"read": read_wrap, "write": write_wrap},
-    "sensing.turns": {"read": read_turns, "write": write_turns},
+    "sensing.axis_mode": {"read": of(Environment, read_axis_mode)},
+    "sensing.acceleration": {"read": moving(of(Environment, read_acceleration))},
+    "sensing.target": {
+        "read": moving(of(Environment, lambda e, axis: _shown(e, axis, e.controller.target(axis))))
+    },
+    "sensing.last_target": {
+        "read": moving(of(Environment, lambda e, axis: _shown(e, axis, buffer.end(e.controller.axes[axis]))))
+    },
+    "sensing.window": {"read": reading(IdleWindows), "write": repeatable(writing(IdleWindows))},
+    "sensing.settling_time": {"read": of(IdleWindows, IdleWindows.settling_time)},
+    "sensing.seconds": {"read": always(of(Environment, lambda e: float(e.clock.now)))},
+    "sensing.encoder": {"read": compared(Encoders), "write": of(Encoders, write_encoder)},
+    "sensing.encoder_speed": {"read": moving(of(Encoders, read_speed))},
+    "sensing.encoder_count": {
+        "read": moving(
+            of(Encoders, lambda encoders, channel: floor(encoders.counts(encoders.checked(channel)) + 0.5))
+        )
+    },
+    "sensing.encoder_setting": {
+        "read": of_word(Encoders, read_setting),
+        "write": of_word(Encoders, write_setting),
+    },
+    "sensing.wrap": {
+        "read": of(Environment, lambda e, axis: e.wraps.get(axis, 0.0)),
+        "write": of(Wraps, Wraps.set),
+    },
+    "sensing.turns": {
+        "read": moving(of(Environment, read_turns)),
+        "write": unchecked(of(Environment, write_turns)),
+    },
 }

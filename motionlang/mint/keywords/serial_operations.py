@@ -8,13 +8,11 @@ from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
     from typing import Any
 
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 LAST_PORT = 8
 # What a port keeps for a program that does not read.
@@ -73,7 +71,6 @@ def write_character(environment: Environment, row: Row) -> Operation:
     ports = environment.part(Ports)
 
     def write(port: int, code: int) -> None:
-        row.check(code)
         ports.send(port, code)
 
     return write

@@ -7,19 +7,19 @@ program's own: what it writes into them counts from the next cycle on.
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.buffer_operations import loader
+from motionlang.mint.keywords.buffer_operations import loads
 from motionlang.mint.keywords.following_masters import Masters, distance
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.environment import Environment
 from motionlang.profile.total import total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Sequence
 
+    from motionlang.mint.keywords.table_motion_splines import Splines
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
     Array = list[float]
 
 # Bits of CAM and SPLINE.
@@ -61,7 +61,7 @@ class Cams:
     """The tables of every axis, and what is under way with them."""
 
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
+        self.environment, self.masters = environment, environment.part(Masters)
         self.arrays: dict[int, tuple[Array, Array | None]] = {}
         self.phases: dict[int, Phase] = {}
         self.cycles: dict[int, int] = {}
@@ -69,7 +69,7 @@ class Cams:
 
     def table(self, axis: int, mode: int, start: float, begins: bool) -> tuple[list[float], list[float]]:
         """Places of the master and values of the slave, counts; `begins`: a cycle does, it is no mere check."""
-        masters, scale = self._environment.part(Masters), scale_of(self._environment, axis)
+        masters, scale = self.masters, self.masters.scale(axis)
         steps, lengths = self.steps(axis), self.lengths(axis)
         first, end = span(
             masters.setting("CAMSTART", axis), masters.setting("CAMEND", axis), len(steps), "CAM"
@@ -104,8 +104,8 @@ class Cams:
         """How far the master goes in each segment, counts."""
         count, array = len(self.steps(axis)), self.arrays[axis][1]
         if array is None:
-            return [distance(self._environment, axis, "CAM")[1]] * count
-        per_unit = self._environment.part(Masters).of(axis).per_unit
+            return [distance(self.environment, axis, "CAM")[1]] * count
+        per_unit = self.masters.of(axis).per_unit
         lengths = [length * per_unit for length in elements(array, "CAMTABLE")]
         if len(lengths) < count:
             words = f"the table of axis {axis} has {count} positions and {len(lengths)} lengths"
@@ -125,118 +125,79 @@ class Cams:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def do_table(environment: Environment, row: Row) -> Operation:
+def do_table(
+    cams: Cams, row: Row, axis: int, positions: Array | None, lengths: Array | None, line: int
+) -> None:
     """CAMTABLE: the arrays of positions and lengths, user units; without arrays the table is forgotten."""
-    cams = environment.part(Cams)
-
-    def do(axis: int, positions: Array | None, lengths: Array | None, line: int) -> None:
-        cams.phases.pop(axis_of(environment, axis), None)
-        if positions is None:
-            cams.arrays.pop(axis, None)
-            return
-        elements(positions, row.name)
-        cams.arrays[axis] = positions, lengths
-
-    return do
+    cams.phases.pop(axis, None)
+    if positions is None:
+        cams.arrays.pop(axis, None)
+        return
+    elements(positions, row.name)
+    cams.arrays[axis] = positions, lengths
 
 
-def load_cam(environment: Environment, row: Row) -> Operation:
+def put_cam(cams: Cams, row: Row, axis: int, mode: int, line: int) -> None:
     """CAM: follow the table once or for ever, mode by mode; the arrays are read again for each cycle."""
-    controller, cams, masters = environment.controller, environment.part(Cams), environment.part(Masters)
+    row.check(mode)
+    found, checking = cams.masters.of(axis), True
+    found.refuse(cams.environment, axis)
+    first = int(cams.masters.setting("CAMSTART", axis)) - 1
 
-    def put(axis: int, mode: int, line: int) -> None:
-        row.check(mode)
-        found, checking = masters.of(axis), True
-        found.refuse(environment, axis)
-        first = int(masters.setting("CAMSTART", axis)) - 1
+    def table(start: float) -> tuple[list[float], list[float]]:
+        return cams.table(axis, mode, start, not checking)
 
-        def table(start: float) -> tuple[list[float], list[float]]:
-            return cams.table(axis, mode, start, not checking)
+    cams.environment.controller.load_cam(
+        axis, found.number, table, bool(mode & CONTINUOUS), first, found.encoder, row.name, line
+    )
+    checking = False
+    cams.modes[axis] = mode
 
-        controller.load_cam(
-            axis, found.number, table, bool(mode & CONTINUOUS), first, found.encoder, row.name, line
+
+def do_segment(
+    part: Cams | Splines, row: Row, axis: int, table: int, start: int, data: Array | None, line: int
+) -> None:
+    """CAMSEGMENT and SPLINESEGMENT: other values for some segments of a table of the axis."""
+    arrays: Sequence[Array | None] = part.arrays.get(axis, ())
+    array = arrays[table] if 0 <= table < len(arrays) else None
+    if array is None:
+        raise Refusal(
+            "range", f"{row.name}: axis {axis} has no table {table}", row.name[:-7] + "TABLE gives it one"
         )
-        checking = False
-        cams.modes[axis] = mode
-
-    return loader(environment, put)
-
-
-def read_cam(environment: Environment, row: Row) -> Operation:
-    cams = environment.part(Cams)
-    return lambda axis: cams.modes.get(axis_of(environment, axis), 0)
+    values = elements(data, row.name) if data is not None else []
+    if not 1 <= start <= start + len(values) - 1 <= len(array) - 2:
+        words = f"segments {start} to {start + len(values) - 1} do not lie in the table of {len(array) - 2}"
+        raise Refusal("range", f"{row.name}: {words}")
+    array[start + 1 : start + 1 + len(values)] = values
 
 
-def read_index(environment: Environment, row: Row) -> Operation:
-    """The number of the segment that is executing, 0 where there is no cam."""
-    controller = environment.controller
-    return lambda axis: controller.cam_index(axis_of(environment, axis)) + 1
-
-
-def do_segment(environment: Environment, row: Row) -> Operation:
-    """CAMSEGMENT: other values for some segments of a cam."""
-    return rewriting(environment, row, environment.part(Cams).arrays)
-
-
-def rewriting(environment: Environment, row: Row, tables: Mapping[int, Sequence[Array | None]]) -> Operation:
-    """Writes other values into some segments of an array; `tables` are the arrays of each axis, by their numbers."""
-
-    def do(axis: int, table: int, start: int, data: Array | None, line: int) -> None:
-        arrays = tables.get(axis_of(environment, axis), ())
-        array = arrays[table] if 0 <= table < len(arrays) else None
-        if array is None:
-            raise Refusal(
-                "range", f"{row.name}: axis {axis} has no table {table}", row.name[:-7] + "TABLE gives it one"
-            )
-        values = elements(data, row.name) if data is not None else []
-        if not 1 <= start <= start + len(values) - 1 <= len(array) - 2:
-            words = (
-                f"segments {start} to {start + len(values) - 1} do not lie in the table of {len(array) - 2}"
-            )
-            raise Refusal("range", f"{row.name}: {words}")
-        array[start + 1 : start + 1 + len(values)] = values
-
-    return do
-
-
-def do_phase(environment: Environment, row: Row) -> Operation:
+def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line: int) -> None:
     """CAMPHASE: in the next cycle the master goes further over some segments."""
-    cams, masters = environment.part(Cams), environment.part(Masters)
-
-    def do(axis: int, index: int, segments: int, delta: int, line: int) -> None:
-        lengths = cams.lengths(axis_of(environment, axis))
-        first, end = span(index, index + segments - 1, len(lengths), "CAM")
-        counts = delta * masters.of(axis).per_unit
-        if (
-            total(lengths[first:end]) + counts <= 0.0
-            or min(lengths[first:end]) + counts / (end - first) <= 0.0
-        ):
-            raise Refusal("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
-                          "the master must still go forward in each of them")  # fmt: skip
-        cams.phases[axis] = Phase(index, end, counts)
-
-    return do
+    lengths = cams.lengths(axis)
+    first, end = span(index, index + segments - 1, len(lengths), "CAM")
+    counts = delta * cams.masters.of(axis).per_unit
+    if total(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
+        raise Refusal("range", f"CAMPHASE cannot take {-delta:g} from segments {index} to {end}",
+                      "the master must still go forward in each of them")  # fmt: skip
+    cams.phases[axis] = Phase(index, end, counts)
 
 
-def read_phase_status(environment: Environment, row: Row) -> Operation:
+def read_phase_status(cams: Cams, axis: int) -> int:
     """1 while a CAMPHASE waits or is under way."""
-    cams, controller = environment.part(Cams), environment.controller
-
-    def read(axis: int) -> int:
-        phase = cams.phases.get(axis_of(environment, axis))
-        if phase is None or controller.cam_index(axis) < 0:
-            return 0
-        under_way = phase.cycle == cams.cycles.get(axis) and controller.cam_index(axis) < phase.last
-        return int(not phase.cycle or under_way)
-
-    return read
+    phase, index = cams.phases.get(axis), cams.environment.controller.cam_index(axis)
+    if phase is None or index < 0:
+        return 0
+    return int(not phase.cycle or (phase.cycle == cams.cycles.get(axis) and index < phase.last))
 
 
 OPERATIONS = {
-    "table_motion.cams.table": {"do": do_table},
-    "table_motion.cams.cam": {"read": read_cam, "load": load_cam},
-    "table_motion.cams.index": {"read": read_index},
-    "table_motion.cams.segment": {"do": do_segment},
-    "table_motion.cams.phase": {"do": do_phase},
-    "table_motion.cams.phase_status": {"read": read_phase_status},
+    "table_motion.cams.table": {"do": of_word(Cams, do_table)},
+    "table_motion.cams.cam": {
+        "read": of(Cams, lambda cams, axis: cams.modes.get(axis, 0)),
+        "load": loads(Cams, put_cam),
+    },
+    "table_motion.cams.index": {"read": of(Environment, lambda e, axis: e.controller.cam_index(axis) + 1)},
+    "table_motion.cams.segment": {"do": of_word(Cams, do_segment)},
+    "table_motion.cams.phase": {"do": of(Cams, do_phase)},
+    "table_motion.cams.phase_status": {"read": of(Cams, read_phase_status)},
 }

@@ -11,58 +11,45 @@ from itertools import pairwise
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.profile_playback import Played
-from motionlang.mint.keywords.axis_settings import writing
-from motionlang.mint.keywords.buffer_operations import loader
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.buffer_operations import loads
 from motionlang.mint.keywords.table_motion_cams import (
     ABSOLUTE,
     CONTINUOUS,
     TRULY_ABSOLUTE,
+    do_segment,
     elements,
-    rewriting,
     span,
 )
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.environment import Environment
 from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.profile.table_motion import spline_slopes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.moves.entries import Timed
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
 
-    Operation = Callable[..., object]
     Array = list[float]
 
 SECOND = 8
 # Milliseconds: the least and the greatest time of a segment, and the step in which it counts.
 SHORTEST, LONGEST, STEP = 4, 60000, 2
-DEFAULTS = {"SPLINESTART": 1, "SPLINEEND": 0, "SPLINETIME": 100}
+DEFAULTS = {"SPLINESTART": 1, "SPLINETIME": 100}
 
 
-class Splines:
+class Splines(Settings):
     """The tables and settings of every axis."""
 
+    defaults = DEFAULTS
+
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
+        super().__init__(environment)
         self.arrays: dict[int, tuple[Array, Array | None, Array | None]] = {}
         self.modes: dict[int, int] = {}
-        self._settings: dict[tuple[str, int], float] = {}
         # The last segment of the spline under way.
         self.ends: dict[int, int] = {}
-
-    def setting(self, name: str, axis: int) -> int:
-        return int(self._settings.get((name, axis), DEFAULTS[name]))
-
-    def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
-
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        for name in DEFAULTS:
-            self._settings.pop((name, axis), None)
 
     def motion(self, axis: int, mode: int, start: float, first_time: bool) -> Timed:
         """The way through the table from `start`, counts; from rest the first time, else as the last one ended."""
@@ -87,7 +74,7 @@ class Splines:
                 "range", f"axis {axis} has no spline", f"write SPLINETABLE({axis}, positions) first"
             )
         positions, velocities, times = self.arrays[axis]
-        steps, scale = elements(positions, "SPLINETABLE"), scale_of(self._environment, axis)
+        steps, scale = elements(positions, "SPLINETABLE"), self.scale(axis)
         first, end = span(
             self.setting("SPLINESTART", axis), self.setting("SPLINEEND", axis), len(steps), "SPLINE"
         )
@@ -135,99 +122,67 @@ def _seam(points: list[float], times: list[float], smooth: bool) -> float:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def do_table(environment: Environment, row: Row) -> Operation:
+def do_table(
+    splines: Splines,
+    row: Row,
+    axis: int,
+    positions: Array | None,
+    velocities: Array | None,
+    times: Array | None,
+    line: int,
+) -> None:
     """SPLINETABLE: the arrays of positions, velocities and times; without any the table is forgotten."""
-    splines = environment.part(Splines)
-
-    def do(
-        axis: int, positions: Array | None, velocities: Array | None, times: Array | None, line: int
-    ) -> None:
-        axis_of(environment, axis)
-        if positions is None:
-            splines.arrays.pop(axis, None)
-            return
-        elements(positions, row.name)
-        splines.arrays[axis] = positions, velocities, times
-
-    return do
+    if positions is None:
+        splines.arrays.pop(axis, None)
+        return
+    elements(positions, row.name)
+    splines.arrays[axis] = positions, velocities, times
 
 
-def do_segment(environment: Environment, row: Row) -> Operation:
-    """SPLINESEGMENT: other values for some segments of a spline."""
-    return rewriting(environment, row, environment.part(Splines).arrays)
-
-
-def load_spline(environment: Environment, row: Row) -> Operation:
+def put_spline(splines: Splines, row: Row, axis: int, mode: int, line: int) -> None:
     """SPLINE: run through the table once or for ever. Refusal unless the axis is idle, its buffer empty."""
-    controller, splines = environment.controller, environment.part(Splines)
+    row.check(mode)
+    controller = splines.controller
+    if not controller.is_idle(axis) or controller.axes[axis].buffer:
+        raise Refusal("moving", f"axis {axis} is moving, or its buffer is not empty",
+                      "a spline needs the axis idle and nothing else in its buffer")  # fmt: skip
 
-    def put(axis: int, mode: int, line: int) -> None:
-        row.check(mode)
-        if not controller.is_idle(axis) or controller.axes[axis].buffer:
-            raise Refusal("moving", f"axis {axis} is moving, or its buffer is not empty",
-                          "a spline needs the axis idle and nothing else in its buffer")  # fmt: skip
+    def make(start: float) -> Timed:
+        return splines.motion(axis, mode, start, True)
 
-        def make(start: float) -> Timed:
-            return splines.motion(axis, mode, start, True)
+    def again(start: float) -> Timed:
+        return splines.motion(axis, mode, start, False)
 
-        def again(start: float) -> Timed:
-            return splines.motion(axis, mode, start, False)
-
-        controller.load_points(axis, make, again if mode & CONTINUOUS else None, row.name, line)
-        splines.modes[axis] = mode
-
-    return loader(environment, put)
+    controller.load_points(axis, make, again if mode & CONTINUOUS else None, row.name, line)
+    splines.modes[axis] = mode
 
 
-def read_spline(environment: Environment, row: Row) -> Operation:
-    splines = environment.part(Splines)
-    return lambda axis: splines.modes.get(axis_of(environment, axis), 0)
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
-    splines, name = environment.part(Splines), row.name
-    return lambda axis: splines.setting(name, axis_of(environment, axis))
-
-
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """SPLINESTART, SPLINEEND, and SPLINETIME in ms."""
-    return writing(environment, row, environment.part(Splines).set)
-
-
-def read_index(environment: Environment, row: Row) -> Operation:
+def read_index(splines: Splines, axis: int) -> int:
     """The number of the segment that is executing, 0 where there is no spline; what is ahead is counted."""
-    splines, controller = environment.part(Splines), environment.controller
-
-    def read(axis: int) -> int:
-        a = controller.axes[axis_of(environment, axis)]
-        if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Played):
-            return 0
-        path, place, _ = a.move.action.state(controller, a)
-        ahead = len(path.knots) - 1 - bisect_right(path.knots, place)
-        # A cycle that was suspended near its end has the next one behind it.
-        return splines.ends[axis] - ahead % (splines.ends[axis] - splines.setting("SPLINESTART", axis) + 1)
-
-    return read
+    a = splines.controller.axes[axis]
+    if a.move is None or a.move.command != "SPLINE" or not isinstance(a.move.action, Played):
+        return 0
+    path, place, _ = a.move.action.state(splines.controller, a)
+    ahead = len(path.knots) - 1 - bisect_right(path.knots, place)
+    # A cycle that was suspended near its end has the next one behind it.
+    return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
 
 
-def read_suspend_time(environment: Environment, row: Row) -> Operation:
-    axes = environment.controller.axes
-    return lambda axis: round(axes[axis_of(environment, axis)].suspend_time * 1000.0)
-
-
-def write_suspend_time(environment: Environment, row: Row) -> Operation:
-    def write(axis: int, milliseconds: float) -> None:
-        row.check(milliseconds)
-        environment.controller.configure(axis_of(environment, axis), "suspend_time", milliseconds / 1000.0)
-
-    return write
+def write_suspend_time(environment: Environment, axis: int, milliseconds: float) -> None:
+    environment.controller.configure(axis, "suspend_time", milliseconds / 1000.0)
 
 
 OPERATIONS = {
-    "table_motion.splines.table": {"do": do_table},
-    "table_motion.splines.spline": {"read": read_spline, "load": load_spline},
-    "table_motion.splines.setting": {"read": read_setting, "write": write_setting},
-    "table_motion.splines.suspend_time": {"read": read_suspend_time, "write": write_suspend_time},
-    "table_motion.splines.index": {"read": read_index},
-    "table_motion.splines.segment": {"do": do_segment},
+    "table_motion.splines.table": {"do": of_word(Splines, do_table)},
+    "table_motion.splines.spline": {
+        "read": of(Splines, lambda splines, axis: splines.modes.get(axis, 0)),
+        "load": loads(Splines, put_spline),
+    },
+    "table_motion.splines.setting": {"read": reading(Splines), "write": writing(Splines)},
+    "table_motion.splines.suspend_time": {
+        "read": of(Environment, lambda e, axis: round(e.controller.axes[axis].suspend_time * 1000.0)),
+        "write": of(Environment, write_suspend_time),
+    },
+    "table_motion.splines.index": {"read": of(Splines, read_index)},
+    "table_motion.splines.segment": {"do": of_word(Splines, do_segment)},
 }

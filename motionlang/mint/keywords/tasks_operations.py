@@ -6,12 +6,8 @@ from motionlang.mint.runtime.errors import text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 
 def read_task_priority(environment: Environment, row: Row) -> Operation:
@@ -22,7 +18,6 @@ def write_task_priority(environment: Environment, row: Row) -> Operation:
     """TASKPRIORITY, of a task that runs and of one that is started later."""
 
     def write(name: str, value: int) -> None:
-        row.check(value)
         environment.priorities[name] = value
         if name in environment.tasks:
             environment.tasks[name].priority = value
@@ -36,7 +31,6 @@ def read_task_quantum(environment: Environment, row: Row) -> Operation:
 
 def write_task_quantum(environment: Environment, row: Row) -> Operation:
     def write(name: str, value: int) -> None:
-        row.check(value)
         environment.quanta[name] = value
 
     return write
@@ -64,7 +58,6 @@ def read_timer_event(environment: Environment, row: Row) -> Operation:
 
 def write_timer_event(environment: Environment, row: Row) -> Operation:
     def write(value: int) -> None:
-        row.check(value)
         environment.events.set_timer(value)
 
     return write

@@ -13,13 +13,9 @@ from motionlang.mint.runtime.input_values import take, wait_for_answer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.lang.task import Wait
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # All terminals that there can be, and what stands for those of TERMINAL.
 ALL = 255
@@ -95,7 +91,6 @@ def write_terminal(environment: Environment, row: Row) -> Operation:
     terminals = environment.part(Terminals)
 
     def write(pattern: int) -> None:
-        row.check(pattern)
         terminals.choose(pattern)
 
     return write

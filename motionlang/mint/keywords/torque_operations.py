@@ -7,43 +7,40 @@ output, which is torque where the machine file gives the motor a current amplifi
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.keywords.axis_settings import forget, reading
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 # Volts of one percent of full scale, and the full scale.
 _PERCENT, FULL = 0.1, 10.0
+DEFAULTS = {"TORQUEREFENABLE": 1.0}
 
 
-class TorqueReferences:
+class TorqueReferences(Settings):
     """The settings of torque references, by keyword and axis, and the ramps that are under way."""
 
+    defaults = DEFAULTS
+
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._controller = environment.controller
-        self._settings: dict[tuple[str, int], float] = {}
+        super().__init__(environment)
         # The percent in force on axes whose output is the reference's.
         self._present: dict[int, float] = {}
         self._ramping: set[int] = set()
-        self._controller.analogue_inputs.listeners.append(self._analogue)
-
-    def setting(self, name: str, axis: int) -> float:
-        return self._settings.get((name, axis), 1.0 if name == "TORQUEREFENABLE" else 0.0)
+        self.controller.analogue_inputs.listeners.append(self._analogue)
 
     def set(self, name: str, axis: int, value: float) -> None:
-        self._settings[name, axis] = value
+        """Write a setting; an axis whose output is the reference's goes by it at once."""
+        if name == "TORQUEREFSOURCE" and value:
+            checked(int(value) - 1, LAST_ANALOGUE, "analogue input")
+        super().set(name, axis, value)
         if name in ("TORQUEREFENABLE", "TORQUEREFSOURCE") and (
             self.has(axis) or (name == "TORQUEREFSOURCE" and value)
         ):
@@ -51,7 +48,7 @@ class TorqueReferences:
 
     def has(self, axis: int) -> bool:
         """Whether the output of the axis is the reference's: until something closes the loop again."""
-        if axis in self._present and not self._controller.is_open(axis):
+        if axis in self._present and not self.controller.is_open(axis):
             del self._present[axis]
         return axis in self._present
 
@@ -60,9 +57,7 @@ class TorqueReferences:
         if not self.setting("TORQUEREFENABLE", axis):
             return 0.0
         source = int(self.setting("TORQUEREFSOURCE", axis))
-        return (
-            self._environment.part(Analogue).read(source - 1) if source else self.setting("TORQUEREF", axis)
-        )
+        return self.environment.part(Analogue).read(source - 1) if source else self.setting("TORQUEREF", axis)
 
     def run(self, axis: int) -> None:
         """Ramp to the reference, from 0 where the axis has been under control."""
@@ -79,23 +74,19 @@ class TorqueReferences:
         """The percent in force; 0 where the axis is under control."""
         return self._present[axis] if self.has(axis) else 0.0
 
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        forget(self._settings, axis)
-
     def _step(self, axis: int) -> None:
         """One servo loop of the ramp."""
         self._ramping.discard(axis)
         if not self.has(axis):
             return
-        seconds = self._controller.gain(axis, PERIOD, LOOP_TIME) / 1e6
+        seconds = self.controller.gain(axis, PERIOD, LOOP_TIME) / 1e6
         present, wanted = self._present[axis], self.wanted(axis)
         following = self._next(axis, present, wanted, seconds)
         if following != present:
             self._open(axis, following)
         if following != wanted:
             self._ramping.add(axis)
-            clock = self._environment.clock
+            clock = self.environment.clock
             clock.at(clock.now + seconds, lambda: self._step(axis))
 
     def _next(self, axis: int, present: float, wanted: float, seconds: float) -> float:
@@ -107,7 +98,7 @@ class TorqueReferences:
         return goal if abs(goal - present) <= most else present + (most if goal > present else -most)
 
     def _open(self, axis: int, percent: float) -> None:
-        self._controller.open_loop(axis, percent * _PERCENT)
+        self.controller.open_loop(axis, percent * _PERCENT)
         self._present[axis] = percent
 
     def _analogue(self, channel: int, value: float) -> None:
@@ -119,74 +110,32 @@ class TorqueReferences:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_reference(environment: Environment, row: Row) -> Operation:
-    references = environment.part(TorqueReferences)
-    return lambda axis: references.wanted(axis_of(environment, axis))
-
-
-def write_reference(environment: Environment, row: Row) -> Operation:
+def write_reference(references: TorqueReferences, row: Row, axis: int, percent: float, line: int) -> None:
     """TORQUEREF: ramp the motor's output to a percentage, in place of its servo loop."""
-    references = environment.part(TorqueReferences)
-
-    def write(axis: int, percent: float, line: int) -> None:
-        row.check(percent)
-        references.set(row.name, axis_of(environment, axis), percent)
-        references.run(axis)
-
-    return write
+    references.set(row.name, axis, percent)
+    references.run(axis)
 
 
-def read_setting(environment: Environment, row: Row) -> Operation:
-    """The source of TORQUEREF and its enabling, and its ramps in ms."""
-    return reading(environment, row, environment.part(TorqueReferences).setting)
-
-
-def write_setting(environment: Environment, row: Row) -> Operation:
-    """The source of TORQUEREF and its enabling, and its ramps in ms."""
-    references, name = environment.part(TorqueReferences), row.name
-
-    def write(axis: int, value: float) -> None:
-        row.check(value)
-        if name == "TORQUEREFSOURCE" and value:
-            checked(int(value) - 1, LAST_ANALOGUE, "analogue input")
-        references.set(name, axis_of(environment, axis), value)
-
-    return write
-
-
-@moving
-def read_demand(environment: Environment, row: Row) -> Operation:
+def demand(environment: Environment, axis: int) -> float:
     """TORQUEDEMAND: the output to the motor, percent."""
-    output = environment.controller.servo_output
-    return lambda axis: 100.0 * output(axis_of(environment, axis)) / FULL
+    return 100.0 * environment.controller.servo_output(axis) / FULL
 
 
-@moving
-def read_effort(environment: Environment, row: Row) -> Operation:
-    """EFFORT: how much of what it can do the motor is asked for."""
-    demand = read_demand(environment, row)
-    return lambda axis: abs(demand(axis))
-
-
-@moving
-def read_current(environment: Environment, row: Row) -> Operation:
+def read_current(environment: Environment, row: Row, axis: int, channel: int) -> float:
     """CURRENTMEAS and CURRENTDEMAND: of a simulated motor, whose amplifier does what is asked of it."""
-    current = environment.controller.motor_current
-
-    def read(axis: int, channel: int) -> float:
-        axis_of(environment, axis)
-        if channel:
-            hint = "channel 0 is the current of the motor, the only one that is simulated"
-            raise Refusal("channel", f"{row.name}: there is no current {channel}", hint)
-        return current(axis)
-
-    return read
+    if channel:
+        hint = "channel 0 is the current of the motor, the only one that is simulated"
+        raise Refusal("channel", f"{row.name}: there is no current {channel}", hint)
+    return environment.controller.motor_current(axis)
 
 
 OPERATIONS = {
-    "torque.reference": {"read": read_reference, "write": write_reference},
-    "torque.setting": {"read": read_setting, "write": write_setting},
-    "torque.demand": {"read": read_demand},
-    "torque.effort": {"read": read_effort},
-    "torque.current": {"read": read_current},
+    "torque.reference": {
+        "read": of(TorqueReferences, TorqueReferences.wanted),
+        "write": of_word(TorqueReferences, write_reference),
+    },
+    "torque.setting": {"read": reading(TorqueReferences), "write": writing(TorqueReferences)},
+    "torque.demand": {"read": moving(of(Environment, demand))},
+    "torque.effort": {"read": moving(of(Environment, lambda e, axis: abs(demand(e, axis))))},
+    "torque.current": {"read": moving(of_word(Environment, read_current))},
 }

@@ -6,12 +6,8 @@ from motionlang.mint.runtime.binding import scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
-
-    Operation = Callable[..., object]
 
 POSITION, SPEED, ACCELERATION = range(3)
 
@@ -36,7 +32,6 @@ def write_position(environment: Environment, row: Row) -> Operation:
     """POSSCALEFACTOR, counts; the factors of speeds and accelerations stay."""
 
     def write(axis: int, value: float) -> None:
-        row.check(value)
         scale = scale_of(environment, axis)
         speed, acceleration = scale.speed, scale.acceleration
         environment.controller.set_scale(axis, value)
@@ -49,7 +44,6 @@ def write_speed(environment: Environment, row: Row) -> Operation:
     """VELSCALEFACTOR, counts in the unit of length of speeds."""
 
     def write(axis: int, value: float) -> None:
-        row.check(value)
         scale = scale_of(environment, axis)
         environment.controller.set_units(axis, value, scale.acceleration)
 
@@ -60,7 +54,6 @@ def write_acceleration(environment: Environment, row: Row) -> Operation:
     """ACCELSCALEFACTOR, counts in the unit of length of accelerations and jerks."""
 
     def write(axis: int, value: float) -> None:
-        row.check(value)
         scale = scale_of(environment, axis)
         environment.controller.set_units(axis, scale.speed, value)
 

@@ -7,7 +7,8 @@ only programs that use it import it. What the maker returns is called with the i
 commands of axes, the whole group "motion") the line of the statement. One for "load" answers true while there is no
 room and the statement must wait. What is read or written of an axis is bound to it when the program starts, or when
 it first names the axis (`bind_to_axis`); a maker with `by_axis` above it makes what is bound, as the controller's
-readers and writers are.
+readers and writers are. Most operations are functions of a part of the environment: `of` and `of_word` make their
+makers. A value that is written lies in the range of its row: that is looked at here, and nowhere else.
 """
 
 from __future__ import annotations
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
     Operation = Callable[..., object]
     Maker = Callable[["Environment", "Row"], Operation]
+    # What binds an operation to an axis.
+    Bound = Callable[["Environment", "Row"], Callable[[int], Operation]]
 
 # Units of what is whole.
 _WHOLE = ("integer", "bool", "bits")
@@ -69,23 +72,92 @@ class Each(dict[int, "Operation"]):
 
 def by_axis(make: Callable[[Environment, Row, int], Operation]) -> Maker:
     """A maker of what is bound to an axis, as which it is kept and called."""
+    return to_each_axis(
+        lambda environment, row: lambda axis: make(environment, row, axis_of(environment, axis))
+    )
+
+
+def of(kind: type, function: Operation) -> Maker:
+    """The maker of a function that is given a part of the environment, or that itself, before all else.
+
+    Where the first index is an axis it is one that there is.
+    """
+    return _made(lambda environment, row: partial(function, environment.part(kind)))
+
+
+def of_word(kind: type, function: Operation) -> Maker:
+    """The same of a function that goes by the row of the word, too: it is given that after the part."""
+    return _made(lambda environment, row: partial(function, environment.part(kind), row))
+
+
+def _made(make: Maker) -> Maker:
+    def bound(environment: Environment, row: Row) -> Callable[[int], Operation]:
+        operation = make(environment, row)
+        return lambda axis: partial(operation, axis_of(environment, axis))
+
+    to_each = to_each_axis(bound)
 
     def made(environment: Environment, row: Row) -> Operation:
-        each = Each(lambda axis: make(environment, row, axis_of(environment, axis)))
+        return (to_each if row.index.startswith("axis") else make)(environment, row)
+
+    made.by_axis = bound  # type: ignore[attr-defined]
+    return made
+
+
+def to_each_axis(bound: Bound) -> Maker:
+    """A maker of what is bound to each axis by what `bound` answers with."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        each = Each(bound(environment, row))
         return lambda axis, *more: each[axis](*more)
 
-    made.by_axis = make  # type: ignore[attr-defined]
+    made.by_axis = bound  # type: ignore[attr-defined]
     return made
+
+
+def unchecked(make: Maker) -> Maker:
+    """The maker of a writing that takes any number, or looks at the range by itself."""
+    make.unchecked = True  # type: ignore[attr-defined]
+    return make
 
 
 def bind(environment: Environment, how: str, row: Row) -> Operation:
     """The operation of a keyword: `how` is "read", "write", "load" or "do"."""
-    return _maker(how, row)(environment, row)
+    maker = _maker(how, row)
+    operation = maker(environment, row)
+    return _in_range(row, operation, _brackets(row)) if _is_checked(how, row, maker) else operation
 
 
 def bind_to_axis(environment: Environment, how: str, row: Row) -> Callable[[int], Operation]:
     """What makes the operation of a keyword on an axis; it is called without the number of the axis."""
-    return _to_axis(environment, row, _maker(how, row))
+    maker = _maker(how, row)
+    bound = _to_axis(environment, row, maker)
+    return (lambda axis: _in_range(row, bound(axis), 0)) if _is_checked(how, row, maker) else bound
+
+
+def _is_checked(how: str, row: Row, maker: Maker) -> bool:
+    return how == "write" and not (row.low is row.high is None or hasattr(maker, "unchecked"))
+
+
+def _in_range(row: Row, write: Operation, place: int) -> Operation:
+    """A writing that refuses a value outside the row's range; `place` is the value's among all that it is given."""
+    low, high = _limits(row)
+
+    def checked(*given: float) -> None:
+        if not low <= given[place] <= high:
+            row.check(given[place])
+        write(*given)
+
+    return checked
+
+
+def _limits(row: Row) -> tuple[float, float]:
+    return (-INFINITY if row.low is None else row.low), (INFINITY if row.high is None else row.high)
+
+
+def _brackets(row: Row) -> int:
+    """How many indices stand in the brackets of a word."""
+    return 0 if row.index == "none" else row.index.count(",") + 1
 
 
 def held(environment: Environment, row: Row) -> Operation:
@@ -97,7 +169,7 @@ def held(environment: Environment, row: Row) -> Operation:
     if maker is not None:
         return maker(environment, row)
     read = bind(environment, "read", row)
-    count = 0 if row.index == "none" else row.index.count(",") + 1
+    count = _brackets(row)
     return lambda *given: read(*given[:count])
 
 
@@ -116,9 +188,9 @@ def held_by_axis(environment: Environment, row: Row) -> Callable[[int], Operatio
 
 
 def _to_axis(environment: Environment, row: Row, maker: Maker) -> Callable[[int], Operation]:
-    make = getattr(maker, "by_axis", None)
-    if make is not None:
-        return lambda axis: make(environment, row, axis_of(environment, axis))
+    bound: Bound | None = getattr(maker, "by_axis", None)
+    if bound is not None:
+        return bound(environment, row)
     operation = maker(environment, row)
     return lambda axis: partial(operation, axis)
 
@@ -171,12 +243,12 @@ def no_axis(environment: Environment, axis: int) -> Refusal:
     return Refusal("axis", f"there is no axis {axis}", f"this controller has axes {axes[0]} to {axes[-1]}")
 
 
+@unchecked
 @repeatable
 @by_axis
 def _write_setting(environment: Environment, row: Row, axis: int) -> Operation:
     write = environment.controller.writer(row.verb, axis, row.unit)
-    low = -INFINITY if row.low is None else row.low
-    high = INFINITY if row.high is None else row.high
+    low, high = _limits(row)
     in_ms = row.unit == "ms"
 
     def checked(value: float) -> None:

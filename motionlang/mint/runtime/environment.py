@@ -92,7 +92,7 @@ class Environment(Waits):
         # What the machine file has settings be at power-up, where it speaks of any.
         self.power_up: PowerUp | None = None
         self._refused: tuple[Callable[..., object], tuple[Any, ...]]
-        self._parts: dict[type, object] = {}
+        self._parts: dict[type, object] = {Environment: self}
         self._events: Events | None = None
         self._errors: Errors | None = None
         self._random: Callable[[], float] | None = None
@@ -132,7 +132,7 @@ class Environment(Waits):
         if self._events is None:
             from motionlang.mint.runtime.events import Events
 
-            self._events = Events(self)
+            self._events = self.part(Events)
         return self._events
 
     @property
@@ -141,7 +141,7 @@ class Environment(Waits):
         if self._errors is None:
             from motionlang.mint.runtime.errors import Errors
 
-            self._errors = Errors(self)
+            self._errors = self.part(Errors)
         return self._errors
 
     def make_operations(self, specs: Sequence[tuple[object, ...]]) -> tuple[object, ...]:
