@@ -7,13 +7,14 @@ from math import floor
 from motionlang.controller.io.encoder import AUXILIARY
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
-from motionlang.mint.keywords.latches_operations import SETTINGS, Latch
+from motionlang.mint.keywords.latches_operations import SETTINGS, FastLatches, Latch
 from motionlang.mint.keywords.sensing_operations import channel_of
+from motionlang.mint.runtime.binding import of, of_word, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
 
@@ -24,67 +25,45 @@ class AuxLatch(Latch):
         return self._controller.encoder_position(AUXILIARY + self.axis)
 
 
-class AuxLatches:
-    """The fast latch of every auxiliary encoder, from its first use on."""
+class AuxLatches(FastLatches):
+    """The fast latch of every auxiliary encoder, from its first use on; a catch raises FASTIN."""
+
+    kind = AuxLatch
 
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._latches: dict[int, AuxLatch] = {}
+        super().__init__(environment)
+        self.encoders = environment.part(AuxEncoders)
 
-    def latch(self, channel: int) -> AuxLatch:
-        """The latch of an auxiliary encoder, made on first use; a catch raises FASTIN."""
-        latch = self._latches.get(_channel(channel))
-        if latch is None:
-            events = self._environment.events
-            latch = AuxLatch(self._environment, channel, lambda fired: events.raise_("fastin", fired.input))
-            self._latches[channel] = latch
-        return latch
+    def checked(self, number: int) -> int:
+        return _channel(number)
+
+    def default(self, axis: int) -> None:
+        """DEFAULT: they are no axis's."""
 
 
 def _setting(row: Row) -> str:
     return SETTINGS[row.name.replace("AUX", "")]
 
 
-def _per_unit(environment: Environment, row: Row, channel: int) -> float:
+def _per_unit(latches: AuxLatches, row: Row, channel: int) -> float:
     """Counts in one unit of what the encoder shows, for distances."""
-    return environment.part(AuxEncoders).per_unit(channel) if row.unit == "number" else 1.0
+    return latches.encoders.per_unit(channel) if row.unit == "number" else 1.0
 
 
-def read_setting(environment: Environment, row: Row) -> Operation:
+def read_setting(latches: AuxLatches, row: Row, channel: int) -> float:
     """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
-    latches, name, whole = environment.part(AuxLatches), _setting(row), row.unit != "number"
-
-    def read(channel: int) -> float:
-        value: float = getattr(latches.latch(channel), name)
-        return int(value) if whole else value / _per_unit(environment, row, channel)
-
-    return read
+    value: float = getattr(latches.latch(channel), _setting(row))
+    return value / _per_unit(latches, row, channel) if row.unit == "number" else int(value)
 
 
-def write_setting(environment: Environment, row: Row) -> Operation:
+def write_setting(latches: AuxLatches, row: Row, channel: int, value: float) -> None:
     """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
-    latches, name = environment.part(AuxLatches), _setting(row)
-
-    def write(channel: int, value: float) -> None:
-        latches.latch(channel).set(name, value * abs(_per_unit(environment, row, channel)))
-
-    return write
+    latches.latch(channel).set(_setting(row), value * abs(_per_unit(latches, row, channel)))
 
 
-def write_enable(environment: Environment, row: Row) -> Operation:
-    latch = environment.part(AuxLatches).latch
-    return lambda channel, armed: latch(channel).arm(bool(armed))
-
-
-def read_caught(environment: Environment, row: Row) -> Operation:
-    latch = environment.part(AuxLatches).latch
-    return lambda channel: int(latch(channel).read())
-
-
-def read_encoder(environment: Environment, row: Row) -> Operation:
+def read_encoder(latches: AuxLatches, channel: int) -> float:
     """FASTAUXENCODER: what the encoder would show at the counts that were caught."""
-    latch, encoders = environment.part(AuxLatches).latch, environment.part(AuxEncoders)
-    return lambda channel: encoders.shown(channel, latch(channel).value)
+    return latches.encoders.shown(channel, latches.latch(channel).value)
 
 
 # ---------------------------------------------------------------------------------------------- index marks
@@ -132,7 +111,7 @@ class Indexes:
     """The index marks of the encoders of axes and of the world: they are looked for from the program's start."""
 
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
+        self.environment = environment
         controller = environment.controller
         self._found: dict[int, Index] = {}
         for channel in [*controller.axes, *controller.encoders]:
@@ -142,72 +121,60 @@ class Indexes:
     def of(self, channel: int) -> Index:
         """The marks of an encoder; auxiliary ones are numbered from `AUXILIARY` on."""
         if channel not in self._found:
-            controller = self._environment.controller
+            controller = self.environment.controller
             of_axis = channel in controller.axes and channel not in controller.encoders
             track = controller.axes[channel] if of_axis else controller.encoder(channel)
-            self._found[channel] = Index(self._environment, track, of_axis)
+            self._found[channel] = Index(self.environment, track, of_axis)
         return self._found[channel]
+
+    def of_aux(self, channel: int) -> Index:
+        return self.of(AUXILIARY + _channel(channel))
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "scale" and axis in self._found:
             self._found[axis].put()
 
 
-def _aux(channel: int) -> int:
-    return AUXILIARY + _channel(channel)
+def _passed(indexes: Indexes, channel: int) -> int:
+    return int(indexes.of(channel_of(indexes.environment, channel)).take())
 
 
-def read_passed(environment: Environment, row: Row) -> Operation:
-    """ENCODERZLATCH."""
-    indexes = environment.part(Indexes)
-    return lambda channel: int(indexes.of(channel_of(environment, channel)).take())
-
-
-def read_aux_passed(environment: Environment, row: Row) -> Operation:
-    """AUXENCODERZLATCH."""
-    indexes = environment.part(Indexes)
-    return lambda channel: int(indexes.of(_aux(channel)).take())
-
-
-def write_zero_enable(environment: Environment, row: Row) -> Operation:
+def write_armed(indexes: Indexes, channel: int, armed: int) -> None:
     """AUXENCODERZEROENABLE: the next index mark is caught."""
-    indexes = environment.part(Indexes)
-
-    def write(channel: int, armed: int) -> None:
-        indexes.of(_aux(channel)).armed = bool(armed)
-
-    return write
+    indexes.of_aux(channel).armed = bool(armed)
 
 
-def read_zero_mode(environment: Environment, row: Row) -> Operation:
-    indexes = environment.part(Indexes)
-    return lambda channel: indexes.of(_aux(channel)).mode
-
-
-def write_zero_mode(environment: Environment, row: Row) -> Operation:
+def write_mode(indexes: Indexes, channel: int, mode: int) -> None:
     """AUXENCODERZEROLATCHMODE."""
-    indexes = environment.part(Indexes)
-
-    def write(channel: int, mode: int) -> None:
-        indexes.of(_aux(channel)).mode = mode
-
-    return write
+    indexes.of_aux(channel).mode = mode
 
 
-def read_zero_place(environment: Environment, row: Row) -> Operation:
+def read_place(indexes: Indexes, channel: int) -> float:
     """AUXENCODERZEROPOSITION: what the encoder would show at the mark that was caught."""
-    indexes, encoders = environment.part(Indexes), environment.part(AuxEncoders)
-    return lambda channel: encoders.shown(channel, indexes.of(_aux(channel)).place)
+    return indexes.environment.part(AuxEncoders).shown(channel, indexes.of_aux(channel).place)
 
 
 OPERATIONS = {
-    "auxiliary_latches.setting": {"read": read_setting, "write": write_setting},
-    "auxiliary_latches.enable": {"write": write_enable},
-    "auxiliary_latches.caught": {"read": read_caught},
-    "auxiliary_latches.encoder": {"read": read_encoder},
-    "auxiliary_latches.passed": {"read": read_passed},
-    "auxiliary_latches.aux_passed": {"read": read_aux_passed},
-    "auxiliary_latches.zero_enable": {"write": write_zero_enable},
-    "auxiliary_latches.zero_mode": {"read": read_zero_mode, "write": write_zero_mode},
-    "auxiliary_latches.zero_place": {"read": read_zero_place},
+    "auxiliary_latches.setting": {
+        "read": of_word(AuxLatches, read_setting),
+        "write": of_word(AuxLatches, write_setting),
+    },
+    "auxiliary_latches.enable": {
+        "write": unchecked(of(AuxLatches, lambda part, channel, armed: part.latch(channel).arm(bool(armed))))
+    },
+    "auxiliary_latches.caught": {
+        "read": of(AuxLatches, lambda latches, channel: int(latches.latch(channel).read()))
+    },
+    "auxiliary_latches.encoder": {"read": of(AuxLatches, read_encoder)},
+    # ENCODERZLATCH and AUXENCODERZLATCH.
+    "auxiliary_latches.passed": {"read": of(Indexes, _passed)},
+    "auxiliary_latches.aux_passed": {
+        "read": of(Indexes, lambda indexes, channel: int(indexes.of_aux(channel).take()))
+    },
+    "auxiliary_latches.zero_enable": {"write": of(Indexes, write_armed)},
+    "auxiliary_latches.zero_mode": {
+        "read": of(Indexes, lambda indexes, channel: indexes.of_aux(channel).mode),
+        "write": of(Indexes, write_mode),
+    },
+    "auxiliary_latches.zero_place": {"read": of(Indexes, read_place)},
 }

@@ -16,14 +16,13 @@ from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.sensing_operations import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import axis_of, of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
-    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
 LAST_BOX = 31
@@ -152,58 +151,52 @@ class CamBoxes:
     """The boxes, each from its first use on."""
 
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
+        self.environment = environment
         self._boxes: dict[int, CamBox] = {}
 
     def box(self, number: int) -> CamBox:
         checked(number, LAST_BOX, "cam box")
         if number not in self._boxes:
-            self._boxes[number] = CamBox(self._environment, number)
+            self._boxes[number] = CamBox(self.environment, number)
         return self._boxes[number]
 
 
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_box(environment: Environment, row: Row) -> Operation:
-    box = environment.part(CamBoxes).box
-    return lambda number: int(box(number).enabled)
-
-
-def write_box(environment: Environment, row: Row) -> Operation:
+def write_box(boxes: CamBoxes, number: int, enabled: int) -> None:
     """CAMBOX: begin with the data as they are now, or end."""
-    box = environment.part(CamBoxes).box
-
-    def write(number: int, enabled: int) -> None:
-        box(number).enable(bool(enabled))
-
-    return write
+    boxes.box(number).enable(bool(enabled))
 
 
-def do_data(environment: Environment, row: Row) -> Operation:
+def do_data(
+    boxes: CamBoxes,
+    number: int,
+    output: int,
+    kind: int,
+    channel: int,
+    time: int,
+    table: Sequence[float] | None,
+) -> None:
     """CAMBOXDATA: output, source, lead in ms and table; a box at work begins anew with them."""
-    boxes = environment.part(CamBoxes)
-
-    def do(
-        number: int, output: int, kind: int, channel: int, time: int, table: Sequence[float] | None
-    ) -> None:
-        box = boxes.box(number)
-        checked(output, LAST_CHANNEL, "output")
-        checked(kind, AUX_ENCODER, "source of a cam box")
-        if not 0 <= time <= 32767:
-            raise Refusal("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
-        look = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
-        look(environment, channel)
-        enabled = box.enabled
-        box.enable(False)
-        box.output, box.kind, box.channel, box.lead, box.table = output, kind, channel, time / 1000.0, table
-        if enabled:
-            box.enable(True)
-
-    return do
+    box = boxes.box(number)
+    checked(output, LAST_CHANNEL, "output")
+    checked(kind, AUX_ENCODER, "source of a cam box")
+    if not 0 <= time <= 32767:
+        raise Refusal("range", f"CAMBOXDATA cannot switch {time} ms ahead", "it takes 0 to 32767")
+    look = (axis_of, channel_of, lambda _, channel: _channel(channel))[kind]
+    look(boxes.environment, channel)
+    enabled = box.enabled
+    box.enable(False)
+    box.output, box.kind, box.channel, box.lead, box.table = output, kind, channel, time / 1000.0, table
+    if enabled:
+        box.enable(True)
 
 
 OPERATIONS = {
-    "camboxes.box": {"read": read_box, "write": write_box},
-    "camboxes.data": {"do": do_data},
+    "camboxes.box": {
+        "read": of(CamBoxes, lambda boxes, number: int(boxes.box(number).enabled)),
+        "write": of(CamBoxes, write_box),
+    },
+    "camboxes.data": {"do": of(CamBoxes, do_data)},
 }

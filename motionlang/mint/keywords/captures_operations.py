@@ -12,6 +12,7 @@ from motionlang.mint.keywords import captures_quantities as quantities
 from motionlang.mint.keywords.captures_levels import watch
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_inputs import checked
+from motionlang.mint.runtime.binding import of, of_word
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -263,132 +264,70 @@ class Capture:
 
 # ----------------------------------------------------------------------------------------------- operations
 
-_CHANNEL = {"CAPTUREMODE": "mode", "CAPTUREAXIS": "axis", "CAPTUREMODEPARAMETER": "parameter"}
+# Keyword -> the attribute of a channel or of a trigger.
+_ATTRIBUTES = {
+    "CAPTUREMODE": "mode",
+    "CAPTUREAXIS": "axis",
+    "CAPTUREMODEPARAMETER": "parameter",
+    "CAPTURETRIGGERMODE": "mode",
+    "CAPTURETRIGGERSOURCE": "source",
+    "CAPTURETRIGGERCHANNEL": "channel",
+    "CAPTURETRIGGERVALUE": "value",
+    "CAPTURETRIGGERABSOLUTE": "absolute",
+}
 
 
-def read_channel(environment: Environment, row: Row) -> Operation:
-    channels, name = environment.part(Capture).channels, _CHANNEL[row.name]
-    return lambda channel: getattr(channels[checked(channel, LAST_CHANNEL, "capture channel")], name)
+def _part(capture: Capture, row: Row, number: int) -> Channel | Trigger:
+    """The channel or the trigger of which a word is an attribute."""
+    if "TRIGGER" in row.name:
+        return capture.triggers[checked(number, LAST_TRIGGER, "trigger")]
+    return capture.channels[checked(number, LAST_CHANNEL, "capture channel")]
 
 
-def write_channel(environment: Environment, row: Row) -> Operation:
-    """CAPTUREMODE, -AXIS and -MODEPARAMETER; refused while a capture runs."""
-    capture, name = environment.part(Capture), _CHANNEL[row.name]
-
-    def write(channel: int, value: int) -> None:
-        checked(channel, LAST_CHANNEL, "capture channel")
-        capture.refuse_running()
-        setattr(capture.channels[channel], name, value)
-
-    return write
+def read_attribute(capture: Capture, row: Row, number: int) -> object:
+    return getattr(_part(capture, row, number), _ATTRIBUTES[row.name])
 
 
-def read_name(environment: Environment, row: Row) -> Operation:
-    channels = environment.part(Capture).channels
-    return lambda channel: quantities.NAMES[channels[checked(channel, LAST_CHANNEL, "capture channel")].mode]
+def write_attribute(capture: Capture, row: Row, number: int, value: float) -> None:
+    """What a channel records, and what a trigger waits for; refused while a capture runs."""
+    part = _part(capture, row, number)
+    capture.refuse_running()
+    setattr(part, _ATTRIBUTES[row.name], value)
 
 
-def _trigger_setting(row: Row) -> str:
-    return row.name.removeprefix("CAPTURETRIGGER").lower()
+def read_name(capture: Capture, channel: int) -> str:
+    return quantities.NAMES[capture.channels[checked(channel, LAST_CHANNEL, "capture channel")].mode]
 
 
-def read_trigger(environment: Environment, row: Row) -> Operation:
-    triggers, name = environment.part(Capture).triggers, _trigger_setting(row)
-    return lambda trigger: getattr(triggers[checked(trigger, LAST_TRIGGER, "trigger")], name)
-
-
-def write_trigger(environment: Environment, row: Row) -> Operation:
-    """CAPTURETRIGGERMODE, -SOURCE, -CHANNEL, -VALUE and -ABSOLUTE; refused while a capture runs."""
-    capture, name = environment.part(Capture), _trigger_setting(row)
-
-    def write(trigger: int, value: float) -> None:
-        checked(trigger, LAST_TRIGGER, "trigger")
-        capture.refuse_running()
-        setattr(capture.triggers[trigger], name, value)
-
-    return write
-
-
-def do_trigger(environment: Environment, row: Row) -> Operation:
-    """CAPTURETRIGGER."""
-    return environment.part(Capture).trigger
-
-
-def read_spacing(environment: Environment, row: Row) -> Operation:
-    capture, name = environment.part(Capture), row.name
-    return lambda: capture.spacing(name)
-
-
-def write_spacing(environment: Environment, row: Row) -> Operation:
-    """CAPTUREINTERVAL in ticks, CAPTUREPERIOD in µs, CAPTUREDURATION in ms: the last one written holds."""
-    capture, name = environment.part(Capture), row.name
-
-    def write(value: float) -> None:
-        capture.space(name, value)
-
-    return write
-
-
-def read_points(environment: Environment, row: Row) -> Operation:
-    capture = environment.part(Capture)
-    return lambda: capture.points
-
-
-def write_points(environment: Environment, row: Row) -> Operation:
+def write_points(capture: Capture, points: int) -> None:
     """CAPTURENUMPOINTS; refused while a capture runs."""
-    capture = environment.part(Capture)
-
-    def write(points: int) -> None:
-        capture.refuse_running()
-        if not 1 <= points <= MOST_POINTS:
-            words = f"a capture cannot have {points} points"
-            raise Refusal("capture-points", words, f"it takes 1 to {MOST_POINTS}")
-        capture.points = points
-
-    return write
+    capture.refuse_running()
+    if not 1 <= points <= MOST_POINTS:
+        words = f"a capture cannot have {points} points"
+        raise Refusal("capture-points", words, f"it takes 1 to {MOST_POINTS}")
+    capture.points = points
 
 
-def read_before(environment: Environment, row: Row) -> Operation:
-    capture = environment.part(Capture)
-    return lambda: capture.before
-
-
-def write_before(environment: Environment, row: Row) -> Operation:
+def write_before(capture: Capture, milliseconds: float) -> None:
     """CAPTUREPRETRIGGERDURATION, ms; refused while a capture runs."""
-    capture = environment.part(Capture)
-
-    def write(milliseconds: float) -> None:
-        capture.refuse_running()
-        capture.before = int(milliseconds)
-
-    return write
+    capture.refuse_running()
+    capture.before = int(milliseconds)
 
 
-def read_running(environment: Environment, row: Row) -> Operation:
+def read_running(capture: Capture, row: Row) -> int:
     """CAPTURE, and CAPTURECOMMAND, which tells of the command that was given last."""
-    capture = environment.part(Capture)
     if row.name == "CAPTURECOMMAND":
-        return lambda: capture.command
-    return lambda: int(capture.status in (WAITING, CAPTURING))
+        return capture.command
+    return int(capture.status in (WAITING, CAPTURING))
 
 
-def write_running(environment: Environment, row: Row) -> Operation:
+def write_running(capture: Capture, row: Row, command: int) -> None:
     """CAPTURE begins at once, CAPTURECOMMAND waits for a trigger; 0 ends either."""
-    capture, waits = environment.part(Capture), row.name == "CAPTURECOMMAND"
-
-    def write(command: int) -> None:
-        if command:
-            capture.start(waits)
-        else:
-            capture.stop()
-        capture.command = command
-
-    return write
-
-
-def read_status(environment: Environment, row: Row) -> Operation:
-    capture = environment.part(Capture)
-    return lambda: capture.status
+    if command:
+        capture.start(row.name == "CAPTURECOMMAND")
+    else:
+        capture.stop()
+    capture.command = command
 
 
 def read_progress(environment: Environment, row: Row) -> Operation:
@@ -397,19 +336,26 @@ def read_progress(environment: Environment, row: Row) -> Operation:
     return lambda after: capture.progress(checked(after, 1, "part of a capture"))
 
 
-def read_point(environment: Environment, row: Row) -> Operation:
-    return environment.part(Capture).point
-
-
+_ATTRIBUTE = {"read": of_word(Capture, read_attribute), "write": of_word(Capture, write_attribute)}
 OPERATIONS = {
-    "captures.channel": {"read": read_channel, "write": write_channel},
-    "captures.name": {"read": read_name},
-    "captures.points": {"read": read_points, "write": write_points},
-    "captures.spacing": {"read": read_spacing, "write": write_spacing},
-    "captures.before": {"read": read_before, "write": write_before},
-    "captures.trigger": {"read": read_trigger, "write": write_trigger, "do": do_trigger},
-    "captures.running": {"read": read_running, "write": write_running},
-    "captures.status": {"read": read_status},
+    "captures.channel": _ATTRIBUTE,
+    "captures.name": {"read": of(Capture, read_name)},
+    "captures.points": {
+        "read": of(Capture, lambda capture: capture.points),
+        "write": of(Capture, write_points),
+    },
+    # CAPTUREINTERVAL in ticks, CAPTUREPERIOD in µs, CAPTUREDURATION in ms: the last one written holds.
+    "captures.spacing": {
+        "read": of_word(Capture, lambda capture, row: capture.spacing(row.name)),
+        "write": of_word(Capture, lambda capture, row, value: capture.space(row.name, value)),
+    },
+    "captures.before": {
+        "read": of(Capture, lambda capture: capture.before),
+        "write": of(Capture, write_before),
+    },
+    "captures.trigger": {**_ATTRIBUTE, "do": of(Capture, Capture.trigger)},
+    "captures.running": {"read": of_word(Capture, read_running), "write": of_word(Capture, write_running)},
+    "captures.status": {"read": of(Capture, lambda capture: capture.status)},
     "captures.progress": {"read": read_progress},
-    "captures.point": {"read": read_point},
+    "captures.point": {"read": of(Capture, Capture.point)},
 }

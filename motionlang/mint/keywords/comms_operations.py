@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from motionlang.controller.io.host_memory import AREAS, product
+from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
 # Which elements raise an event, by product (ABB AN00198 p. 19): first, last, only where the value has changed.
@@ -35,28 +36,6 @@ class HostEvents:
             self._raise(area, element)
 
 
-def read_real(environment: Environment, row: Row) -> Operation:
-    area, memory = _area(row), environment.machine.host
-    return lambda element: memory.real(area, element)
-
-
-@repeatable
-def write_real(environment: Environment, row: Row) -> Operation:
-    area, memory = _area(row), environment.machine.host
-    return lambda element, value: memory.set_real(area, element, value)
-
-
-def read_whole(environment: Environment, row: Row) -> Operation:
-    area, memory = _area(row), environment.machine.host
-    return lambda element: memory.integer(area, element)
-
-
-@repeatable
-def write_whole(environment: Environment, row: Row) -> Operation:
-    area, memory = _area(row), environment.machine.host
-    return lambda element, value: memory.set_integer(area, element, value)
-
-
 # MODBUSPARAMETER: the area that clients see, and its values.
 ENABLE, MAPPING = 0, 3
 MAPPINGS = ("comms", "netdata")
@@ -80,18 +59,14 @@ class ModbusParameters:
             self._host.mapping = MAPPINGS[min(value, 1)]
 
 
-def read_modbus_parameter(environment: Environment, row: Row) -> Operation:
-    return environment.part(ModbusParameters).read
+def element(name: str) -> Maker:
+    """A method of the host's memory, of the area that a word means."""
 
+    def made(environment: Environment, row: Row) -> Operation:
+        area, method = _area(row), getattr(environment.machine.host, name)
+        return lambda *given: method(area, *given)
 
-def write_modbus_parameter(environment: Environment, row: Row) -> Operation:
-    """MODBUSPARAMETER."""
-    parameters = environment.part(ModbusParameters)
-
-    def write(bus: int, parameter: int, value: int) -> None:
-        parameters.write(bus, parameter, value)
-
-    return write
+    return made
 
 
 def _area(row: Row) -> str:
@@ -101,9 +76,12 @@ def _area(row: Row) -> str:
 
 
 OPERATIONS = {
-    "comms.modbus_parameter": {"read": read_modbus_parameter, "write": write_modbus_parameter},
-    "comms.real": {"read": read_real, "write": write_real},
-    "comms.whole": {"read": read_whole, "write": write_whole},
+    "comms.modbus_parameter": {
+        "read": of(ModbusParameters, ModbusParameters.read),
+        "write": of(ModbusParameters, ModbusParameters.write),
+    },
+    "comms.real": {"read": element("real"), "write": repeatable(element("set_real"))},
+    "comms.whole": {"read": element("integer"), "write": repeatable(element("set_integer"))},
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"comms": HostEvents, "netdata": HostEvents}

@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word, scale_of
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Row
 
 
-def write_correction(environment: Environment, row: Row) -> Operation:
+def write_correction(environment: Environment, row: Row, axis: int, value: float, line: int) -> None:
     """MOVECORRECTION: user units more of the move under way; refused where the axis is idle."""
     controller = environment.controller
-
-    def write(axis: int, value: float, line: int) -> None:
-        counts = scale_of(environment, axis).to_counts(value)
-        if controller.is_idle(axis):
-            words = f"axis {axis} is on no move that could be corrected"
-            raise Refusal("range", words, "INCR begins a move where the axis is at rest")
-        controller.retarget_by(axis, counts, row.name, line)
-
-    return write
+    if controller.is_idle(axis):
+        words = f"axis {axis} is on no move that could be corrected"
+        raise Refusal("range", words, "INCR begins a move where the axis is at rest")
+    controller.retarget_by(axis, scale_of(environment, axis).to_counts(value), row.name, line)
 
 
 class TimeScales:
@@ -34,6 +29,7 @@ class TimeScales:
         environment.controller.listeners.append(self._heard, "scale")
 
     def set(self, axis: int, seconds: float) -> None:
+        """TIMESCALE: the seconds in the axis's unit of time."""
         self._seconds[axis] = seconds
         self._controller.set_time_unit(axis, seconds)
 
@@ -47,21 +43,10 @@ class TimeScales:
             self._controller.set_time_unit(axis, self._seconds[axis])
 
 
-def write_time(environment: Environment, row: Row) -> Operation:
-    """TIMESCALE: the seconds in the axis's unit of time."""
-    scales = environment.part(TimeScales)
-
-    def write(axis: int, seconds: float) -> None:
-        scales.set(axis_of(environment, axis), seconds)
-
-    return write
-
-
-def read_time(environment: Environment, row: Row) -> Operation:
-    return lambda axis: float(scale_of(environment, axis).rate)
-
-
 OPERATIONS = {
-    "correction.correction": {"write": write_correction},
-    "correction.time": {"read": read_time, "write": write_time},
+    "correction.correction": {"write": of_word(Environment, write_correction)},
+    "correction.time": {
+        "read": of(Environment, lambda e, axis: float(scale_of(e, axis).rate)),
+        "write": of(TimeScales, TimeScales.set),
+    },
 }

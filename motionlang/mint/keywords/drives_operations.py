@@ -10,8 +10,7 @@ from math import inf
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.reference import PERIOD
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
-from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving, repeatable
 from motionlang.mint.runtime.environment import Environment
@@ -39,7 +38,7 @@ class Drives(Settings):
 
     def set(self, name: str, axis: int, value: float) -> None:
         if name == "SPEEDREFSOURCE" and value:
-            checked(int(value) - 1, LAST_ANALOGUE, "analogue input")
+            analogue_input(int(value) - 1)
         super().set(name, axis, value)
         if name in ("SPEEDREFENABLE", "SPEEDREFSOURCE") and ("SPEEDREF", axis) in self._lines:
             self.run(axis)

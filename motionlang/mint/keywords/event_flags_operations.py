@@ -11,10 +11,12 @@ from motionlang.controller.faults import Refusal
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE
 from motionlang.mint.keywords.io_inputs import BANK
+from motionlang.mint.runtime.binding import of_word
+from motionlang.mint.runtime.events import Events
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
 # Kinds whose first datum is a bank, and kinds whose first datum is a number; the others take a bit pattern.
@@ -50,42 +52,31 @@ def _numbers(kind: str, first: int, second: int) -> list[int]:
     return [start + k for k in range(BANK) if pattern >> k & 1]
 
 
-def do_pend(environment: Environment, row: Row) -> Operation:
+def do_pend(events: Events, row: Row, type_: int, first: int, second: int) -> None:
     """EVENTPEND."""
-    events = environment.events
-
-    def do(type_: int, first: int, second: int) -> None:
-        kind = _kind(row, type_)
-        numbers = [number for number in _numbers(kind, first, second) if events.handles(kind, number)]
-        if not numbers:
-            words = f"the program has no handler of {kind.upper()} for {first}, {second}"
-            raise Refusal("event", words if kind not in SINGLE else f"the program has no handler of {kind.upper()}",
-                          f"write Event {kind.upper()}{'' if kind in SINGLE else '0'} … End Event")  # fmt: skip
-        for number in numbers:
-            events.raise_(kind, number)
-
-    return do
+    kind = _kind(row, type_)
+    numbers = [number for number in _numbers(kind, first, second) if events.handles(kind, number)]
+    if not numbers:
+        words = f"the program has no handler of {kind.upper()} for {first}, {second}"
+        raise Refusal("event", words if kind not in SINGLE else f"the program has no handler of {kind.upper()}",
+                      f"write Event {kind.upper()}{'' if kind in SINGLE else '0'} … End Event")  # fmt: skip
+    for number in numbers:
+        events.raise_(kind, number)
 
 
-def do_unpend(environment: Environment, row: Row) -> Operation:
+def do_unpend(events: Events, row: Row, type_: int, first: int, second: int) -> None:
     """EVENTUNPEND: what waits is dropped; of a kind with numbers all that wait where the data name none."""
-    events = environment.events
-
-    def do(type_: int, first: int, second: int) -> None:
-        kind = _kind(row, type_)
-        numbers = _numbers(kind, first, second)
-        events.pending[:] = [
-            (rank, number)
-            for rank, number in events.pending
-            if rank != type_ or (numbers and number not in numbers)
-        ]
-
-    return do
+    numbers = _numbers(_kind(row, type_), first, second)
+    events.pending[:] = [
+        (rank, number)
+        for rank, number in events.pending
+        if rank != type_ or (numbers and number not in numbers)
+    ]
 
 
 OPERATIONS = {
-    "event_flags.pend": {"do": do_pend},
-    "event_flags.unpend": {"do": do_unpend},
+    "event_flags.pend": {"do": of_word(Events, do_pend)},
+    "event_flags.unpend": {"do": of_word(Events, do_unpend)},
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"terminalreceive": Keys}

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal, names
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
-from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of
 
 TYPE_CHECKING = False
@@ -75,7 +74,7 @@ class Holds(Settings):
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting; an axis that holds goes by it at once, and a new HTAKINT begins a new sum."""
         if name == "HTACHANNEL":
-            checked(int(value), LAST_ANALOGUE, "analogue input")
+            analogue_input(int(value))
         super().set(name, axis, value)
         hold = self.holding(axis)
         if hold is not None:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.identity import AXES
 from motionlang.mint.keywords.no_effect_operations import Kept
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import axis_of, of
 from motionlang.mint.runtime.changes import always
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 # What the library of WorkBench calls its own simulated controller.
 VIRTUAL = "Virtual Controller"
@@ -20,66 +20,40 @@ _POWER_UP = "2000-01-01 00:00:00"
 _DATE = "%Y-%m-%d %H:%M:%S"
 
 
-def _answer(environment: Environment, row: Row, known: Operation) -> Operation:
-    """What the machine file says, or what this program knows; the axis, where there is one, must exist."""
-    kept, of_axis = environment.part(Kept), row.index == "axis"
+def answers(known: Callable[..., object]) -> Maker:
+    """What the machine file says, or what this program knows: of the environment and what stands in the brackets."""
 
-    def read(*where: int) -> object:
-        if of_axis:
-            axis_of(environment, where[0])
-        told = kept.told.find(row.name, row.unit, where)
-        return known(*where) if told is None else told
+    def made(environment: Environment, row: Row) -> Operation:
+        find, of_axis = environment.part(Kept).told.find, row.index == "axis"
 
-    return read
+        def read(*where: int) -> object:
+            if of_axis:
+                axis_of(environment, where[0])
+            told = find(row.name, row.unit, where)
+            return known(environment, *where) if told is None else told
+
+        return read
+
+    return made
 
 
-def read_platform(environment: Environment, row: Row) -> Operation:
-    return _answer(environment, row, lambda: environment.machine.model or VIRTUAL)
-
-
-def read_version(environment: Environment, row: Row) -> Operation:
+def version(environment: Environment) -> str:
     from motionlang import __version__
 
-    return _answer(environment, row, lambda: f"motionlang {__version__}")
+    return f"motionlang {__version__}"
 
 
-def read_count(environment: Environment, row: Row) -> Operation:
+def count(environment: Environment, item: int) -> int:
     """NUMBEROF: the axes; of other items what the machine file says, else the run ends."""
-    axes = environment.controller.axes
+    if item == AXES:
+        return len(environment.controller.axes)
+    from motionlang.lang.run_errors import NotSimulated
 
-    def count(item: int) -> int:
-        if item == AXES:
-            return len(axes)
-        from motionlang.lang.run_errors import NotSimulated
-
-        words = f"how many there are of item {item} is not known here"
-        raise NotSimulated(
-            words, f'the machine file can say it: [mint.readings] NUMBEROF = {{ "{item}" = 8 }}'
-        )
-
-    return _answer(environment, row, count)
+    words = f"how many there are of item {item} is not known here"
+    raise NotSimulated(words, f'the machine file can say it: [mint.readings] NUMBEROF = {{ "{item}" = 8 }}')
 
 
-def read_local(environment: Environment, row: Row) -> Operation:
-    return _answer(environment, row, lambda *where: 0)
-
-
-read_nothing_wrong = read_local
-
-
-def write_nothing_wrong(environment: Environment, row: Row) -> Operation:
-    """What is not there needs no clearing."""
-    return lambda *given: None
-
-
-def read_fit(environment: Environment, row: Row) -> Operation:
-    return _answer(environment, row, lambda *where: 1)
-
-
-read_fit_axis = read_fit
-
-
-def read_takes_moves(environment: Environment, row: Row) -> Operation:
+def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:
     """OKTOLOADMOVE: 1 where every axis of the array could take a move into its buffer now."""
     controller = environment.controller
 
@@ -88,10 +62,7 @@ def read_takes_moves(environment: Environment, row: Row) -> Operation:
         stopping = a.move is not None and a.move.ended in ("stop", "fault")
         return controller.is_enabled(axis) and not a.faults and not stopping and controller.room(axis) > 0
 
-    def read(count: int, axes: Sequence[int]) -> int:
-        return int(all(takes(int(axis)) for axis in (axes or [])[1 : count + 1]))
-
-    return read
+    return int(all(takes(int(axis)) for axis in (axes or [])[1 : count + 1]))
 
 
 # --------------------------------------------------------------------------------------------- date and time
@@ -129,32 +100,20 @@ class Calendar:
             return self.date.strftime(_DATE)
 
 
-@always
-def read_date(environment: Environment, row: Row) -> Operation:
-    return environment.part(Calendar).text
-
-
-def write_date(environment: Environment, row: Row) -> Operation:
-    calendar = environment.part(Calendar)
-    return lambda text: calendar.set(text, environment.clock.now)
-
-
-# -------------------------------------------------------------------------------------------------- nothing
-
-
-def do_nothing(environment: Environment, row: Row) -> Operation:
-    return lambda *given: None
-
-
+_LOCAL, _FIT = answers(lambda environment, *where: 0), answers(lambda environment, *where: 1)
 OPERATIONS = {
-    "identity.platform": {"read": read_platform},
-    "identity.version": {"read": read_version},
-    "identity.count": {"read": read_count},
-    "identity.local": {"read": read_local},
-    "identity.fit": {"read": read_fit},
-    "identity.fit_axis": {"read": read_fit_axis},
-    "identity.nothing_wrong": {"read": read_nothing_wrong, "write": write_nothing_wrong},
-    "identity.takes_moves": {"read": read_takes_moves},
-    "identity.date": {"read": read_date, "write": write_date},
-    "identity.nothing": {"do": do_nothing},
+    "identity.platform": {"read": answers(lambda environment: environment.machine.model or VIRTUAL)},
+    "identity.version": {"read": answers(version)},
+    "identity.count": {"read": answers(count)},
+    "identity.local": {"read": _LOCAL},
+    "identity.fit": {"read": _FIT},
+    "identity.fit_axis": {"read": _FIT},
+    # What is not there needs no clearing.
+    "identity.nothing_wrong": {"read": _LOCAL, "write": lambda environment, row: lambda *given: None},
+    "identity.takes_moves": {"read": of(Environment, takes_moves)},
+    "identity.date": {
+        "read": always(of(Calendar, Calendar.text)),
+        "write": of(Calendar, lambda calendar, text: calendar.set(text, calendar.clock.now)),
+    },
+    "identity.nothing": {"do": lambda environment, row: lambda *given: None},
 }

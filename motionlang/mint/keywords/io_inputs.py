@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.defaults import PATTERNS
+from motionlang.mint.runtime.binding import of, of_word
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -152,39 +153,8 @@ def read_level_bit(environment: Environment, row: Row) -> Operation:
     return lambda channel: int(levels[checked(channel)] != 0)
 
 
-def read_active_level(environment: Environment, row: Row) -> Operation:
-    inputs = environment.part(Inputs)
-    return lambda bank: inputs.active_level(checked(bank, LAST_CHANNEL // BANK, "bank"))
-
-
-def write_active_level(environment: Environment, row: Row) -> Operation:
-    inputs = environment.part(Inputs)
-    return lambda bank, bits: inputs.set_active_level(checked(bank, LAST_CHANNEL // BANK, "bank"), bits)
-
-
-def read_pattern(environment: Environment, row: Row) -> Operation:
-    inputs, name = environment.part(Inputs), row.name
-    return lambda bank: inputs.pattern(name, checked(bank, LAST_CHANNEL // BANK, "bank"))
-
-
-def write_pattern(environment: Environment, row: Row) -> Operation:
-    inputs, name = environment.part(Inputs), row.name
-    return lambda bank, bits: inputs.set_pattern(name, checked(bank, LAST_CHANNEL // BANK, "bank"), bits)
-
-
-def read_debounce(environment: Environment, row: Row) -> Operation:
-    inputs = environment.part(Inputs)
-    return lambda bank: inputs.debounce(checked(bank, LAST_CHANNEL // BANK, "bank"))
-
-
-def write_debounce(environment: Environment, row: Row) -> Operation:
-    """INPUTDEBOUNCE: samples for which an input must stay as it is."""
-    inputs = environment.part(Inputs)
-
-    def write(bank: int, samples: int) -> None:
-        inputs.set_debounce(checked(bank, LAST_CHANNEL // BANK, "bank"), samples)
-
-    return write
+def _bank(bank: int) -> int:
+    return checked(bank, LAST_CHANNEL // BANK, "bank")
 
 
 OPERATIONS = {
@@ -192,9 +162,21 @@ OPERATIONS = {
     "io.inputs.bit": {"read": read_bit},
     "io.inputs.level_bank": {"read": read_level_bank},
     "io.inputs.level_bit": {"read": read_level_bit},
-    "io.inputs.active_level": {"read": read_active_level, "write": write_active_level},
-    "io.inputs.debounce": {"read": read_debounce, "write": write_debounce},
-    "io.inputs.pattern": {"read": read_pattern, "write": write_pattern},
+    "io.inputs.active_level": {
+        "read": of(Inputs, lambda inputs, bank: inputs.active_level(_bank(bank))),
+        "write": of(Inputs, lambda inputs, bank, bits: inputs.set_active_level(_bank(bank), bits)),
+    },
+    # Samples for which an input must stay as it is.
+    "io.inputs.debounce": {
+        "read": of(Inputs, lambda inputs, bank: inputs.debounce(_bank(bank))),
+        "write": of(Inputs, lambda inputs, bank, samples: inputs.set_debounce(_bank(bank), samples)),
+    },
+    "io.inputs.pattern": {
+        "read": of_word(Inputs, lambda inputs, row, bank: inputs.pattern(row.name, _bank(bank))),
+        "write": of_word(
+            Inputs, lambda inputs, row, bank, bits: inputs.set_pattern(row.name, _bank(bank), bits)
+        ),
+    },
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"in": Inputs}

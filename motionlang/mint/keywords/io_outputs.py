@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.defaults import ANALOGUE
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
 
 LAST_BANK = LAST_CHANNEL // BANK
 
@@ -36,21 +37,17 @@ def write_bit(environment: Environment, row: Row) -> Operation:
     return lambda channel, value: set_output(checked(channel, LAST_CHANNEL, "output"), int(value != 0))
 
 
-def read_active_level(environment: Environment, row: Row) -> Operation:
-    outputs = environment.controller.outputs
-    return lambda bank: bits_of(bank, lambda channel: channel not in outputs.active_low)
-
-
-def write_active_level(environment: Environment, row: Row) -> Operation:
+def write_active_level(environment: Environment, bank: int, bits: int) -> None:
     """OUTPUTACTIVELEVEL: a bit of 0 makes an output of the bank active low."""
     outputs = environment.controller.outputs
+    first = checked(bank, LAST_BANK, "bank") * BANK
+    low = {first + k for k in range(BANK) if not bits >> k & 1}
+    outputs.set_active_low((outputs.active_low - set(range(first, first + BANK))) | low)
 
-    def write(bank: int, bits: int) -> None:
-        first = checked(bank, LAST_BANK, "bank") * BANK
-        low = {first + k for k in range(BANK) if not bits >> k & 1}
-        outputs.set_active_low((outputs.active_low - set(range(first, first + BANK))) | low)
 
-    return write
+def read_active_level(environment: Environment, bank: int) -> int:
+    outputs = environment.controller.outputs
+    return bits_of(bank, lambda channel: channel not in outputs.active_low)
 
 
 # ------------------------------------------------------------------------------------------------- analogue
@@ -89,47 +86,44 @@ class Analogue:
         return (0.0 if self.setting("ADCMODE", channel) else -100.0), 100.0
 
 
-def read_adc(environment: Environment, row: Row) -> Operation:
-    analogue = environment.part(Analogue)
-    return lambda channel: analogue.read(checked(channel, LAST_ANALOGUE, "analogue input"))
+def analogue_input(channel: int) -> int:
+    return checked(channel, LAST_ANALOGUE, "analogue input")
 
 
-def read_adc_setting(environment: Environment, row: Row) -> Operation:
-    analogue, name = environment.part(Analogue), row.name
-    return lambda channel: analogue.setting(name, checked(channel, LAST_ANALOGUE, "analogue input"))
+def analogue_output(channel: int) -> int:
+    return checked(channel, LAST_ANALOGUE, "analogue output")
 
 
-def write_adc_setting(environment: Environment, row: Row) -> Operation:
+def write_adc_setting(analogue: Analogue, row: Row, channel: int, value: float) -> None:
     """ADCGAIN, ADCOFFSET and the like, percent, and ADCMODE."""
-    analogue, name = environment.part(Analogue), row.name
-
-    def write(channel: int, value: float) -> None:
-        analogue.set(name, checked(channel, LAST_ANALOGUE, "analogue input"), value)
-
-    return write
+    analogue.set(row.name, analogue_input(channel), value)
 
 
-def read_dac(environment: Environment, row: Row) -> Operation:
-    outputs = environment.controller.analogue_outputs
-    return lambda channel: float(outputs[checked(channel, LAST_ANALOGUE, "analogue output")])
-
-
-@repeatable
-def write_dac(environment: Environment, row: Row) -> Operation:
+def write_dac(environment: Environment, channel: int, value: float) -> None:
     """DAC, percent."""
-    set_output = environment.controller.set_analogue_output
-
-    def write(channel: int, value: float) -> None:
-        set_output(checked(channel, LAST_ANALOGUE, "analogue output"), value)
-
-    return write
+    environment.controller.set_analogue_output(analogue_output(channel), value)
 
 
 OPERATIONS = {
     "io.outputs.bank": {"read": read_bank, "write": write_bank},
     "io.outputs.bit": {"read": read_bit, "write": write_bit},
-    "io.outputs.active_level": {"read": read_active_level, "write": write_active_level},
-    "io.outputs.adc": {"read": read_adc},
-    "io.outputs.adc_setting": {"read": read_adc_setting, "write": write_adc_setting},
-    "io.outputs.dac": {"read": read_dac, "write": write_dac},
+    "io.outputs.active_level": {
+        "read": of(Environment, read_active_level),
+        "write": of(Environment, write_active_level),
+    },
+    "io.outputs.adc": {
+        "read": of(Analogue, lambda analogue, channel: analogue.read(analogue_input(channel)))
+    },
+    "io.outputs.adc_setting": {
+        "read": of_word(
+            Analogue, lambda analogue, row, channel: analogue.setting(row.name, analogue_input(channel))
+        ),
+        "write": of_word(Analogue, write_adc_setting),
+    },
+    "io.outputs.dac": {
+        "read": of(
+            Environment, lambda e, channel: float(e.controller.analogue_outputs[analogue_output(channel)])
+        ),
+        "write": repeatable(of(Environment, write_dac)),
+    },
 }

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
 NONE = -1
@@ -23,10 +22,12 @@ class Signals:
         self._controller.listeners.append(self._heard, "fault", "switched", "cleared")
 
     def assign(self, axis: int, output: int) -> None:
+        """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
         self.enabled[axis] = output
         self._show(axis)
 
     def assign_errors(self, output: int) -> None:
+        """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
         self.errors = output
         self._show_errors()
 
@@ -51,39 +52,13 @@ class Signals:
             controller.set_output(self.errors, int(any(controller.faults(axis) for axis in controller.axes)))
 
 
-def read_enable_output(environment: Environment, row: Row) -> Operation:
-    enabled = environment.part(Signals).enabled
-    return lambda axis: enabled.get(axis_of(environment, axis), NONE)
-
-
-@repeatable
-def write_enable_output(environment: Environment, row: Row) -> Operation:
-    """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
-    signals = environment.part(Signals)
-
-    def write(axis: int, output: int) -> None:
-        signals.assign(axis_of(environment, axis), output)
-
-    return write
-
-
-def read_error_output(environment: Environment, row: Row) -> Operation:
-    signals = environment.part(Signals)
-    return lambda: signals.errors
-
-
-@repeatable
-def write_error_output(environment: Environment, row: Row) -> Operation:
-    """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
-    signals = environment.part(Signals)
-
-    def write(output: int) -> None:
-        signals.assign_errors(output)
-
-    return write
-
-
 OPERATIONS = {
-    "io.signals.enable_output": {"read": read_enable_output, "write": write_enable_output},
-    "io.signals.error_output": {"read": read_error_output, "write": write_error_output},
+    "io.signals.enable_output": {
+        "read": of(Signals, lambda signals, axis: signals.enabled.get(axis, NONE)),
+        "write": repeatable(of(Signals, Signals.assign)),
+    },
+    "io.signals.error_output": {
+        "read": of(Signals, lambda signals: signals.errors),
+        "write": repeatable(of(Signals, Signals.assign_errors)),
+    },
 }

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from motionlang.controller.triggers.homing import next_index
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import axis_of, scale_of, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from motionlang.controller.scale import Scale
     from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
 INFINITY = float("inf")
@@ -44,22 +45,21 @@ class Latch:
     """One latch. `again` keeps it armed after it has caught something; positions are counts."""
 
     def __init__(self, environment: Environment, axis: int, fired: Callable[[Latch], None]) -> None:
-        self._environment, self._controller = environment, environment.controller
+        self.environment, self._controller = environment, environment.controller
         self._fired = fired
         self.axis = axis
-        self.trigger_mode, self.input, self.edge, self.source, self.again = (
-            BY_INPUT,
-            0,
-            RISING,
-            AXIS_POSITION,
-            0,
-        )
+        self.trigger_mode, self.input, self.again = BY_INPUT, 0, 0
+        self.edge, self.source = RISING, AXIS_POSITION
         self.inhibit_time, self.inhibit_distance = 0.0, 0.0
         self.armed = self.caught = False
         self.value = 0.0
         self._time = -INFINITY
         self._watches: list[Watch] = []
         self._controller.inputs.listeners.append(self._changed)
+
+    @property
+    def scale(self) -> Scale:
+        return scale_of(self.environment, self.axis)
 
     def arm(self, armed: bool) -> None:
         """Switch the latch on, which forgets what it caught, or off."""
@@ -81,7 +81,7 @@ class Latch:
         caught = self.caught
         if caught and self.again:
             self.caught = False
-            self._environment.acts += 1
+            self.environment.acts += 1
         return caught
 
     def _watch(self) -> None:
@@ -127,37 +127,37 @@ class Latch:
 
 
 class Latches:
-    """The latch channels, each from its first use on."""
+    """The latch channels, each from its first use on; a catch raises LATCH."""
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
         self._latches: dict[int, Latch] = {}
 
-    def latch(self, channel: int) -> Latch:
-        """The latch of a channel, made on first use; a catch raises LATCH."""
-        latch = self._latches.get(checked(channel, LAST_LATCH, "latch channel"))
-        if latch is None:
-            events = self._environment.events
-            latch = Latch(self._environment, 0, lambda _: events.raise_("latch", channel))
-            self._latches[channel] = latch
-        return latch
+    def latch(self, number: int) -> Latch:
+        """The latch of a channel or of an axis, made on first use."""
+        if self.checked(number) not in self._latches:
+            self._latches[number] = self.made(number)
+        return self._latches[number]
+
+    def checked(self, number: int) -> int:
+        return checked(number, LAST_LATCH, "latch channel")
+
+    def made(self, number: int) -> Latch:
+        events = self._environment.events
+        return Latch(self._environment, 0, lambda _: events.raise_("latch", number))
 
 
-class FastLatches:
-    """The fast latch of every axis."""
+class FastLatches(Latches):
+    """The fast latch of every axis; a catch raises FASTIN."""
 
-    def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-        self._latches: dict[int, Latch] = {}
+    kind = Latch
 
-    def latch(self, axis: int) -> Latch:
-        """The fast latch of an axis, made on first use; a catch raises FASTIN."""
-        latch = self._latches.get(axis_of(self._environment, axis))
-        if latch is None:
-            events = self._environment.events
-            latch = Latch(self._environment, axis, lambda fired: events.raise_("fastin", fired.input))
-            self._latches[axis] = latch
-        return latch
+    def checked(self, number: int) -> int:
+        return axis_of(self._environment, number)
+
+    def made(self, number: int) -> Latch:
+        events = self._environment.events
+        return self.kind(self._environment, number, lambda fired: events.raise_("fastin", fired.input))
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
@@ -168,82 +168,52 @@ class FastLatches:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def _find(environment: Environment, row: Row) -> Callable[[int], Latch]:
-    if row.name.startswith("FAST"):
-        return environment.part(FastLatches).latch
-    return environment.part(Latches).latch
-
-
-def read_setting(environment: Environment, row: Row) -> Operation:
+def read_setting(latch: Latch, row: Row) -> float:
     """What a latch goes by; positions in user units of its axis, times in ms."""
-    find, name, unit = _find(environment, row), SETTINGS[row.name], row.unit
-
-    def read(channel: int) -> float:
-        latch = find(channel)
-        value: float = getattr(latch, name)
-        return scale_of(environment, latch.axis).to_user(value) if unit == "uu" else int(value)
-
-    return read
+    value: float = getattr(latch, SETTINGS[row.name])
+    return latch.scale.to_user(value) if row.unit == "uu" else int(value)
 
 
-def write_setting(environment: Environment, row: Row) -> Operation:
+def write_setting(latch: Latch, row: Row, value: float) -> None:
     """What a latch goes by; positions in user units of its axis, times in ms."""
-    find, name, unit = _find(environment, row), SETTINGS[row.name], row.unit
-
-    def write(channel: int, value: float) -> None:
-        latch = find(channel)
-        if name == "axis":
-            axis_of(environment, int(value))
-        latch.set(name, scale_of(environment, latch.axis).to_counts(value) if unit == "uu" else value)
-
-    return write
+    name = SETTINGS[row.name]
+    if name == "axis":
+        axis_of(latch.environment, int(value))
+    latch.set(name, latch.scale.to_counts(value) if row.unit == "uu" else value)
 
 
-def read_enable(environment: Environment, row: Row) -> Operation:
-    find = _find(environment, row)
-    return lambda channel: int(find(channel).armed)
-
-
-def write_enable(environment: Environment, row: Row) -> Operation:
-    find = _find(environment, row)
-    return lambda channel, armed: find(channel).arm(bool(armed))
-
-
-def read_caught(environment: Environment, row: Row) -> Operation:
-    find = _find(environment, row)
-    return lambda channel: int(find(channel).read())
-
-
-def read_value(environment: Environment, row: Row) -> Operation:
+def read_value(latch: Latch, row: Row) -> float:
     """What was caught: a position in user units, within POSWRAP as POS shows it, an encoder's count in counts."""
-    find, wraps = _find(environment, row), environment.wraps
-
-    def read(channel: int) -> float:
-        latch = find(channel)
-        if latch.source == ENCODER:
-            return latch.value
-        shown, wrap = scale_of(environment, latch.axis).position_to_user(latch.value), wraps.get(latch.axis)
-        return shown % wrap if wrap else shown
-
-    return read
+    if latch.source == ENCODER:
+        return latch.value
+    shown, wrap = latch.scale.position_to_user(latch.value), latch.environment.wraps.get(latch.axis)
+    return shown % wrap if wrap else shown
 
 
-def read_encoder(environment: Environment, row: Row) -> Operation:
+def read_encoder(latch: Latch, row: Row) -> float:
     """FASTENCODER: what the encoder had counted."""
-    find = _find(environment, row)
+    return latch.value - latch.environment.controller.axes[latch.axis].datum
 
-    def read(axis: int) -> float:
-        return find(axis).value - environment.controller.axes[axis].datum
 
-    return read
+def on_latch(function: Callable[..., object]) -> Maker:
+    """What does something with the latch of a channel, or with the fast one of an axis: those of words in FAST."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        latches = environment.part(FastLatches if row.name.startswith("FAST") else Latches)
+        return lambda channel, *value: function(latches.latch(channel), row, *value)
+
+    return made
 
 
 OPERATIONS = {
-    "latches.setting": {"read": read_setting, "write": write_setting},
-    "latches.enable": {"read": read_enable, "write": write_enable},
-    "latches.caught": {"read": read_caught},
-    "latches.value": {"read": read_value},
-    "latches.encoder": {"read": read_encoder},
+    "latches.setting": {"read": on_latch(read_setting), "write": on_latch(write_setting)},
+    "latches.enable": {
+        "read": on_latch(lambda latch, row: int(latch.armed)),
+        "write": unchecked(on_latch(lambda latch, row, armed: latch.arm(bool(armed)))),
+    },
+    "latches.caught": {"read": on_latch(lambda latch, row: int(latch.read()))},
+    "latches.value": {"read": on_latch(read_value)},
+    "latches.encoder": {"read": on_latch(read_encoder)},
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"latch": Latches, "fastin": FastLatches}

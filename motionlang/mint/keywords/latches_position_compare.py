@@ -5,14 +5,14 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word, scale_of, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from motionlang.controller.triggers.watch import Watch
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
 # COMPAREMODE, from memory: the output comes on at position 0 and stays on; it is on between positions 0 and 1.
@@ -91,13 +91,12 @@ class Compares:
     """The compare of every axis, from its first use on."""
 
     def __init__(self, environment: Environment) -> None:
-        self._environment = environment
+        self.environment = environment
         self._compares: dict[int, Compare] = {}
 
     def compare(self, axis: int) -> Compare:
-        axis_of(self._environment, axis)
         if axis not in self._compares:
-            self._compares[axis] = Compare(self._environment, axis)
+            self._compares[axis] = Compare(self.environment, axis)
         return self._compares[axis]
 
     def of_output(self, output: int) -> list[Compare]:
@@ -116,71 +115,57 @@ class Compares:
 _NAMES = {"COMPAREMODE": "mode", "COMPAREOUTPUT": "output"}
 
 
-def read_setting(environment: Environment, row: Row) -> Operation:
-    compare, name = environment.part(Compares).compare, _NAMES[row.name]
-    return lambda axis: getattr(compare(axis), name)
+def read_setting(compares: Compares, row: Row, axis: int) -> int:
+    value: int = getattr(compares.compare(axis), _NAMES[row.name])
+    return value
 
 
-def write_setting(environment: Environment, row: Row) -> Operation:
+def write_setting(compares: Compares, row: Row, axis: int, value: int) -> None:
     """COMPAREMODE and COMPAREOUTPUT; a compare at work begins anew."""
-    compare, name = environment.part(Compares).compare, _NAMES[row.name]
-
-    def write(axis: int, value: int) -> None:
-        compare(axis).set(name, value)
-
-    return write
+    compares.compare(axis).set(_NAMES[row.name], value)
 
 
-def read_position(environment: Environment, row: Row) -> Operation:
+def read_position(compares: Compares, axis: int, register: int) -> float:
     """COMPAREPOS, user units."""
-    compare = environment.part(Compares).compare
-
-    def read(axis: int, register: int) -> float:
-        position = compare(axis).positions[checked(register, 1, "compare register")]
-        return scale_of(environment, axis).position_to_user(position)
-
-    return read
+    position = compares.compare(axis).positions[checked(register, 1, "compare register")]
+    return scale_of(compares.environment, axis).position_to_user(position)
 
 
-def write_position(environment: Environment, row: Row) -> Operation:
+def write_position(compares: Compares, axis: int, register: int, value: float) -> None:
     """COMPAREPOS, user units; a compare at work goes by it at once."""
-    compare = environment.part(Compares).compare
-
-    def write(axis: int, register: int, value: float) -> None:
-        checked(register, 1, "compare register")
-        compare(axis).place(register, scale_of(environment, axis).position_to_counts(value))
-
-    return write
+    checked(register, 1, "compare register")
+    position = scale_of(compares.environment, axis).position_to_counts(value)
+    compares.compare(axis).place(register, position)
 
 
-def read_passed(environment: Environment, row: Row) -> Operation:
-    compare = environment.part(Compares).compare
-    return lambda axis: int(compare(axis).passed)
+def read_enable(compares: Compares, output: int) -> int:
+    return int(any(each.enabled for each in compares.of_output(output)))
 
 
-def read_enable(environment: Environment, row: Row) -> Operation:
-    compares = environment.part(Compares)
-    return lambda output: int(any(each.enabled for each in compares.of_output(output)))
-
-
-def write_enable(environment: Environment, row: Row) -> Operation:
+def write_enable(compares: Compares, output: int, enabled: int) -> None:
     """COMPAREENABLE: every compare that drives the output."""
-    compares = environment.part(Compares)
-
-    def write(output: int, enabled: int) -> None:
-        found = compares.of_output(output)
-        if enabled and not found:
-            what = f"output {output} is that of no position compare"
-            raise Refusal("output", what, f"COMPAREOUTPUT(0) = {output} gives it to axis 0")
-        for each in found:
-            each.enable(bool(enabled))
-
-    return write
+    found = compares.of_output(output)
+    if enabled and not found:
+        what = f"output {output} is that of no position compare"
+        raise Refusal("output", what, f"COMPAREOUTPUT(0) = {output} gives it to axis 0")
+    for each in found:
+        each.enable(bool(enabled))
 
 
 OPERATIONS = {
-    "latches.position_compare.setting": {"read": read_setting, "write": write_setting},
-    "latches.position_compare.position": {"read": read_position, "write": write_position},
-    "latches.position_compare.enable": {"read": read_enable, "write": write_enable},
-    "latches.position_compare.passed": {"read": read_passed},
+    "latches.position_compare.setting": {
+        "read": of_word(Compares, read_setting),
+        "write": of_word(Compares, write_setting),
+    },
+    "latches.position_compare.position": {
+        "read": of(Compares, read_position),
+        "write": of(Compares, write_position),
+    },
+    "latches.position_compare.enable": {
+        "read": of(Compares, read_enable),
+        "write": unchecked(of(Compares, write_enable)),
+    },
+    "latches.position_compare.passed": {
+        "read": of(Compares, lambda compares, axis: int(compares.compare(axis).passed))
+    },
 }

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import axis_of, of
+from motionlang.mint.runtime.binding import axis_of, of, on_axes, on_every_axis
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment, mint_settings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-
-    from motionlang.mint.runtime.binding import Maker
 
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
@@ -84,26 +82,6 @@ def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) 
         for axis in numbers
         if axis in controller.axes
     ]
-
-
-def on_axes(act: Callable[[Environment, int], None]) -> Maker:
-    """What does something to each of some axes, all of which there are."""
-
-    def do(environment: Environment, axes: tuple[int, ...], line: int) -> None:
-        for axis in [axis_of(environment, axis) for axis in axes]:
-            act(environment, axis)
-
-    return of(Environment, do)
-
-
-def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
-    """What does something to every axis."""
-
-    def do(environment: Environment, *line: int) -> None:
-        for axis in environment.controller.axes:
-            act(environment, axis)
-
-    return of(Environment, do)
 
 
 OPERATIONS = {

@@ -12,14 +12,15 @@ from struct import pack, unpack
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.io.inputs import Channels
+from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Maker
 
     Entry = Mapping[str, object]
 
@@ -148,42 +149,26 @@ def _bits(value: float) -> int:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_word(environment: Environment, row: Row) -> Operation:
-    read = environment.part(Servers).read
-    return lambda server, register: read(server, register, 1)[0]
+def read_word(servers: Servers, server: int, register: int) -> int:
+    return servers.read(server, register, 1)[0]
 
 
-@repeatable
-def write_word(environment: Environment, row: Row) -> Operation:
-    """MODBUSTCP16: one register of a server."""
-    servers = environment.part(Servers)
+def unpacked(code: str) -> Maker:
+    """What reads two registers of a server as one number."""
 
-    def write(server: int, register: int, value: int) -> None:
-        servers.write(server, register, words_of(value, "word"))
+    def read(servers: Servers, server: int, register: int) -> object:
+        return unpack(code, pack("<HH", *servers.read(server, register, 2)))[0]
 
-    return write
+    return of(Servers, read)
 
 
-def read_whole(environment: Environment, row: Row) -> Operation:
-    read = environment.part(Servers).read
-    return lambda server, register: unpack("<i", pack("<HH", *read(server, register, 2)))[0]
+def writes(width: str) -> Maker:
+    """What writes a value into the registers of a server, as one of the widths of `words_of`."""
 
+    def write(servers: Servers, server: int, register: int, value: float) -> None:
+        servers.write(server, register, words_of(value, width))
 
-@repeatable
-def write_whole(environment: Environment, row: Row) -> Operation:
-    write = environment.part(Servers).write
-    return lambda server, register, value: write(server, register, words_of(value, "integer"))
-
-
-def read_real(environment: Environment, row: Row) -> Operation:
-    read = environment.part(Servers).read
-    return lambda server, register: unpack("<f", pack("<HH", *read(server, register, 2)))[0]
-
-
-@repeatable
-def write_real(environment: Environment, row: Row) -> Operation:
-    write = environment.part(Servers).write
-    return lambda server, register, value: write(server, register, words_of(value, "float"))
+    return repeatable(of(Servers, write))
 
 
 def _own(environment: Environment, register: int) -> tuple[str, int]:
@@ -196,29 +181,18 @@ def _own(environment: Environment, register: int) -> tuple[str, int]:
     return host.mapping, register >> 1
 
 
-def read_own_register(environment: Environment, row: Row) -> Operation:
+def read_own_register(environment: Environment, register: int) -> int:
     """HOLDINGREGISTER: half an element of the memory that hosts write too, 0 to 65535."""
-    host = environment.machine.host
-
-    def read(register: int) -> int:
-        area, element = _own(environment, register)
-        return host.integer(area, element) >> 16 * (register & 1) & LAST
-
-    return read
+    area, element = _own(environment, register)
+    return environment.machine.host.integer(area, element) >> 16 * (register & 1) & LAST
 
 
-@repeatable
-def write_own_register(environment: Environment, row: Row) -> Operation:
+def write_own_register(environment: Environment, register: int, value: int) -> None:
     """The program writes: no event comes of it."""
-    host = environment.machine.host
-
-    def write(register: int, value: int) -> None:
-        area, element = _own(environment, register)
-        halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
-        halves[register & 1] = value & LAST
-        host.set_integer(area, element, unpack("<i", pack("<HH", *halves))[0])
-
-    return write
+    host, (area, element) = environment.machine.host, _own(environment, register)
+    halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
+    halves[register & 1] = value & LAST
+    host.set_integer(area, element, unpack("<i", pack("<HH", *halves))[0])
 
 
 class Coils:
@@ -241,26 +215,22 @@ class Coils:
         return coil
 
 
-def read_coil(environment: Environment, row: Row) -> Operation:
-    coils = environment.part(Coils)
-    return lambda coil: int(coils.values[coils.checked(coil)])
-
-
-@repeatable
-def write_coil(environment: Environment, row: Row) -> Operation:
+def write_coil(coils: Coils, coil: int, value: int) -> None:
     """COIL."""
-    coils = environment.part(Coils)
-
-    def write(coil: int, value: int) -> None:
-        coils.values[coils.checked(coil)] = int(value != 0)
-
-    return write
+    coils.values[coils.checked(coil)] = int(value != 0)
 
 
 OPERATIONS = {
-    "modbus.word": {"read": read_word, "write": write_word},
-    "modbus.whole": {"read": read_whole, "write": write_whole},
-    "modbus.real": {"read": read_real, "write": write_real},
-    "modbus.own_register": {"read": read_own_register, "write": write_own_register},
-    "modbus.coil": {"read": read_coil, "write": write_coil},
+    # MODBUSTCP16: one register of a server; the others are two.
+    "modbus.word": {"read": of(Servers, read_word), "write": writes("word")},
+    "modbus.whole": {"read": unpacked("<i"), "write": writes("integer")},
+    "modbus.real": {"read": unpacked("<f"), "write": writes("float")},
+    "modbus.own_register": {
+        "read": of(Environment, read_own_register),
+        "write": repeatable(of(Environment, write_own_register)),
+    },
+    "modbus.coil": {
+        "read": of(Coils, lambda coils, coil: int(coils.values[coils.checked(coil)])),
+        "write": repeatable(of(Coils, write_coil)),
+    },
 }

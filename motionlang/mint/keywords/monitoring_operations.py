@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import ANALOGUE_LIMIT
 from motionlang.mint.keywords.defaults import FATAL_ERROR
-from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.keywords.limits_operations import AxisErrors
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
@@ -75,14 +74,10 @@ class Monitors:
                 self._errors.set_input(axis, ANALOGUE_LIMIT, bool(beyond >> k & 1), k)
 
 
-def analogue(channel: int) -> int:
-    return checked(channel, LAST_ANALOGUE, "analogue input")
-
-
 def do_trim(environment: Environment, channel: int) -> None:
     """ADCOFFSETTRIM: what the input shows now is its zero."""
     inputs = environment.part(Analogue)
-    gain = inputs.setting("ADCGAIN", analogue(channel)) / 100.0
+    gain = inputs.setting("ADCGAIN", analogue_input(channel)) / 100.0
     inputs.set("ADCOFFSET", channel, -float(environment.controller.analogue_inputs[channel]) * gain)
 
 
@@ -205,10 +200,11 @@ def write_misc(environment: Environment, value: int) -> None:
 _CLEAR = of(Environment, lambda e, axis, value: e.controller.clear_faults(axis))
 OPERATIONS = {
     "monitoring.limit": {
-        "read": of_word(Monitors, lambda part, row, channel: part.limit(row.name, analogue(channel))),
+        "read": of_word(Monitors, lambda part, row, channel: part.limit(row.name, analogue_input(channel))),
         "write": repeatable(
             of_word(
-                Monitors, lambda part, row, channel, value: part.set_limit(row.name, analogue(channel), value)
+                Monitors,
+                lambda part, row, channel, value: part.set_limit(row.name, analogue_input(channel), value),
             )
         ),
     },

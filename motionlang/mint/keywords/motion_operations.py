@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import Each, axis_of, no_axis, scale_of
+from motionlang.mint.runtime.binding import Each, axis_of, no_axis, on_axes, on_every_axis, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -86,43 +86,16 @@ def do_go(environment: Environment, row: Row) -> Operation:
     return go
 
 
-def do_cancel(environment: Environment, row: Row) -> Operation:
-    return _each_axis(environment, _cancel(environment))
-
-
-def do_cancel_all(environment: Environment, row: Row) -> Operation:
-    """CANCELALL."""
-    cancel = _cancel(environment)
-
-    def do(line: int) -> None:
-        for axis in environment.controller.axes:
-            cancel(axis)
-
-    return do
-
-
-def _each_axis(environment: Environment, act: Callable[[int], None]) -> Operation:
-    def do(axes: tuple[int, ...], line: int) -> None:
-        for axis in axes:
-            scale_of(environment, axis)
-        for axis in axes:
-            act(axis)
-
-    return do
-
-
-def _cancel(environment: Environment) -> Callable[[int], None]:
-    def cancel(axis: int) -> None:
-        environment.controller.abort(axis)
-        environment.controller.clear_faults(axis)
-
-    return cancel
+def cancel(environment: Environment, axis: int) -> None:
+    """Motion and buffer are given up, errors forgotten."""
+    environment.controller.abort(axis)
+    environment.controller.clear_faults(axis)
 
 
 OPERATIONS = {
     "load_by": {"load": load_load_by},
     "load_to": {"load": load_load_to},
     "go": {"do": do_go},
-    "cancel": {"do": do_cancel},
-    "cancel_all": {"do": do_cancel_all},
+    "cancel": {"do": on_axes(cancel)},
+    "cancel_all": {"do": on_every_axis(cancel)},
 }

@@ -3,53 +3,39 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.motion_operations import finite
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import of, of_word, scale_of
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Row
 
 
-def write_by(environment: Environment, row: Row) -> Operation:
+def write_by(environment: Environment, row: Row, axis: int, value: float, line: int) -> None:
     """INCR: the target moves by user units, of a move under way too."""
-
-    def write(axis: int, value: float, line: int) -> None:
-        finite(row, value)
-        counts = scale_of(environment, axis).to_counts(value)
-        environment.controller.retarget_by(axis, counts, row.name, line)
-
-    return write
+    finite(row, value)
+    counts = scale_of(environment, axis).to_counts(value)
+    environment.controller.retarget_by(axis, counts, row.name, line)
 
 
-def write_to(environment: Environment, row: Row) -> Operation:
+def write_to(environment: Environment, row: Row, axis: int, value: float, line: int) -> None:
     """INCA: a new target, user units, of a move under way too."""
-
-    def write(axis: int, value: float, line: int) -> None:
-        finite(row, value)
-        counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
-        environment.controller.retarget_to(axis, counts, row.name, line)
-
-    return write
+    finite(row, value)
+    counts = scale_of(environment, axis).position_to_counts(value + environment.turn(axis))
+    environment.controller.retarget_to(axis, counts, row.name, line)
 
 
-def read_suspend(environment: Environment, row: Row) -> Operation:
-    controller = environment.controller
-    return lambda axis: int(controller.is_suspended(axis_of(environment, axis)))
-
-
-def write_suspend(environment: Environment, row: Row) -> Operation:
+def write_suspend(environment: Environment, axis: int, value: int, line: int) -> None:
     """SUSPEND: 1 rests, 0 goes on."""
     controller = environment.controller
-
-    def write(axis: int, value: int, line: int) -> None:
-        (controller.suspend if value else controller.resume)(axis_of(environment, axis))
-
-    return write
+    (controller.suspend if value else controller.resume)(axis)
 
 
 OPERATIONS = {
-    "on_the_fly.by": {"write": write_by},
-    "on_the_fly.to": {"write": write_to},
-    "on_the_fly.suspend": {"read": read_suspend, "write": write_suspend},
+    "on_the_fly.by": {"write": of_word(Environment, write_by)},
+    "on_the_fly.to": {"write": of_word(Environment, write_to)},
+    "on_the_fly.suspend": {
+        "read": of(Environment, lambda e, axis: int(e.controller.is_suspended(axis))),
+        "write": of(Environment, write_suspend),
+    },
 }

@@ -181,7 +181,7 @@ error_text error_clear
 """,
     "terminal_operations": """
 terminal.terminal terminal.key terminal.held_key terminal.clear_screen terminal.locate terminal.line_start
-terminal.beep terminal.answer terminal.place terminal.printer terminal.question
+terminal.beep terminal.place terminal.question terminal.answer terminal.printer
 """,
     "timing_operations": """
 time

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.motion_operations import refuse_stopping
-from motionlang.mint.runtime.binding import axis_of, scale_of
+from motionlang.mint.runtime.binding import axis_of, of, of_word, on_axes, scale_of
 from motionlang.mint.runtime.changes import moving, repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
 
 
 def _ready(environment: Environment, row: Row, axes: Sequence[int], values: Sequence[float]) -> bool:
@@ -80,47 +80,30 @@ def load_arc(environment: Environment, row: Row) -> Operation:
 _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
 
 
-def read_mode(environment: Environment, row: Row) -> Operation:
-    setting, name = environment.controller.setting, _MODES[row.name]
-    return lambda axis: int(bool(setting(axis_of(environment, axis), name)))
-
-
-@repeatable
-def write_mode(environment: Environment, row: Row) -> Operation:
+def set_mode(environment: Environment, name: str, axis: int, on: bool) -> None:
     """A path is either run through or blended: Mint's error 158."""
-    controller, name = environment.controller, _MODES[row.name]
-    other = next(each for each in _MODES if each != row.name)
-
-    def write(axis: int, mode: int) -> None:
-        axis_of(environment, axis)
-        if mode and controller.setting(axis, _MODES[other]):
-            raise Refusal("contour-and-blend", f"{row.name} cannot be set while {other} is",
-                          f"write {other}({axis}) = 0 first")  # fmt: skip
-        controller.configure(axis, name, bool(mode))
-
-    return write
+    controller, other = environment.controller, next(each for each in _MODES if each != name)
+    if on and controller.setting(axis, _MODES[other]):
+        raise Refusal("contour-and-blend", f"{name} cannot be set while {other} is",
+                      f"write {other}({axis}) = 0 first")  # fmt: skip
+    controller.configure(axis, _MODES[name], on)
 
 
-def do_blend(environment: Environment, row: Row) -> Operation:
-    def do(axes: tuple[int, ...], line: int) -> None:
-        for axis in [axis_of(environment, axis) for axis in axes]:
-            environment.controller.blend(axis)
-
-    return do
-
-
-@moving
-def read_angle(environment: Environment, row: Row) -> Operation:
-    def read(x: int, y: int) -> float:
-        return environment.controller.vector_angle(axis_of(environment, x), axis_of(environment, y))
-
-    return read
+def read_angle(environment: Environment, x: int, y: int) -> float:
+    return environment.controller.vector_angle(x, axis_of(environment, y))
 
 
 OPERATIONS = {
     "paths.line": {"load": load_line},
     "paths.arc": {"load": load_arc},
-    "paths.mode": {"read": read_mode, "write": write_mode},
-    "paths.blend": {"do": do_blend},
-    "paths.angle": {"read": read_angle},
+    "paths.mode": {
+        "read": of_word(
+            Environment, lambda e, row, axis: int(bool(e.controller.setting(axis, _MODES[row.name])))
+        ),
+        "write": repeatable(
+            of_word(Environment, lambda e, row, axis, mode: set_mode(e, row.name, axis, bool(mode)))
+        ),
+    },
+    "paths.blend": {"do": on_axes(lambda e, axis: e.controller.blend(axis))},
+    "paths.angle": {"read": moving(of(Environment, read_angle))},
 }

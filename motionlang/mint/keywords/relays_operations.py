@@ -7,100 +7,64 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
-from motionlang.mint.runtime.binding import axis_of
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.clock import Event
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Row
 
 FIRST = 1000
 LAST_RELAY = 63
 LAST_RELAY_BANK = LAST_RELAY // BANK
 
 
-# --------------------------------------------------------------------------------------------------- pulses
+def bank_of_relays(bank: int) -> int:
+    """The first relay of a bank."""
+    return checked(bank, LAST_RELAY_BANK, "bank of relays") * BANK
 
 
-def write_pulse(environment: Environment, row: Row) -> Operation:
-    """PULSEOUTX: an output comes on for so many ms."""
-    pulse = environment.controller.pulse
-
-    def write(channel: int, milliseconds: float) -> None:
-        pulse(checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0)
-
-    return write
-
-
-# --------------------------------------------------------------------------------------------------- relays
-
-
-def read_bank(environment: Environment, row: Row) -> Operation:
+def read_bank(environment: Environment, bank: int) -> int:
     """RELAYOUT."""
+    bank_of_relays(bank)
     outputs = environment.controller.outputs
-
-    def read(bank: int) -> int:
-        checked(bank, LAST_RELAY_BANK, "bank of relays")
-        return bits_of(bank, lambda relay: outputs[FIRST + relay])
-
-    return read
+    return bits_of(bank, lambda relay: outputs[FIRST + relay])
 
 
-@repeatable
-def write_bank(environment: Environment, row: Row) -> Operation:
+def write_bank(environment: Environment, bank: int, bits: int) -> None:
     """RELAYOUT: a bank of relays, a bit each."""
-    outputs = environment.controller.outputs
-
-    def write(bank: int, bits: int) -> None:
-        first = checked(bank, LAST_RELAY_BANK, "bank of relays") * BANK
-        outputs.set_bank(FIRST + first, BANK, bits)
-
-    return write
+    environment.controller.outputs.set_bank(FIRST + bank_of_relays(bank), BANK, bits)
 
 
 def _relay(row: Row, number: int) -> int:
     """The channel of a relay: of RELAYOUTX(relay), and of RELAY(bank), which is the first one of a bank."""
-    if row.name == "RELAY":
-        return FIRST + checked(number, LAST_RELAY_BANK, "bank of relays") * BANK
-    return FIRST + checked(number, LAST_RELAY, "relay")
+    return FIRST + (bank_of_relays(number) if row.name == "RELAY" else checked(number, LAST_RELAY, "relay"))
 
 
-def read_relay(environment: Environment, row: Row) -> Operation:
-    output = environment.controller.output
-    return lambda number: int(output(_relay(row, number)) != 0)
+def read_relay(environment: Environment, row: Row, number: int) -> int:
+    return int(environment.controller.output(_relay(row, number)) != 0)
 
 
-@repeatable
-def write_relay(environment: Environment, row: Row) -> Operation:
+def write_relay(environment: Environment, row: Row, number: int, value: int) -> None:
     """RELAY and RELAYOUTX."""
-    set_output = environment.controller.set_output
-
-    def write(number: int, value: int) -> None:
-        set_output(_relay(row, number), value)
-
-    return write
+    environment.controller.set_output(_relay(row, number), value)
 
 
-# --------------------------------------------------------------------------------- spare analogue outputs
+def auxiliary(channel: int) -> int:
+    """The channel of a spare analogue output."""
+    return FIRST + checked(channel, LAST_ANALOGUE, "spare analogue output")
 
 
-def read_auxiliary(environment: Environment, row: Row) -> Operation:
-    """AUXDAC."""
-    outputs = environment.controller.analogue_outputs
-    return lambda channel: float(outputs[FIRST + checked(channel, LAST_ANALOGUE, "spare analogue output")])
-
-
-@repeatable
-def write_auxiliary(environment: Environment, row: Row) -> Operation:
+def write_auxiliary(environment: Environment, channel: int, value: float) -> None:
     """AUXDAC, percent."""
-    set_output = environment.controller.set_analogue_output
+    environment.controller.set_analogue_output(auxiliary(channel), value)
 
-    def write(channel: int, value: float) -> None:
-        set_output(FIRST + checked(channel, LAST_ANALOGUE, "spare analogue output"), value)
 
-    return write
+def write_pulse(environment: Environment, channel: int, milliseconds: float) -> None:
+    """PULSEOUTX: an output comes on for so many ms."""
+    environment.controller.pulse(checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0)
 
 
 # --------------------------------------------------------------------------------------------------- brakes
@@ -171,7 +135,7 @@ class Brakes:
         environment.controller.listeners.append(self._heard, "switched")
 
     def brake(self, axis: int) -> Brake:
-        if axis_of(self._environment, axis) not in self._brakes:
+        if axis not in self._brakes:
             self._brakes[axis] = Brake(self._environment, axis)
         return self._brakes[axis]
 
@@ -185,74 +149,40 @@ class Brakes:
             self._brakes[axis].follow_drive()
 
 
-def write_brake(environment: Environment, row: Row) -> Operation:
-    """MOTORBRAKE: engage the brake by hand, or release it."""
-    brake = environment.part(Brakes).brake
-
-    def write(axis: int, engaged: int) -> None:
-        brake(axis).engage_by_hand(bool(engaged))
-
-    return write
+def _delay(which: int) -> int:
+    return checked(which, ENGAGE, "delay of a brake")
 
 
-def read_brake_status(environment: Environment, row: Row) -> Operation:
-    brake = environment.part(Brakes).brake
-    return lambda axis: int(brake(axis).engaged)
-
-
-def read_brake_mode(environment: Environment, row: Row) -> Operation:
-    brake = environment.part(Brakes).brake
-    return lambda axis: brake(axis).mode
-
-
-def write_brake_mode(environment: Environment, row: Row) -> Operation:
-    """MOTORBRAKEMODE."""
-    brake = environment.part(Brakes).brake
-
-    def write(axis: int, mode: int) -> None:
-        brake(axis).choose(mode)
-
-    return write
-
-
-def read_brake_output(environment: Environment, row: Row) -> Operation:
-    brake = environment.part(Brakes).brake
-    return lambda axis: brake(axis).output
-
-
-def write_brake_output(environment: Environment, row: Row) -> Operation:
-    """MOTORBRAKEOUTPUT."""
-    brake = environment.part(Brakes).brake
-
-    def write(axis: int, output: int) -> None:
-        brake(axis).assign(output)
-
-    return write
-
-
-def read_brake_delay(environment: Environment, row: Row) -> Operation:
-    brake = environment.part(Brakes).brake
-    return lambda axis, which: brake(axis).delays[checked(which, ENGAGE, "delay of a brake")]
-
-
-def write_brake_delay(environment: Environment, row: Row) -> Operation:
+def write_delay(brakes: Brakes, axis: int, which: int, milliseconds: float) -> None:
     """MOTORBRAKEDELAY, ms."""
-    brake = environment.part(Brakes).brake
-
-    def write(axis: int, which: int, milliseconds: float) -> None:
-        brake(axis).delays[checked(which, ENGAGE, "delay of a brake")] = int(milliseconds)
-
-    return write
+    brakes.brake(axis).delays[_delay(which)] = int(milliseconds)
 
 
 OPERATIONS = {
-    "relays.pulse": {"write": write_pulse},
-    "relays.relay": {"read": read_relay, "write": write_relay},
-    "relays.bank": {"read": read_bank, "write": write_bank},
-    "relays.auxiliary": {"read": read_auxiliary, "write": write_auxiliary},
-    "relays.brake": {"write": write_brake},
-    "relays.brake_status": {"read": read_brake_status},
-    "relays.brake_mode": {"read": read_brake_mode, "write": write_brake_mode},
-    "relays.brake_output": {"read": read_brake_output, "write": write_brake_output},
-    "relays.brake_delay": {"read": read_brake_delay, "write": write_brake_delay},
+    "relays.pulse": {"write": of(Environment, write_pulse)},
+    "relays.relay": {
+        "read": of_word(Environment, read_relay),
+        "write": repeatable(of_word(Environment, write_relay)),
+    },
+    "relays.bank": {"read": of(Environment, read_bank), "write": repeatable(of(Environment, write_bank))},
+    "relays.auxiliary": {
+        "read": of(Environment, lambda e, channel: float(e.controller.analogue_outputs[auxiliary(channel)])),
+        "write": repeatable(of(Environment, write_auxiliary)),
+    },
+    "relays.brake": {
+        "write": of(Brakes, lambda brakes, axis, on: brakes.brake(axis).engage_by_hand(bool(on)))
+    },
+    "relays.brake_status": {"read": of(Brakes, lambda brakes, axis: int(brakes.brake(axis).engaged))},
+    "relays.brake_mode": {
+        "read": of(Brakes, lambda brakes, axis: brakes.brake(axis).mode),
+        "write": of(Brakes, lambda brakes, axis, mode: brakes.brake(axis).choose(mode)),
+    },
+    "relays.brake_output": {
+        "read": of(Brakes, lambda brakes, axis: brakes.brake(axis).output),
+        "write": of(Brakes, lambda brakes, axis, output: brakes.brake(axis).assign(output)),
+    },
+    "relays.brake_delay": {
+        "read": of(Brakes, lambda brakes, axis, which: brakes.brake(axis).delays[_delay(which)]),
+        "write": of(Brakes, write_delay),
+    },
 }

@@ -8,6 +8,7 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.io.host_memory import HostMemory
 from motionlang.controller.io.inputs import Channels
 from motionlang.mint.keywords.io_inputs import BANK, bits_of, checked
+from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import Any
 
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.environment import Environment
 
     Entry = Mapping[str, Any]
@@ -91,7 +92,7 @@ class Nodes:
     """Every bus and every node on it, from the first use on; `named` are the nodes that the machine file speaks of."""
 
     def __init__(self, environment: Environment) -> None:
-        self._clock = environment.clock
+        self.environment, self._clock = environment, environment.clock
         self._happened = environment.events.raise_
         self._channels: dict[tuple[int, int, str], Channels] = {}
         self._nodes: dict[tuple[int, int], Node] = {}
@@ -254,82 +255,56 @@ def _kind(row: Row) -> str:
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_bits(environment: Environment, row: Row) -> Operation:
+def read_bits(nodes: Nodes, row: Row, bus: int, node: int, bank: int = 0) -> int:
     """REMOTEIN, REMOTEOUT and, with the number of a bank, REMOTEINBANK, REMOTEOUTBANK."""
-    nodes, kind = environment.part(Nodes), _kind(row)
-    if kind == "inputs":
-        return lambda bus, node, bank=0: bits_of(bank, nodes.channels(bus, node, kind).inverted)
-    return lambda bus, node, bank=0: bits_of(bank, nodes.channels(bus, node, kind).__getitem__)
+    kind = _kind(row)
+    channels = nodes.channels(bus, node, kind)
+    return bits_of(bank, channels.inverted if kind == "inputs" else channels.__getitem__)
 
 
-@repeatable
-def write_bits(environment: Environment, row: Row) -> Operation:
+def write_bits(nodes: Nodes, row: Row, bus: int, node: int, *rest: int) -> None:
     """REMOTEOUT and, with the number of a bank, REMOTEOUTBANK."""
-    nodes, kind = environment.part(Nodes), _kind(row)
-
-    def write(bus: int, node: int, *rest: int) -> None:
-        bank = rest[0] if len(rest) > 1 else 0
-        checked(bank, LAST_CHANNEL // BANK, "bank")
-        nodes.channels(bus, node, kind).set_bank(bank * BANK, BANK, rest[-1])
-
-    return write
+    bank = rest[0] if len(rest) > 1 else 0
+    checked(bank, LAST_CHANNEL // BANK, "bank")
+    nodes.channels(bus, node, _kind(row)).set_bank(bank * BANK, BANK, rest[-1])
 
 
-def read_bit(environment: Environment, row: Row) -> Operation:
+def read_bit(nodes: Nodes, row: Row, bus: int, node: int, channel: int) -> int:
     """REMOTEINX and REMOTEOUTX; inputs in terms of their active level."""
-    nodes, kind = environment.part(Nodes), _kind(row)
-
-    def read(bus: int, node: int, channel: int) -> int:
-        channels = nodes.channels(bus, node, kind)
-        checked(channel, LAST_CHANNEL, "channel")
-        return int(channels.inverted(channel) if kind == "inputs" else channels[channel] != 0)
-
-    return read
+    kind = _kind(row)
+    channels = nodes.channels(bus, node, kind)
+    checked(channel, LAST_CHANNEL, "channel")
+    return int(channels.inverted(channel) if kind == "inputs" else channels[channel] != 0)
 
 
-@repeatable
-def write_bit(environment: Environment, row: Row) -> Operation:
+def write_bit(nodes: Nodes, row: Row, bus: int, node: int, channel: int, value: int) -> None:
     """REMOTEOUTX."""
-    nodes, kind = environment.part(Nodes), _kind(row)
-
-    def write(bus: int, node: int, channel: int, value: int) -> None:
-        nodes.channels(bus, node, kind)[checked(channel, LAST_CHANNEL, "channel")] = int(value != 0)
-
-    return write
+    write_percent(nodes, row, bus, node, channel, int(value != 0))
 
 
-def read_percent(environment: Environment, row: Row) -> Operation:
+def read_percent(nodes: Nodes, row: Row, bus: int, node: int, channel: int) -> float:
     """REMOTEADC and REMOTEDAC, percent."""
-    nodes, kind = environment.part(Nodes), _kind(row)
-
-    def read(bus: int, node: int, channel: int) -> float:
-        return float(nodes.channels(bus, node, kind)[checked(channel, LAST_CHANNEL, "channel")])
-
-    return read
+    return float(nodes.channels(bus, node, _kind(row))[checked(channel, LAST_CHANNEL, "channel")])
 
 
-@repeatable
-def write_percent(environment: Environment, row: Row) -> Operation:
+def write_percent(nodes: Nodes, row: Row, bus: int, node: int, channel: int, value: float) -> None:
     """REMOTEDAC, percent."""
-    nodes, kind = environment.part(Nodes), _kind(row)
-
-    def write(bus: int, node: int, channel: int, value: float) -> None:
-        nodes.channels(bus, node, kind)[checked(channel, LAST_CHANNEL, "channel")] = value
-
-    return write
+    nodes.channels(bus, node, _kind(row))[checked(channel, LAST_CHANNEL, "channel")] = value
 
 
-def read_live(environment: Environment, row: Row) -> Operation:
+def read_live(nodes: Nodes, bus: int, node: int) -> int:
     """NODELIVE."""
-    nodes = environment.part(Nodes)
-    return lambda bus, node: int((bus, node) in nodes.named and nodes.answers(bus, node))
+    return int((bus, node) in nodes.named and nodes.answers(bus, node))
 
 
 OPERATIONS = {
-    "remote.bits": {"read": read_bits, "write": write_bits},
-    "remote.bit": {"read": read_bit, "write": write_bit},
-    "remote.percent": {"read": read_percent, "write": write_percent},
-    "remote.live": {"read": read_live},
+    "remote.bits": {"read": of_word(Nodes, read_bits), "write": repeatable(of_word(Nodes, write_bits))},
+    "remote.bit": {"read": of_word(Nodes, read_bit), "write": repeatable(of_word(Nodes, write_bit))},
+    "remote.percent": {
+        "read": of_word(Nodes, read_percent),
+        "write": repeatable(of_word(Nodes, write_percent)),
+    },
+    "remote.live": {"read": of(Nodes, read_live)},
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"bus": Nodes}

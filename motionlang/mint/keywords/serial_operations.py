@@ -5,13 +5,13 @@ from __future__ import annotations
 from functools import partial
 
 from motionlang.controller.faults import Refusal
+from motionlang.mint.runtime.binding import of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any
 
-    from motionlang.mint.runtime.binding import Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
 LAST_PORT = 8
@@ -62,40 +62,12 @@ class Ports:
         self._ended = ends and code == _LINE_END[0]
 
 
-def read_character(environment: Environment, row: Row) -> Operation:
-    return environment.part(Ports).take
-
-
-def write_character(environment: Environment, row: Row) -> Operation:
-    """SERIALCHAR: send a character, by its code."""
-    ports = environment.part(Ports)
-
-    def write(port: int, code: int) -> None:
-        ports.send(port, code)
-
-    return write
-
-
-def read_waiting(environment: Environment, row: Row) -> Operation:
-    ports = environment.part(Ports)
-    return lambda port: len(ports.waiting(port))
-
-
-def do_forget(environment: Environment, row: Row) -> Operation:
-    ports = environment.part(Ports)
-    return lambda port: ports.waiting(port).clear()
-
-
-def do_nothing(environment: Environment, row: Row) -> Operation:
-    ports = environment.part(Ports)
-    return lambda port: ports.waiting(port) and None
-
-
 OPERATIONS = {
-    "serial.character": {"read": read_character, "write": write_character},
-    "serial.waiting": {"read": read_waiting},
-    "serial.forget": {"do": do_forget},
-    "serial.nothing": {"do": do_nothing},
+    # SERIALCHAR, by the code of a character.
+    "serial.character": {"read": of(Ports, Ports.take), "write": of(Ports, Ports.send)},
+    "serial.waiting": {"read": of(Ports, lambda ports, port: len(ports.waiting(port)))},
+    "serial.forget": {"do": of(Ports, lambda ports, port: ports.waiting(port).clear())},
+    "serial.nothing": {"do": of(Ports, Ports.waiting)},
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"serialreceive": Ports}

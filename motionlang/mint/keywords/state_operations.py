@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import by_axis, scale_of
+from motionlang.mint.runtime.binding import by_axis, of_word, scale_of
 from motionlang.mint.runtime.changes import Changes
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
 
 
 @by_axis
@@ -35,20 +35,16 @@ def read_demand(environment: Environment, row: Row, axis: int) -> Operation:
     return environment.controller.reader("demand", axis, "place", hearing)
 
 
-def write_position(environment: Environment, row: Row) -> Operation:
+def write_position(environment: Environment, row: Row, axis: int, value: float) -> None:
     """POS: the present position gets a new value."""
-
-    def write(axis: int, value: float) -> None:
-        counts = scale_of(environment, axis).position_to_counts(value)
-        if not -1e300 < counts < 1e300:
-            raise Refusal("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")
-        environment.controller.define_position(axis, counts)
-
-    return write
+    counts = scale_of(environment, axis).position_to_counts(value)
+    if not -1e300 < counts < 1e300:
+        raise Refusal("range", f"{row.name} cannot be {value:g}", "a position is finite, in counts too")
+    environment.controller.define_position(axis, counts)
 
 
 OPERATIONS = {
     "is_idle": {"read": read_is_idle},
-    "position": {"read": read_position, "write": write_position},
+    "position": {"read": read_position, "write": of_word(Environment, write_position)},
     "demand": {"read": read_demand},
 }

@@ -2,129 +2,35 @@
 
 from __future__ import annotations
 
-from motionlang.mint.runtime.errors import text_of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.errors import Errors, text_of
+from motionlang.mint.runtime.events import Events
 
 
-def read_task_priority(environment: Environment, row: Row) -> Operation:
-    return lambda name: environment.priorities.get(name, 0)
-
-
-def write_task_priority(environment: Environment, row: Row) -> Operation:
+def write_priority(environment: Environment, name: str, value: int) -> None:
     """TASKPRIORITY, of a task that runs and of one that is started later."""
-
-    def write(name: str, value: int) -> None:
-        environment.priorities[name] = value
-        if name in environment.tasks:
-            environment.tasks[name].priority = value
-
-    return write
+    environment.priorities[name] = value
+    if name in environment.tasks:
+        environment.tasks[name].priority = value
 
 
-def read_task_quantum(environment: Environment, row: Row) -> Operation:
-    return lambda name: environment.quanta.get(name, 100)
+def write_quantum(environment: Environment, name: str, value: int) -> None:
+    environment.quanta[name] = value
 
 
-def write_task_quantum(environment: Environment, row: Row) -> Operation:
-    def write(name: str, value: int) -> None:
-        environment.quanta[name] = value
-
-    return write
+def read_status(environment: Environment, name: str) -> int:
+    task = environment.tasks.get(name)
+    return 0 if task is None or task.done else 2 if task.suspended else 1
 
 
-def read_task_status(environment: Environment, row: Row) -> Operation:
-    def read(name: str) -> int:
-        task = environment.tasks.get(name)
-        return 0 if task is None or task.done else 2 if task.suspended else 1
-
-    return read
-
-
-def do_task_suspend(environment: Environment, row: Row) -> Operation:
-    return lambda name: _suspend(environment, name, True)
-
-
-def do_task_resume(environment: Environment, row: Row) -> Operation:
-    return lambda name: _suspend(environment, name, False)
-
-
-def read_timer_event(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.events.timer
-
-
-def write_timer_event(environment: Environment, row: Row) -> Operation:
-    def write(value: int) -> None:
-        environment.events.set_timer(value)
-
-    return write
-
-
-def read_event_active(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.events.bits(environment.events.active)
-
-
-def read_event_pending(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.events.bits(environment.events.pending)
-
-
-def read_event_disable(environment: Environment, row: Row) -> Operation:
-    return lambda: environment.events.disabled
-
-
-def write_event_disable(environment: Environment, row: Row) -> Operation:
-    return environment.events.disable
-
-
-def read_error_code(environment: Environment, row: Row) -> Operation:
-    errors = environment.errors
-    return lambda: errors.register().number
-
-
-def read_error_line(environment: Environment, row: Row) -> Operation:
-    return environment.errors.line
-
-
-def read_error_string(environment: Environment, row: Row) -> Operation:
-    errors = environment.errors
-    return lambda: errors.register().text
-
-
-def read_error_data(environment: Environment, row: Row) -> Operation:
+def read_data(errors: Errors, number: int) -> int:
     """ERRDATA: 0 beyond the last of the error."""
-    errors = environment.errors
-
-    def read(number: int) -> int:
-        data = errors.register().data
-        return data[number - 1] if 1 <= number <= len(data) else 0
-
-    return read
+    data = errors.register().data
+    return data[number - 1] if 1 <= number <= len(data) else 0
 
 
-def read_error_present(environment: Environment, row: Row) -> Operation:
-    return environment.errors.present
-
-
-def read_error_read_next(environment: Environment, row: Row) -> Operation:
-    return environment.errors.read_next
-
-
-def read_error_read_code(environment: Environment, row: Row) -> Operation:
-    return environment.errors.read_code
-
-
-def read_error_text(environment: Environment, row: Row) -> Operation:
-    return text_of
-
-
-def do_error_clear(environment: Environment, row: Row) -> Operation:
-    return environment.errors.clear
-
-
-def _suspend(environment: Environment, name: str, hold: bool) -> None:
+def suspend(environment: Environment, name: str, hold: bool = True) -> None:
     """Hold a task, or let it go on; one that holds itself is held at its next turn."""
     task = environment.tasks.get(name)
     if task is None or task.done or task.suspended is hold:
@@ -139,22 +45,31 @@ def _suspend(environment: Environment, name: str, hold: bool) -> None:
 
 
 OPERATIONS = {
-    "task_priority": {"read": read_task_priority, "write": write_task_priority},
-    "task_quantum": {"read": read_task_quantum, "write": write_task_quantum},
-    "task_status": {"read": read_task_status},
-    "task_suspend": {"do": do_task_suspend},
-    "task_resume": {"do": do_task_resume},
-    "timer_event": {"read": read_timer_event, "write": write_timer_event},
-    "event_active": {"read": read_event_active},
-    "event_pending": {"read": read_event_pending},
-    "event_disable": {"read": read_event_disable, "write": write_event_disable},
-    "error_code": {"read": read_error_code},
-    "error_line": {"read": read_error_line},
-    "error_string": {"read": read_error_string},
-    "error_data": {"read": read_error_data},
-    "error_present": {"read": read_error_present},
-    "error_read_next": {"read": read_error_read_next},
-    "error_read_code": {"read": read_error_read_code},
-    "error_text": {"read": read_error_text},
-    "error_clear": {"do": do_error_clear},
+    "task_priority": {
+        "read": of(Environment, lambda e, name: e.priorities.get(name, 0)),
+        "write": of(Environment, write_priority),
+    },
+    "task_quantum": {
+        "read": of(Environment, lambda e, name: e.quanta.get(name, 100)),
+        "write": of(Environment, write_quantum),
+    },
+    "task_status": {"read": of(Environment, read_status)},
+    "task_suspend": {"do": of(Environment, suspend)},
+    "task_resume": {"do": of(Environment, lambda e, name: suspend(e, name, False))},
+    "timer_event": {"read": of(Events, lambda events: events.timer), "write": of(Events, Events.set_timer)},
+    "event_active": {"read": of(Events, lambda events: events.bits(events.active))},
+    "event_pending": {"read": of(Events, lambda events: events.bits(events.pending))},
+    "event_disable": {
+        "read": of(Events, lambda events: events.disabled),
+        "write": of(Events, Events.disable),
+    },
+    "error_code": {"read": of(Errors, lambda errors: errors.register().number)},
+    "error_line": {"read": of(Errors, Errors.line)},
+    "error_string": {"read": of(Errors, lambda errors: errors.register().text)},
+    "error_data": {"read": of(Errors, read_data)},
+    "error_present": {"read": of(Errors, Errors.present)},
+    "error_read_next": {"read": of(Errors, Errors.read_next)},
+    "error_read_code": {"read": of(Errors, Errors.read_code)},
+    "error_text": {"read": lambda environment, row: text_of},
+    "error_clear": {"do": of(Errors, Errors.clear)},
 }

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.machine.machine import CONSOLE
+from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.input_values import take, wait_for_answer
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.task import Wait
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 # All terminals that there can be, and what stands for those of TERMINAL.
 ALL = 255
@@ -36,6 +37,7 @@ class Terminals:
         return self._chosen.get(id(self._environment.task.timer), (None, CONSOLE))[1]
 
     def choose(self, pattern: int) -> None:
+        """TERMINAL: the terminals that PRINT speaks to, a bit each."""
         timer = self._environment.task.timer
         self._chosen[id(timer)] = timer, pattern
 
@@ -72,50 +74,13 @@ def _pattern(number: int) -> int:
     return number or CURRENT
 
 
-# --------------------------------------------------------------------------------------------------- printing
+def writing(text: str) -> Maker:
+    """What writes a text to a terminal."""
+    return of(Terminals, lambda terminals, number: terminals.write(text, _pattern(number)))
 
 
-def read_printer(environment: Environment, row: Row) -> Operation:
-    """What prints a text on the terminals of TERMINAL, or on those of a pattern."""
-    return environment.part(Terminals).write
-
-
-def read_terminal(environment: Environment, row: Row) -> Operation:
-    terminals = environment.part(Terminals)
-    return lambda: terminals.current
-
-
-@repeatable
-def write_terminal(environment: Environment, row: Row) -> Operation:
-    """TERMINAL: the terminals that PRINT speaks to, a bit each."""
-    terminals = environment.part(Terminals)
-
-    def write(pattern: int) -> None:
-        terminals.choose(pattern)
-
-    return write
-
-
-def _writing(environment: Environment, text: str) -> Operation:
-    terminals = environment.part(Terminals)
-    return lambda number: terminals.write(text, _pattern(number))
-
-
-def do_clear_screen(environment: Environment, row: Row) -> Operation:
-    return _writing(environment, "\x1b[2J\x1b[H")
-
-
-def do_line_start(environment: Environment, row: Row) -> Operation:
-    return _writing(environment, "\r")
-
-
-def do_beep(environment: Environment, row: Row) -> Operation:
-    return _writing(environment, "\a")
-
-
-def do_locate(environment: Environment, row: Row) -> Operation:
-    terminals = environment.part(Terminals)
-    return lambda column, row: terminals.write(f"\x1b[{max(row, 1)};{max(column, 1)}H")
+def do_locate(terminals: Terminals, column: int, row: int) -> None:
+    terminals.write(f"\x1b[{max(row, 1)};{max(column, 1)}H")
 
 
 # ------------------------------------------------------------------------------------------------------- keys
@@ -138,43 +103,32 @@ def read_key(environment: Environment, row: Row) -> Operation:
     return read
 
 
+def ask(environment: Environment, count: float, number: int) -> Wait:
+    """The wait for an answer at a terminal."""
+    environment.acts += 1
+    return wait_for_answer(environment, environment.statements.leave(count), number)
+
+
 def read_held_key(environment: Environment, row: Row) -> Operation:
     """READKEY."""
     return environment.machine.operator.held_key
 
 
-# ------------------------------------------------------------------------------------------------------ INPUT
-
-
-def read_place(environment: Environment, row: Row) -> Operation:
-    """The one terminal at which an INPUT asks."""
-    return environment.part(Terminals).one
-
-
-def read_question(environment: Environment, row: Row) -> Operation:
-    """The wait for an answer at a terminal."""
-
-    def ask(count: float, number: int) -> Wait:
-        environment.acts += 1
-        return wait_for_answer(environment, environment.statements.leave(count), number)
-
-    return ask
-
-
-def read_answer(environment: Environment, row: Row) -> Operation:
-    return lambda as_text, number: take(environment, as_text, number)
-
-
 OPERATIONS = {
-    "terminal.terminal": {"read": read_terminal, "write": write_terminal},
+    "terminal.terminal": {
+        "read": of(Terminals, lambda terminals: terminals.current),
+        "write": repeatable(of(Terminals, Terminals.choose)),
+    },
     "terminal.key": {"read": read_key},
     "terminal.held_key": {"read": read_held_key},
-    "terminal.clear_screen": {"do": do_clear_screen},
-    "terminal.locate": {"do": do_locate},
-    "terminal.line_start": {"do": do_line_start},
-    "terminal.beep": {"do": do_beep},
-    "terminal.answer": {"read": read_answer},
-    "terminal.place": {"read": read_place},
-    "terminal.printer": {"read": read_printer},
-    "terminal.question": {"read": read_question},
+    "terminal.clear_screen": {"do": writing("\x1b[2J\x1b[H")},
+    "terminal.locate": {"do": of(Terminals, do_locate)},
+    "terminal.line_start": {"do": writing("\r")},
+    "terminal.beep": {"do": writing("\a")},
+    # An INPUT: the one terminal at which it asks, the wait for the answer, and that.
+    "terminal.place": {"read": of(Terminals, Terminals.one)},
+    "terminal.question": {"read": of(Environment, ask)},
+    "terminal.answer": {"read": of(Environment, take)},
+    # What prints a text on the terminals of TERMINAL, or on those of a pattern.
+    "terminal.printer": {"read": of(Terminals, Terminals.write)},
 }

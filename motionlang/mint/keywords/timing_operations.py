@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.binding import of, unchecked
+from motionlang.mint.runtime.environment import Environment
 
 
-def read_time(environment: Environment, row: Row) -> Operation:
-    return lambda level=None: environment.elapsed(environment.task.timer[0], level)
+def read_time(environment: Environment, level: float | None = None) -> int:
+    return environment.elapsed(environment.task.timer[0], level)
 
 
-def write_time(environment: Environment, row: Row) -> Operation:
-    def write(value: int) -> None:
-        environment.task.timer[0] = environment.since(value)
-
-    return write
+def write_time(environment: Environment, value: int) -> None:
+    environment.task.timer[0] = environment.since(value)
 
 
 OPERATIONS = {
-    "time": {"read": read_time, "write": write_time},
+    "time": {"read": of(Environment, read_time), "write": unchecked(of(Environment, write_time))},
 }

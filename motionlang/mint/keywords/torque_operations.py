@@ -9,8 +9,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
-from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE, Analogue
+from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.changes import moving
 from motionlang.mint.runtime.environment import Environment
@@ -39,7 +38,7 @@ class TorqueReferences(Settings):
     def set(self, name: str, axis: int, value: float) -> None:
         """Write a setting; an axis whose output is the reference's goes by it at once."""
         if name == "TORQUEREFSOURCE" and value:
-            checked(int(value) - 1, LAST_ANALOGUE, "analogue input")
+            analogue_input(int(value) - 1)
         super().set(name, axis, value)
         if name in ("TORQUEREFENABLE", "TORQUEREFSOURCE") and (
             self.has(axis) or (name == "TORQUEREFSOURCE" and value)

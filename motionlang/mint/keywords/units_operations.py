@@ -2,66 +2,41 @@
 
 from __future__ import annotations
 
-from motionlang.mint.runtime.binding import scale_of
+from motionlang.mint.runtime.binding import of, scale_of
+from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
-    from motionlang.mint.runtime.environment import Environment
+    from motionlang.mint.runtime.binding import Maker
 
 POSITION, SPEED, ACCELERATION = range(3)
 
 
-def _read(environment: Environment, power: int) -> Operation:
-    return lambda axis: float(scale_of(environment, axis).factors[power][1])
+def factor(power: int) -> Maker:
+    """What reads one of the factors."""
+    return of(Environment, lambda e, axis: float(scale_of(e, axis).factors[power][1]))
 
 
-def read_position(environment: Environment, row: Row) -> Operation:
-    return _read(environment, POSITION)
-
-
-def read_speed(environment: Environment, row: Row) -> Operation:
-    return _read(environment, SPEED)
-
-
-def read_acceleration(environment: Environment, row: Row) -> Operation:
-    return _read(environment, ACCELERATION)
-
-
-def write_position(environment: Environment, row: Row) -> Operation:
+def write_position(environment: Environment, axis: int, value: float) -> None:
     """POSSCALEFACTOR, counts; the factors of speeds and accelerations stay."""
-
-    def write(axis: int, value: float) -> None:
-        scale = scale_of(environment, axis)
-        speed, acceleration = scale.speed, scale.acceleration
-        environment.controller.set_scale(axis, value)
-        environment.controller.set_units(axis, speed, acceleration)
-
-    return write
+    scale = scale_of(environment, axis)
+    speed, acceleration = scale.speed, scale.acceleration
+    environment.controller.set_scale(axis, value)
+    environment.controller.set_units(axis, speed, acceleration)
 
 
-def write_speed(environment: Environment, row: Row) -> Operation:
+def write_speed(environment: Environment, axis: int, value: float) -> None:
     """VELSCALEFACTOR, counts in the unit of length of speeds."""
-
-    def write(axis: int, value: float) -> None:
-        scale = scale_of(environment, axis)
-        environment.controller.set_units(axis, value, scale.acceleration)
-
-    return write
+    environment.controller.set_units(axis, value, scale_of(environment, axis).acceleration)
 
 
-def write_acceleration(environment: Environment, row: Row) -> Operation:
+def write_acceleration(environment: Environment, axis: int, value: float) -> None:
     """ACCELSCALEFACTOR, counts in the unit of length of accelerations and jerks."""
-
-    def write(axis: int, value: float) -> None:
-        scale = scale_of(environment, axis)
-        environment.controller.set_units(axis, scale.speed, value)
-
-    return write
+    environment.controller.set_units(axis, scale_of(environment, axis).speed, value)
 
 
 OPERATIONS = {
-    "units.position": {"read": read_position, "write": write_position},
-    "units.speed": {"read": read_speed, "write": write_speed},
-    "units.acceleration": {"read": read_acceleration, "write": write_acceleration},
+    "units.position": {"read": factor(POSITION), "write": of(Environment, write_position)},
+    "units.speed": {"read": factor(SPEED), "write": of(Environment, write_speed)},
+    "units.acceleration": {"read": factor(ACCELERATION), "write": of(Environment, write_acceleration)},
 }

@@ -115,6 +115,32 @@ def to_each_axis(bound: Bound) -> Maker:
     return made
 
 
+def on_axes(act: Callable[[Environment, int], None]) -> Maker:
+    """What does something to each of some axes, all of which there are."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        def do(axes: tuple[int, ...], line: int) -> None:
+            for axis in [axis_of(environment, axis) for axis in axes]:
+                act(environment, axis)
+
+        return do
+
+    return made
+
+
+def on_every_axis(act: Callable[[Environment, int], None]) -> Maker:
+    """What does something to every axis."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        def do(*line: int) -> None:
+            for axis in environment.controller.axes:
+                act(environment, axis)
+
+        return do
+
+    return made
+
+
 def unchecked(make: Maker) -> Maker:
     """The maker of a writing that takes any number, or looks at the range by itself."""
     make.unchecked = True  # type: ignore[attr-defined]
