@@ -48,13 +48,16 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     insert(mint / "state.py", ")  # fmt: skip", row)
     does = (
-        "def read_halfway(environment: Environment, row: Row) -> Operation:\n"
-        "    position = environment.controller.position\n"
-        "    return lambda axis: scale_of(environment, axis).position_to_user(position(axis)) / 2\n"
+        "def halfway(environment: Environment, axis: int) -> float:\n"
+        "    place = environment.controller.position(axis) / 2\n"
+        "    return scale_of(environment, axis).position_to_user(place)\n"
         "\n\n"
     )
+    insert(
+        mint / "state_operations.py", "\nTYPE_CHECKING", "from motionlang.mint.runtime.binding import of\n"
+    )
     insert(mint / "state_operations.py", "OPERATIONS = {", does)
-    insert(mint / "state_operations.py", "}\n", '    "state.halfway": {"read": read_halfway},\n')
+    insert(mint / "state_operations.py", "}\n", '    "state.halfway": {"read": of(Environment, halfway)},\n')
     row = '    _row("HY", "reading", "R", "none", "number", "tell_half", "Tell a half.", "HY"),\n'
     insert(mccl / "reports.py", ")  # fmt: skip", row)
     does = 'def tell_half(task: CommandTask, command: Command) -> None:\n    task.reply("0.5")\n\n\n'

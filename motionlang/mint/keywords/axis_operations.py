@@ -9,8 +9,6 @@ from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from motionlang.mint.runtime.binding import Maker
 
 
@@ -32,25 +30,24 @@ def write_buffer_size(environment: Environment, axis: int, value: int) -> None:
 
 def ramp_time(rate: str) -> Maker:
     """What reads a ramp's time in ms, also when a rate was written."""
+    time = f"{rate}_time"
 
     def read(environment: Environment, axis: int) -> int:
-        setting: Any = environment.controller.setting
-        seconds: float | None = setting(axis, f"{rate}_time")
-        if seconds is None:
-            seconds = float(setting(axis, "speed")) / float(setting(axis, rate))
-        return round(seconds * 1000.0)
+        a = environment.controller.axes[axis]
+        seconds: float | None = getattr(a, time)
+        return round((a.speed / getattr(a, rate) if seconds is None else seconds) * 1000.0)
 
     return of(Environment, read)
 
 
 def ramp_rate(rate: str) -> Maker:
     """What reads a rate in user units, also when a time was written."""
+    time = f"{rate}_time"
 
     def read(environment: Environment, axis: int) -> float:
-        setting: Any = environment.controller.setting
-        seconds = setting(axis, f"{rate}_time")
-        counts = setting(axis, rate) if seconds is None else setting(axis, "speed") / seconds
-        return scale_of(environment, axis).to_user(counts, "uu/s2")
+        a = environment.controller.axes[axis]
+        seconds: float | None = getattr(a, time)
+        return a.scale.to_user(getattr(a, rate) if seconds is None else a.speed / seconds, "uu/s2")
 
     return of(Environment, read)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.io.host_memory import AREAS, product
-from motionlang.mint.runtime.binding import of
+from motionlang.mint.runtime.binding import of, with_first
 from motionlang.mint.runtime.changes import repeatable
 
 TYPE_CHECKING = False
@@ -63,8 +63,7 @@ def element(name: str) -> Maker:
     """A method of the host's memory, of the area that a word means."""
 
     def made(environment: Environment, row: Row) -> Operation:
-        area, method = _area(row), getattr(environment.machine.host, name)
-        return lambda *given: method(area, *given)
+        return with_first(getattr(environment.machine.host, name), _area(row))
 
     return made
 

@@ -24,6 +24,9 @@ try:  # what functools adds to it is not needed, and every run would wait for it
 except ImportError:
     from functools import partial
 
+# A function with its first arguments given, for makers elsewhere, too.
+with_first: Callable[..., Operation] = partial
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
