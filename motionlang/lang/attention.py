@@ -46,7 +46,7 @@ class Attention:
 
     def hold(self, until: float) -> None:
         """What has been read stays as it is until a moment, if nothing happens."""
-        self.note(_given, until)
+        self.note(float, until)
 
     def begin(self) -> tuple[list[Note], int]:
         """From now on notes are taken: where they go, and how many are there already."""
@@ -128,10 +128,6 @@ class Condition:
         moment = min((each if each > begin else _next_tick(now) for each in moments), default=INFINITY)
         self._solved = moment if moment > now else now + TICK
         return self._solved
-
-
-def _given(moment: float) -> float:
-    return moment
 
 
 def _next_tick(now: float) -> float:

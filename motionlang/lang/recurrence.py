@@ -7,6 +7,7 @@ again and again until something happens: an event, a level that is passed, the e
 
 from __future__ import annotations
 
+from motionlang.controller.faults import Refusal
 from motionlang.lang.statement_time import UNITS, StatementTime, units
 from motionlang.lang.task import CLOSE, INFINITY, WATCH, Delay
 
@@ -80,6 +81,8 @@ class Recurrence:
             for task in tasks:
                 if task.in_vain is None and task.look and task.look[2] and _lasts(task.wait) <= WATCH:
                     task.in_vain = now
+        if limit == until == INFINITY:
+            raise Refusal("never", "the loops look for something that can no longer happen", "")
         count = int((min(limit, until) - CLOSE - now) / (now - before[0]))
         return (before, count) if count > 0 else None
 

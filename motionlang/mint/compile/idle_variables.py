@@ -11,11 +11,10 @@ from __future__ import annotations
 
 from motionlang.mint.resolve.symbols import FLOAT, NUMERIC
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable
 
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
@@ -25,13 +24,16 @@ UNTIL_IT_TURNS, WHATEVER = "1e999", "-1e999"
 COMPARED = frozenset(("<", ">", "<=", ">="))
 
 
-def idle(b: Body, turn: Sequence[nodes.Node]) -> tuple[list[str], set[str], dict[int, str]]:
-    """Counters, and all such variables of a loop, by their spelling, and the levels of the readings they are given."""
+def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict[int, str]]:
+    """Counters, and all such variables of a loop, by their spelling, and the levels of the readings they are given.
+
+    `turn` is every node that a turn reaches.
+    """
     uses: dict[Symbol | None, int] = {}
     counters: set[Symbol] = set()
     levels: dict[int, tuple[Symbol, str]] = {}
     alone = b.function.kind != "sub" and not b.function.jumps and not b.watching
-    for node in walk(turn if alone else ()):
+    for node in turn if alone else ():
         own = _own(b, node)
         uses[own] = uses.get(own, 0) + 1
         given = node.body[0] if isinstance(node, nodes.If) and len(node.body) == 1 else node

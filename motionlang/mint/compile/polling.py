@@ -66,7 +66,7 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     left = None if any(_plainly_acts(node) for node in body) else left_behind(b, turn)
     if left is None:
         return None
-    counters, mere, levels = idle(b, turn)
+    counters, mere, levels = idle(b, reached(b, turn))
     poll = Poll(b, *left, counters, mere)
     b.emit(poll.first)
     b.levels.update(levels)
@@ -82,7 +82,7 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol],
     state: dict[str, Symbol] = {}
     rewritten: set[Keyword] = set()
     reads = computes = False
-    for node in _reached(b, turn):
+    for node in reached(b, turn):
         if isinstance(node, nodes.Assign):
             computes = computes or any(not isinstance(each, nodes.Number) for each in node.values)
         if not isinstance(node, (nodes.Name, nodes.Variable)):
@@ -127,7 +127,7 @@ def _plainly_acts(node: nodes.Stmt) -> bool:
     return row is not None and row.verb != "wait" and not is_repeated(row)
 
 
-def _reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
+def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
     """Every node of a turn and of all that it calls."""
     bodies, seen = [turn], {id(turn)}
     for body in bodies:  # which grow meanwhile

@@ -84,6 +84,8 @@ PROGRAMS |= {
     'PRINT high, " ", low, " ", fast, " ", slow, " ", n, " ", k, " ", x, " ", TIME',
     "a counter that is looked at": "Dim n As Integer, k As Integer\nMOVER = 30 : GO\nRepeat\n  n = n + 1\n"
     "  k = k + 2\nUntil n > 30000 Or IDLE\nPRINT n, k, TIME",
+    "a counter that a Define looks at": "Dim n As Integer\nDefine enough = n > 500\nMOVER = 30 : GO\nRepeat\n"
+    "  n = n + 1\nUntil enough Or IDLE\nPRINT n, TIME",
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
     "  If s = 1 And AUXENCODER(1) <= -1000 Then s = 2 : PRINT TIME : AUXENCODERWRAP(0) = 40\n"
     "  If s = 2 And AUXENCODER(0) < 10 Then Exit Loop\nEnd Loop\nPRINT TIME, AUXENCODER(0)",
@@ -291,10 +293,15 @@ def test_eight_hours_of_nothing_are_over_at_once(name: str, monkeypatch: pytest.
     assert count < 2000
 
 
-def test_a_loop_that_looks_for_what_cannot_happen_is_told() -> None:
-    result = run(
-        Source("a.mnt", "Loop\n  If POS > 5 Then Exit Loop\nEnd Loop"), cache=False, until=float("inf")
-    )
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Loop\n  If POS > 5 Then Exit Loop\nEnd Loop",
+        "Run Work\nWhile INX(1) = 0\nEnd While\nTask Work\n  While INX(2) = 0\n    WAIT = 10\n  End While\nEnd Task",
+    ],
+)
+def test_a_loop_that_looks_for_what_cannot_happen_is_told(text: str) -> None:
+    result = run(Source("a.mnt", text), cache=False, until=float("inf"))
     (diagnostic,) = result.diagnostics
     assert diagnostic.code == "never"
 
