@@ -105,6 +105,7 @@ BARS: dict[str, Bar] = {
     "sweep_thousand": _most(1.2),
     "sweep_faster_than_shell": _least(50.0),
     "diff_way_motion": _most(2.0),
+    "diff_command": _most(2.0),
     # What it costs to be told more of a run.
     "events_quiet": _most(1.03),
     "cycle_by_run_and_table": _most(1.1),

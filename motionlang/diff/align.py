@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Sequence
@@ -29,6 +31,12 @@ def common(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
     return _latest(pairs, a, b)
 
 
+def _too_different(a: Sequence[Hashable], b: Sequence[Hashable]) -> bool:
+    """Whether more than `MOST_EDITS` entries have no other one in any order: each of them is an edit."""
+    here, there = Counter(a), Counter(b)
+    return (here - there).total() + (there - here).total() > MOST_EDITS
+
+
 def _latest(pairs: Pairs, a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs:
     """The same with what was put in or taken out as late as it can be: of a loop that runs on, the last turns."""
     made: Pairs = []
@@ -46,6 +54,8 @@ def _latest(pairs: Pairs, a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs
 def _myers(a: Sequence[Hashable], b: Sequence[Hashable]) -> Pairs | None:
     if not a or not b:
         return []
+    if _too_different(a, b):
+        return None
     # furthest[k] is the furthest place in a on the diagonal k that so many edits reach.
     furthest, steps = {1: 0}, []
     for edits in range(min(len(a) + len(b), MOST_EDITS) + 1):

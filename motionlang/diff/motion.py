@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
+
+import numpy as np
+
 from motionlang.controller.record.track import WholeTrack
+from motionlang.profile.sample import PieceTable, piece_values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
+
+    from numpy.typing import NDArray
 
     from motionlang.controller.axis import Axis
     from motionlang.result import Run
 
+    Array = NDArray[np.float64]
+
 # Places in each stretch between two profiles of either run at which they are compared, and halvings to find the moment.
 LOOKS, HALVINGS = 8, 40
-# What rounding makes of a position, as a part of it.
-ROUNDING = 1e-9
+# What rounding makes of a position, as a part of it; and a hundredth of it, which a table of pieces may be off besides.
+ROUNDING, TABLE = 1e-9, 1e-11
+# Stretches that are looked at together.
+TOGETHER = 50_000
 
 
 class Parting:
@@ -46,20 +57,61 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Parting | None:
     first: float | None = None
     largest = (0.0, 0.0)
     before = 0.0
-    for begin, finish in _stretches(a, b, end):
-        for n in range(1, LOOKS + 1):
-            time = begin + (finish - begin) * n / LOOKS
-            distance = apart(time)
-            if distance > tolerance and first is None:
-                first = _moment(apart, before, time, tolerance)
+    for times in _looks(a, b, end):
+        far, apart_enough = _worth_a_look(a, b, times, tolerance)
+        if first is None:
+            for k in apart_enough:
+                if apart(times[k]) > tolerance:
+                    first = _moment(apart, times[k - 1] if k else before, times[k], tolerance)
+                    break
+        for k in far:
+            distance = apart(times[k])
             if distance > largest[0]:
-                largest = (distance, time)
-            before = time
+                largest = (distance, times[k])
+        before = times[-1]
     return None if first is None else Parting(a.index, first, *largest)
 
 
-def _stretches(a: Axis, b: Axis, end: float) -> Iterator[tuple[float, float]]:
-    """The times between two profiles of either, without those in which both do the same."""
+def _looks(a: Axis, b: Axis, end: float) -> Iterator[list[float]]:
+    """The moments at which two axes are compared, many at a time."""
+    edges = np.fromiter(_edges(a, b, end), dtype=np.float64)
+    for first in range(0, len(edges) - 1, TOGETHER):
+        some = edges[first : first + TOGETHER + 1]
+        begins, lengths = some[:-1, None], np.diff(some)[:, None]
+        yield (begins + lengths * np.arange(1, LOOKS + 1) / LOOKS).ravel().tolist()
+
+
+def _worth_a_look(
+    a: Axis, b: Axis, times: Sequence[float], tolerance: float
+) -> tuple[list[int], Sequence[int]]:
+    """By tables of pieces, which are nearly exact: where two axes may be farthest apart, and where too far at all."""
+    one, other = _positions(a, times), _positions(b, times)
+    if one is None or other is None:
+        return list(range(len(times))), range(len(times))
+    size = np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)
+    zeros = max(abs(each.scale.zero / each.scale.counts) for each in (a, b))
+    distance, doubt = np.abs(one - other) - ROUNDING * size, TABLE * (size + zeros)
+    far = np.flatnonzero((distance + 2.0 * doubt >= np.max(distance)) & (distance + doubt > 0.0))
+    first_such: dict[tuple[float, float], int] = {}  # a cycle comes to the same places again and again
+    for k, places in zip(far.tolist(), zip(one[far].tolist(), other[far].tolist(), strict=True), strict=True):
+        first_such.setdefault(places, k)
+    return list(first_such.values()), np.flatnonzero(distance + doubt > tolerance).tolist()
+
+
+def _positions(axis: Axis, times: Sequence[float]) -> Array | None:
+    """Where an axis was, user units; None where its motion is not all in pieces."""
+    track = WholeTrack(axis)
+    some = slice(max(track.place(times[0]) - 1, 0), track.place(times[-1]) + 1)
+    table = PieceTable(track.starts[some], track.profiles[some])
+    if not table.is_exact:
+        return None
+    piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
+    values = piece_values(table.columns[:, piece], np.asarray(times) - table.origins[piece], 0)
+    return (values - axis.scale.zero) / axis.scale.counts
+
+
+def _edges(a: Axis, b: Axis, end: float) -> list[float]:
+    """When profiles of either began up to the end, but for those at the start that both have alike."""
     tracks = WholeTrack(a), WholeTrack(b)
     same, pairs = (
         0,
@@ -73,12 +125,7 @@ def _stretches(a: Axis, b: Axis, end: float) -> Iterator[tuple[float, float]]:
         same += 1
     same = max(same - 1, 0)
     starts = sorted({*list(tracks[0].starts)[same:], *list(tracks[1].starts)[same:], end})
-    begin = starts[0]
-    for start in starts[1:]:
-        if start > end:
-            break
-        yield begin, start
-        begin = start
+    return starts[: bisect_right(starts, end)]
 
 
 def _moment(apart: Callable[[float], float], low: float, high: float, tolerance: float) -> float:

@@ -272,22 +272,28 @@ def _moments(a: Move, b: Move) -> list[tuple[float, int, float]]:
 def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
     """The fields in which two moves differ, with both values."""
     for name in ("duration", "distance", "start", "end", "peak_speed", "asked_speed", "profile", "ended"):
-        if not tolerance.same(a.get(name), b.get(name), name):
-            yield name, a.get(name), b.get(name)
+        was, is_ = a.get(name), b.get(name)
+        if (was != is_ or was.__class__ is not is_.__class__) and not tolerance.same(was, is_, name):
+            yield name, was, is_
     one, other = a.get("phases", []), b.get("phases", [])
-    names, others = [each["name"] for each in one], [each["name"] for each in other]
-    if names != others:
-        yield "phases", ", ".join(names), ", ".join(others)
-    else:
-        for was, is_ in zip(one, other, strict=True):
-            if not tolerance.same(was["duration"], is_["duration"], "duration"):
-                yield was["name"], was["duration"], is_["duration"]
-            elif not tolerance.same(was["distance"], is_["distance"], "distance"):
-                yield f"{was['name']} distance", was["distance"], is_["distance"]
+    if one != other:
+        yield from _phases(one, other, tolerance)
     motor, other_motor = a.get("motor") or {}, b.get("motor") or {}
     for name in sorted(motor.keys() | other_motor.keys()):
         if not tolerance.same(motor.get(name), other_motor.get(name), name):
             yield name, motor.get(name), other_motor.get(name)
+
+
+def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
+    names, others = [each["name"] for each in one], [each["name"] for each in other]
+    if names != others:
+        yield "phases", ", ".join(names), ", ".join(others)
+        return
+    for was, is_ in zip(one, other, strict=True):
+        if not tolerance.same(was["duration"], is_["duration"], "duration"):
+            yield was["name"], was["duration"], is_["duration"]
+        elif not tolerance.same(was["distance"], is_["distance"], "distance"):
+            yield f"{was['name']} distance", was["distance"], is_["distance"]
 
 
 # ------------------------------------------------------------------------------------------------- everything else

@@ -75,6 +75,11 @@ class PieceTable:
             if not profile.pieced
         ]
 
+    @property
+    def is_exact(self) -> bool:
+        """Whether all of it is in pieces, and none a formula that the columns only draw."""
+        return not self._formulas
+
     def sample(self, t0: float, dt: float, n: int, order: int = 0, out: Array | None = None) -> Array:
         """n values of derivative `order` at t0, t0 + dt ..., into `out` if given (n doubles)."""
         out = np.empty(n) if out is None else out
