@@ -30,18 +30,36 @@ Spec = tuple[object, ...]
 EACH = "each"
 
 
-class Value:
-    """An expression in Python: its text, its Mint type, what is known of it, its value where that is known."""
+# How tightly an operator binds whose brackets may be left out: a sum, a product.
+SUM, PRODUCT = 1, 2
 
-    __slots__ = ("const", "range", "solved", "text", "type", "unsigned")
+
+class Value:
+    """An expression in Python: its text, its Mint type, what is known of it, its value where that is known.
+
+    The text can stand anywhere. Where it is a sum or a product in brackets, `binds` says which, and `bare` leaves the
+    brackets out: CPython takes as long for two of them as for a name.
+    """
+
+    __slots__ = ("binds", "const", "range", "solved", "text", "type", "unsigned")
 
     def __init__(
-        self, text: str, type: str, range: intervals.Range = intervals.FLOAT, const: float | str | None = None
+        self,
+        text: str,
+        type: str,
+        range: intervals.Range = intervals.FLOAT,
+        const: float | str | None = None,
+        binds: int = 0,
     ) -> None:
-        self.text, self.type, self.range, self.const = text, type, range, const
+        self.text, self.type, self.range, self.const, self.binds = text, type, range, const, binds
         # Of a reading that takes the level it is compared with: its text with that; and without its sign.
         self.solved: Callable[[str], str] | None = None
         self.unsigned: Callable[[str], str] | None = None
+
+    @property
+    def bare(self) -> str:
+        """The text where nothing beside it binds."""
+        return self.text[1:-1] if self.binds else self.text
 
     @property
     def truth(self) -> str:

@@ -347,7 +347,7 @@ def _values(b: Body, node: nodes.Assign, row: Keyword, count: int) -> list[str] 
 def _value(b: Body, node: nodes.Expr, row: Keyword) -> str:
     found = value(b, node)
     if found.type == FLOAT and found.const is None and found.range[2] == "f" and row.unit not in _OTHERS:
-        return found.text
+        return found.bare
     if row.unit == "text":
         if found.type != STRING:
             b.problem("type", f"{row.name} takes a text, not a number", node)

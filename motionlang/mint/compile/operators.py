@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.body import Answer, Value
+from motionlang.mint.compile.body import PRODUCT, SUM, Answer, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_float, as_integer, literal
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from motionlang.mint.syntax import nodes
 
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
-_ARITHMETIC = frozenset("+-*")
+_ARITHMETIC = {"+": SUM, "-": SUM, "*": PRODUCT}
 _BITS = {"&": "&", "|": "|", "Xor": "^"}
 
 
@@ -22,9 +22,9 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
     if op in _ARITHMETIC:
         return arithmetic(b, op, left, right)
     if op in COMPARISONS:
-        return Answer(f"{left.text} {COMPARISONS[op]} {right.text}")
+        return Answer(f"{left.bare} {COMPARISONS[op]} {right.bare}")
     if op == "/":
-        return Value(f"({left.text} / {right.text})", FLOAT, intervals.FLOAT)
+        return Value(f"({_first(left, PRODUCT)} / {right.text})", FLOAT, intervals.FLOAT, None, PRODUCT)
     if op == "^":
         return Value(f"{b.whole.use('fn', 'power')}({left.text}, {right.text})", FLOAT, intervals.FLOAT)
     if op == "\\":
@@ -43,21 +43,33 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
 def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
     """`left op right` for + - *, with a check where the result may not fit."""
     integer = left.type != FLOAT != right.type
+    binds = _ARITHMETIC[op]
     if left.range[2] == "f" or right.range[2] == "f":
-        return Value(f"({left.text} {op} {right.text})", INTEGER if integer else FLOAT)
+        text = f"({_first(left, binds)} {op} {_second(right, binds)})"
+        return Value(text, INTEGER if integer else FLOAT, intervals.FLOAT, None, binds)
     known, how = intervals.arithmetic(op, integer, left.range, right.range)
     kind = INTEGER if integer else FLOAT
     if how == intervals.COERCED:
         if right.const is not None:
             return Value(f"({left.text} {op} {as_float(right)})", kind, known)
         return Value(f"({as_float(left)} {op} {right.text})", kind, known)
-    text = f"{left.text} {op} {right.text}"
+    text = f"{_first(left, binds)} {op} {_second(right, binds)}"
     if how == intervals.CHECKED:
         over = b.whole.use("fn", "overflow")
         return Value(
             f"(z if {intervals.INT_LOW} <= (z := {text}) <= {intervals.INT_HIGH} else {over}(z))", kind, known
         )
-    return Value(f"({text})", kind, known)
+    return Value(f"({text})", kind, known, None, binds)
+
+
+def _first(operand: Value, binds: int) -> str:
+    """The text of what stands before an operator: Python groups from the left, too."""
+    return operand.text[1:-1] if operand.binds >= binds else operand.text
+
+
+def _second(operand: Value, binds: int) -> str:
+    """The text of what stands behind an operator."""
+    return operand.text[1:-1] if operand.binds > binds else operand.text
 
 
 def _quotient(b: Body, left: Value, right: Value) -> Value:

@@ -156,6 +156,8 @@ def _give(b: Body, node: nodes.Assign, text: str, kind: Type, symbol: Symbol | N
         _give_record(b, node, text, kind, found)
         return
     source = converted(b, found, kind, node.values[0], exact=symbol not in b.analysed)
+    if source is found.text:
+        source = found.bare
     if kind.name == TIME:
         b.observes = True
     b.act(f"{text} = {source}")

@@ -74,7 +74,7 @@ LOOP = "For i = 1 To 1000000\n  x = x + i * 2\n  If x > 1000 Then x = 0\nNext"
 )
 def test_a_bounded_loop_needs_no_check_and_no_float(declared: str) -> None:
     text = text_of(declared + LOOP)
-    assert "v_x = (v_x + (v_i * 2))" in text
+    assert "v_x = v_x + v_i * 2" in text
     assert "v_i += 1" in text
 
 
@@ -96,7 +96,24 @@ def test_a_variable_of_a_program_with_labels_needs_no_check() -> None:
         "Dim n As Integer, a(9) As Integer\nn = 1\n#again\na(n) = n\nn = n + 1\nIf n < 10 Then Goto again"
     )
     assert "v_a[v_n] = v_n" in text
-    assert "v_n = (v_n + 1)" in text
+    assert "v_n = v_n + 1" in text
+
+
+@pytest.mark.parametrize(
+    ("written", "python"),
+    [
+        ("x + y * x - y", "v_x + v_y * v_x - v_y"),
+        ("x - (y - x)", "v_x - (v_y - v_x)"),
+        ("(x - y) - x", "v_x - v_y - v_x"),
+        ("x / (y * x)", "v_x / (v_y * v_x)"),
+        ("x * (y / x)", "v_x * (v_y / v_x)"),
+        ("x * y / x", "v_x * v_y / v_x"),
+        ("(x + y) * (x - y)", "(v_x + v_y) * (v_x - v_y)"),
+    ],
+)
+def test_brackets_stand_where_python_would_group_otherwise(written: str, python: str) -> None:
+    program = f"Dim x As Float, y As Float, z As Float\nx = TIME : y = TIME\nz = {written}\nPRINT z"
+    assert f"v_z = {python}" in text_of(program)
 
 
 def test_what_fails_under_onerror_leaves_what_was() -> None:
