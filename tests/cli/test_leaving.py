@@ -1,0 +1,56 @@
+"""The end of a process: nothing is lost by its leaving at once, and who waits for the end is not forgotten."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAM = "Dim n As Integer\nFor n = 1 To 20000\n  PRINT n\nNext\n"
+CALL = "import sys\nfrom motionlang.__main__ import main\n"
+# What is put before the call, and whether the process is to leave at once by it.
+BEFORE = {
+    "": True,
+    "import atexit\natexit.register(print, 'called')\n": False,
+    "import threading\n": False,
+    "sys.settrace(lambda *each: None)\n": False,
+    "sys.setprofile(lambda *each: None)\n": False,
+}
+# Says so where the process is left.
+WITNESS = "import os\nleave = os._exit\nos._exit = lambda status: (os.write(2, b'at once'), leave(status))\n"
+
+
+def left(before: str, *words: str) -> subprocess.CompletedProcess[str]:
+    script = f"{CALL}{WITNESS}{before}sys.exit(main())"
+    environment = {**os.environ, "PYTHONUNBUFFERED": ""}
+    return subprocess.run(
+        [sys.executable, "-c", script, *words], capture_output=True, text=True, check=False, env=environment
+    )
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> str:
+    path = tmp_path / "count.mnt"
+    path.write_text(PROGRAM)
+    return str(path)
+
+
+@pytest.mark.skipif(sys.implementation.name != "cpython", reason="only CPython tells who waits for the end")
+@pytest.mark.parametrize("before", BEFORE)
+def test_a_process_leaves_at_once_where_nobody_waits_for_its_end(program: str, before: str) -> None:
+    ran = left(before, "run", program, "--report", "none", "--no-cache")
+    assert ran.returncode == 0
+    lines = ran.stdout.split()
+    assert lines[:20_000] == [str(n) for n in range(1, 20_001)]
+    assert lines[20_000:] == (["called"] if "atexit" in before else [])
+    assert ran.stderr == ("at once" if BEFORE[before] else "")
+
+
+def test_the_exit_status_is_that_of_the_command(tmp_path: Path) -> None:
+    wrong = tmp_path / "wrong.mnt"
+    wrong.write_text("PRNT 1\n")
+    assert left("", "run", str(wrong), "--no-cache").returncode == 1
+    assert left("", "run", "--no-such-option").returncode == 2
