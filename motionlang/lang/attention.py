@@ -44,10 +44,6 @@ class Attention:
             if len(notes) > MOST:
                 self.notes = None  # whoever asks finds other notes than those he began with
 
-    def hold(self, until: float) -> None:
-        """What has been read stays as it is until a moment, if nothing happens."""
-        self.note(float, until)
-
     def begin(self) -> tuple[list[Note], int]:
         """From now on notes are taken: where they go, and how many are there already."""
         if self.notes is None:

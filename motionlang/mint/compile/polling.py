@@ -8,20 +8,19 @@ exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does
     else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,))
     if t >= H: t, H = yield t; w1 = w2 and w1
 
-`w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`idle_variables`) is no
-part of that state; counters are given beside it, and come back as they are when turns have been skipped.
+`w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`idle`) is no part of that
+state; counters are given beside it, and come back as they are when turns have been skipped.
 """
 
 from __future__ import annotations
 
-from motionlang.mint.compile.idle_variables import idle
-from motionlang.mint.resolve.symbols import NUMERIC, STRING, TIME
+from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator, Sequence
+    from collections.abc import Collection, Iterable, Iterator, Sequence
 
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
@@ -31,6 +30,9 @@ if TYPE_CHECKING:
 MOST_VARIABLES = 100
 # Types whose values do not change by themselves.
 PLAIN = NUMERIC | {STRING}
+# What stands for a level, in generated text, until the reading turns round, and whatever it does.
+UNTIL_IT_TURNS, WHATEVER = "1e999", "-1e999"
+COMPARED = frozenset(("<", ">", "<=", ">="))
 
 
 class Poll:
@@ -104,6 +106,47 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol],
     return state, reads
 
 
+def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict[int, str]]:
+    """The variables to which a loop gives other values turn by turn and which decide nothing, of all that it reaches.
+
+        n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
+
+    Counters, all of them, by their spelling, and the levels of the readings they are given. Turns that are alike but
+    for these can be skipped, all but the last one: it gives the copy and the extremum the values that they would have,
+    and a counter has counted on by as many turns. The condition of an extremum is the same again until the reading
+    turns round, which the copy is asked for instead of a level; of a mere copy nobody asks anything.
+    """
+    uses: dict[Symbol | None, int] = {}
+    counters: set[Symbol] = set()
+    levels: dict[int, tuple[Symbol, str]] = {}
+    alone = b.function.kind != "sub" and not b.function.jumps and not b.watching
+    for node in turn if alone else ():
+        own = _own(b, node)
+        uses[own] = uses.get(own, 0) + 1
+        given = node.body[0] if isinstance(node, nodes.If) and len(node.body) == 1 else node
+        own = _own(b, given.target) if isinstance(given, nodes.Assign) else None
+        if own is None or not isinstance(given, nodes.Assign):
+            continue
+        value, reading, within = given.values[0], _reading(given.values[0]), 0
+        if isinstance(node, nodes.If):
+            test = node.condition
+            if reading and isinstance(test, nodes.Binary) and test.op in COMPARED:
+                sides = {_own(b, side) or _reading(side) for side in (test.left, test.right)}
+                if sides == {own, reading}:
+                    within, levels[id(value)] = 1, (own, UNTIL_IT_TURNS)
+        elif isinstance(value, nodes.Binary) and value.op in "+-" and _own(b, value.left) is own:
+            if isinstance(value.right, nodes.Number) and isinstance(value.right.value, int):
+                within = 2
+                counters.add(own)
+        elif own.type.name == FLOAT and reading:
+            within = 1
+            levels.setdefault(id(value), (own, WHATEVER))
+        uses[own] = uses.get(own, 0) - within
+    mere = {own for own, left in uses.items() if own is not None and not left}
+    kept = {number: text for number, (own, text) in levels.items() if own in mere}
+    return sorted(own.python for own in mere & counters), {own.python for own in mere}, kept
+
+
 def turn(b: Body, poll: Poll) -> None:
     """The end of a turn, `t` being up to date."""
     look, left, site, counters = poll.look, poll.left, poll.site, poll.counters
@@ -157,3 +200,21 @@ def _text(b: Body, symbol: Symbol) -> str:
     if symbol.is_array or symbol.boxed or symbol.by_ref or symbol.type.name not in PLAIN:
         return f"{b.whole.use('fn', 'frozen')}({symbol.python})"
     return symbol.python
+
+
+def _own(b: Body, node: nodes.Node) -> Symbol | None:
+    """The number of this function alone that a name stands for."""
+    symbol = node.symbol if isinstance(node, nodes.Name) and node.args is None else None
+    if symbol is None or symbol.kind != "variable" or symbol.home is not b.function:
+        return None
+    shared = symbol.shared or symbol.boxed or symbol.by_ref or symbol.is_array
+    return None if shared or symbol.type.name not in NUMERIC else symbol
+
+
+def _reading(node: nodes.Node) -> tuple[object, ...]:
+    """A reading of one axis or channel that can be asked for, for comparison; () where it is anything else."""
+    row = node.row if isinstance(node, nodes.Name) else None
+    args = getattr(node, "args", None) or ()
+    if row is None or not row.solved or not all(isinstance(each, nodes.Number) for each in args):
+        return ()
+    return row, *[each.value for each in args]

@@ -32,26 +32,12 @@ CROSSINGS: dict[str, tuple[str, str]] = {
 
 def moving(make: Maker) -> Maker:
     """A reading that may change for as long as an axis moves; `make` makes the function that reads."""
-    return _noted(make, Changes.moving)
+    return lambda environment, row: environment.part(Changes).noted(make(environment, row), Changes.moving)
 
 
 def always(make: Maker) -> Maker:
     """A reading that changes all the time."""
-    return _noted(make, Changes.at_once)
-
-
-def _noted(make: Maker, until: Callable[[Changes], float]) -> Maker:
-    def made(environment: Environment, row: Row) -> Callable[..., Any]:
-        read, attention, changes = make(environment, row), environment.attention, environment.part(Changes)
-
-        def noted(*where: Any) -> Any:
-            if attention.notes is not None:
-                attention.note(until, changes)
-            return read(*where)
-
-        return noted
-
-    return made
+    return lambda environment, row: environment.part(Changes).noted(make(environment, row), Changes.at_once)
 
 
 def repeatable(make: Maker) -> Maker:
@@ -79,6 +65,17 @@ class Changes:
                 attention.note(until, number, level)
 
         return Hearing(attention, note, wraps)
+
+    def noted(self, read: Callable[..., Any], until: Callable[[Changes], float]) -> Callable[..., Any]:
+        """A reading that is compared with nothing."""
+        attention = self._environment.attention
+
+        def noted(*where: Any) -> Any:
+            if attention.notes is not None:
+                attention.note(until, self)
+            return read(*where)
+
+        return noted
 
     def comparable(self, read: Callable[[int], float], until: Until) -> Callable[..., float]:
         """The same of a reading that is bound to none of them."""
