@@ -5,11 +5,12 @@ as it was until something happens. `motionlang.mint.runtime.loop_skipping` pays 
 exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does.
 
     if w2: w2 -= 1
-    else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,))
-    if t >= H: t, H = yield t; w1 = w2 and w1
+    elif w3: w3 -= 1; w2 = 255
+    else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,)); w3, w2 = divmod(w2, 256)
+    if t >= H: t, H = yield t; w1 = None
 
-`w1` is what the turn began with, `w2` for how many turns nobody looks. What decides nothing (`idle`) is no part of that
-state; counters are given beside it, and come back as they are when turns have been skipped.
+`w1` is what the turn began with; nobody looks for `w2` turns and `w3` times 256. What decides nothing (`idle`) is no
+part of the state; counters are given beside it, and come back as they are when turns have been skipped.
 """
 
 from __future__ import annotations
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 
 # A loop that names more variables is not looked at turn by turn.
 MOST_VARIABLES = 100
+# So many turns are counted down at a time: of small numbers Python has one object each.
+STRETCH = 256
 # Types whose values do not change by themselves.
 PLAIN = NUMERIC | {STRING}
 # What stands for a level, in generated text, until the reading turns round, and whatever it does.
@@ -38,7 +41,7 @@ COMPARED = frozenset(("<", ">", "<=", ">="))
 class Poll:
     """One loop that is watched, and the names of what its turn began with and for how many turns nobody looks."""
 
-    __slots__ = ("counters", "left", "look", "named", "site", "state")
+    __slots__ = ("alone", "counters", "look", "named", "site", "state", "stretches")
 
     def __init__(
         self,
@@ -50,7 +53,8 @@ class Poll:
     ) -> None:
         self.site = b.whole.use("loop", asks, b.whole.polls, bool(mere))
         b.whole.polls += 1
-        self.look, self.left, self.named = b.temp(), b.temp(), state.values()
+        self.look, self.alone, self.stretches = b.temp(), b.temp(), b.temp()
+        self.named = state.values()
         self.counters = f"({', '.join(counters)},)" if counters else "z"
         self.state = f"({', '.join(['E.acts', *sorted(state.keys() - mere)])},)"
         if counters:
@@ -59,7 +63,7 @@ class Poll:
     @property
     def first(self) -> str:
         """What stands before the first turn."""
-        return f"{self.look} = None; {self.left} = {self.site}.left"
+        return f"{self.look} = None; {self.stretches}, {self.alone} = divmod({self.site}.left, {STRETCH})"
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
@@ -149,12 +153,16 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict
 
 def turn(b: Body, poll: Poll) -> None:
     """The end of a turn, `t` being up to date."""
-    look, left, site, counters = poll.look, poll.left, poll.site, poll.counters
-    b.emit(f"if {left}: {left} -= 1")
+    look, alone, stretches = poll.look, poll.alone, poll.stretches
+    b.emit(f"if {alone}: {alone} -= 1")
+    b.emit(f"elif {stretches}: {stretches} -= 1; {alone} = {STRETCH - 1}")
     for each in poll.named:
         b.spelt(each)
-    b.emit(f"else: t, H, {look}, {left}, {counters} = {site}.turn(t, H, {look}, {poll.state})")
-    b.horizon(then=f"; {look} = {left} and {look}")
+    split = f"{stretches}, {alone} = divmod({alone}, {STRETCH})"
+    b.emit(
+        f"else: t, H, {look}, {alone}, {poll.counters} = {poll.site}.turn(t, H, {look}, {poll.state}); {split}"
+    )
+    b.horizon(then=f"; {look} = None")
 
 
 def is_repeated(row: Keyword) -> bool:

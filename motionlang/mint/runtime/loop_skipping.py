@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     Look = tuple[State | None, tuple[float, ...], float, float, float, int, list[Note], int]
 
 LARGEST = 2147483647  # Integer
-# So many turns pass unlooked at, one call being made for so many: small numbers are counted down without new objects.
-MOST_ALONE, AT_ONCE = 4096, 256
+# So many turns pass unlooked at, and more where arrays are to be compared.
+MOST_ALONE = 4096
 
 
 class Site:
@@ -47,30 +47,28 @@ class Site:
         self,
         t: float,
         horizon: float,
-        look: Look | int | None,
+        look: Look | None,
         state: State,
         counters: tuple[float, ...] = (),
-    ) -> tuple[float, float, Look | int, int, tuple[float, ...]]:
+    ) -> tuple[float, float, Look | None, int, tuple[float, ...]]:
         """The end of a turn: the end of the last one that can be no different, and how many pass unlooked at.
 
         Both ends and the horizon are numbers of statements; `state` is what every turn leaves behind, after the count
         of what the program did. What `counters` count decides nothing; the last answer is where they have come to.
-        Instead of what a turn began with there may be for how many more turns nobody looks.
         """
-        attention, statements, left = self._environment.attention, self._environment.statements, 0
-        if isinstance(look, int):
-            left = look
-        elif look is not None:
+        attention, statements = self._environment.attention, self._environment.statements
+        if look is not None:
             found = self.skip(t, horizon, look, state, counters) if look[0] == state else None
             if found is None:
                 self._environment.task.look = None
-                left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE)
+                elements = sum([len(each) for each in state if isinstance(each, tuple)])
+                left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE + 4 * elements)
+                if left:
+                    attention.notes = None
+                    return t, horizon, None, left, counters
             else:
                 self.left = 0
                 t, horizon, counters = found
-        if left:
-            attention.notes = None
-            return t, horizon, max(left - AT_ONCE, 0), min(left, AT_ONCE), counters
         since = t, statements.base, statements.at(t), self._environment.resumed
         return t, horizon, (state, counters, *since, *attention.begin()), 0, counters
 
