@@ -9,10 +9,15 @@ from __future__ import annotations
 
 from motionlang.lang.task import ROUNDING
 
+try:  # what operator adds to it is not needed, and every run would wait for it
+    from _operator import attrgetter
+except ImportError:
+    from operator import attrgetter
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Protocol
+    from typing import Any, Protocol
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
@@ -35,6 +40,9 @@ if TYPE_CHECKING:
 INFINITY = float("inf")
 # Virtual seconds that one task may run while another is runnable.
 QUANTUM = 1e-3
+# The same, less than whole, as a number of statements may fill it exactly.
+TURN = QUANTUM - ROUNDING
+_WAIT_OF: Callable[[Task], Any] = attrgetter("wait")
 # How often a wait may be asked at one moment before time goes on without it.
 STALLS = 4
 
@@ -87,6 +95,8 @@ class Scheduler:
         # The waits of tasks none of which can run, as `_runnable` has found them.
         self._asked: list[Wait] = []
         self._due = INFINITY
+        # Whether all tasks may be waiting, as the one that ran last does.
+        self._asleep = False
         self._recurrence: Recurrence | None = None
         self._turn = 0
         self._stalls = 0
@@ -124,9 +134,10 @@ class Scheduler:
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
         clock, outside = self.clock, self.outside is not None
-        advance = clock.advance if self.by_itself else self._advance
-        self.until, self._end = until, 0.0
+        self.until, self._end, self._asleep = until, 0.0, False
         while not self.parent.done:
+            if self._asleep and self._wake_in_turn(until):
+                continue
             now = clock.now
             if now >= until:
                 return False
@@ -143,24 +154,93 @@ class Scheduler:
                 self.turn_began = now
             if several:
                 if not self._end:
-                    # Less than whole, as a number of statements may fill it exactly.
-                    length = (
-                        QUANTUM if task.busy < 2 * QUANTUM and not self._left else self._turn_length(horizon)
-                    )
-                    self._end = now + min(length - ROUNDING, task.turn)
+                    many = task.busy >= 2 * QUANTUM or self._left
+                    self._end = now + min(self._turn_length(horizon) - ROUNDING if many else TURN, task.turn)
                 horizon = min(horizon, self._end, self._next_due(task))
             time, task.wait = task.resume(now, horizon)
-            advance(time)
-            while clock.now < time:
-                advance(time)
-            if several:
-                self._took_turn(task, now)
-            if self._end and not (event <= time < self._end and self._goes_on(task)):
-                self._end = 0.0
-                self._compare(task)
-            if task.done and task is not self.parent:
-                self._forget(task)
+            self._leave(task, event, time, several)
         return True
+
+    def _leave(self, task: Task, event: float, time: float, several: bool) -> None:
+        """A task that went on has come to a time; when it did so, the next event was to be at `event`."""
+        clock = self.clock
+        advance = clock.advance if self.by_itself else self._advance
+        advance(time)
+        while clock.now < time:
+            advance(time)
+        if several:
+            self._took_turn(task, self.began)
+        if self._end and not (event <= time < self._end and self._goes_on(task)):
+            self._end = 0.0
+            self._compare(task)
+        self._asleep = several and task.wait is not None and self.by_itself
+        if task.done and task is not self.parent:
+            self._forget(task)
+
+    def _wake_in_turn(self, until: float) -> bool:
+        """Where all wait for a time or for motion to end, let them go on one after the other, each found in one look.
+
+        So it goes up to the moment at which that takes more: as two can go on, something else happens before, somebody
+        does not wait, or waits for what cannot be told. False where nobody went on.
+        """
+        tasks, clock, log = self.tasks, self.clock, self._log
+        waits: Callable[[Any], object] = log.waits.append
+        turns: Callable[[Any], object] = log.turns.append
+        known: list[Wait] = []
+        went = 0
+        while not (self.interrupts or self._left):
+            present = list(map(_WAIT_OF, tasks))
+            if present != known:
+                if None in present:
+                    break
+                known, names = present, [(task.name,) for task in tasks]
+                # When each goes on: at the latest, and if nothing but what is expected happens.
+                surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
+                ends, resting = surely[:], {k for k, wait in enumerate(known) if wait.ends is None}
+            for k in resting:
+                ends[k] = known[k].expected()
+            now, first = clock.now, min(ends)
+            place = ends.index(first)
+            ends[place] = INFINITY
+            if not (now + ROUNDING < first < until and first + ROUNDING < min(ends)):
+                break
+            found, wait = tasks[place], known[place]
+            if place not in resting:
+                if clock.horizon <= first and clock.next_time() <= first:
+                    break
+                surely[place] = INFINITY
+            elif clock.next_time() != first or not clock.advance_to_news(first):
+                break
+            clock.now = self.began = self.turn_began = first
+            self.current, self._alone = found, place == (self._turn - 1) % len(tasks)
+            self._turn, self._stalls, found.wait = (place + 1) % len(tasks), 0, None
+            at, callers = wait.place or found.standing
+            cause, turn = wait.cause, found.turn
+            why = "" if cause == "time" else wait.why
+            waits((found.name, at, wait.since, first, cause, wait.what, why, callers))
+            self._end = horizon = first + (turn if turn < TURN else TURN)
+            event = min(clock.next_time(), until)
+            horizon = min(horizon, min(surely) - 0.5 * ROUNDING, event)
+            time, found.wait = found.resume(first, horizon)
+            after = found.wait
+            went += 1
+            if after is None or found.look is not None or not first <= time < clock.horizon:
+                self._waiting[:] = [task for task in tasks if task is not found]
+                self._leave(found, event, time, True)
+                break
+            clock.now = time
+            turns((first, time, names[place], (time - first,)))
+            self._end, self._calm = 0.0, 0
+            known[place] = after
+            if after.ends is None:
+                resting.add(place)
+            else:
+                resting.discard(place)
+                ends[place] = surely[place] = after.ends
+            if not went & 1023:
+                log.waits.trim()
+                log.turns.trim()
+        return went > 0
 
     def passes(self, wait: Wait) -> bool:
         """Let the time of a wait pass under the task that runs, as it would pass while it gave way; false: it must.

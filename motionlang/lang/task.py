@@ -11,7 +11,7 @@ from sys import _getframe
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
-    from types import FrameType
+    from types import CodeType, FrameType
     from typing import Any
 
     from motionlang.controller.clock import Clock
@@ -36,9 +36,12 @@ class Wait:
     `why`     how a person would say it, for the report of a wait that never ends
     `cause`   what kind of thing ends it, and `what` its numbers: one of `record.records.CAUSES`
     `ends`    the moment at which it ends whatever happens, where there is one: then neither of the two need be asked
+    `place`   the place of its statement and those of the calls that led there, where it knows them itself
     """
 
     __slots__ = ("cause", "due", "ends", "ready", "since", "what", "why")
+
+    place: tuple[int, tuple[int, ...]] | None = None
 
     def __init__(
         self,
@@ -53,18 +56,24 @@ class Wait:
         self.cause, self.what = cause, what
         self.ends: float | None = None
 
+    def expected(self) -> float:
+        """When it ends if nothing happens but what is expected, and no sooner; -1 where nobody can tell, or it has."""
+        return -1.0
+
 
 class Delay(Wait):
     """A wait for a moment; programs have millions of them, so its reason is put into words when somebody asks."""
 
-    __slots__ = ("_clock",)
+    __slots__ = ("_clock", "place")
 
     cause = "time"
     what = ()
     ends: float
 
-    def __init__(self, clock: Clock, since: float, time: float) -> None:
-        self.since, self._clock, self.ends = since, clock, time
+    def __init__(
+        self, clock: Clock, since: float, time: float, place: tuple[int, tuple[int, ...]] | None = None
+    ) -> None:
+        self.since, self._clock, self.ends, self.place = since, clock, time, place
 
     @property
     def length(self) -> float:
@@ -118,7 +127,19 @@ class Task:
     for something that nothing could bring about until the end of the run.
     """
 
-    __slots__ = ("busy", "done", "in_vain", "into", "level", "look", "looked", "name", "priority", "wait")
+    __slots__ = (
+        "busy",
+        "done",
+        "in_vain",
+        "into",
+        "level",
+        "look",
+        "looked",
+        "name",
+        "priority",
+        "turn",
+        "wait",
+    )
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -129,6 +150,7 @@ class Task:
         self.level = INFINITY
         self.in_vain: float | None = None
         self.priority = 0  # of two tasks that can run, the one with the higher priority does
+        self.turn = INFINITY  # the most that it may run, s, while others can
         self.done = False
         self.wait: Wait | None = None
 
@@ -138,14 +160,15 @@ class Task:
         return 0
 
     @property
-    def turn(self) -> float:
-        """The most that it may run, s, while others can."""
-        return INFINITY
-
-    @property
     def stack(self) -> tuple[int, ...]:
         """Where it stands, behind the places of the calls that led there, the outermost first."""
         return (self.at,)
+
+    @property
+    def standing(self) -> tuple[int, tuple[int, ...]]:
+        """Where it stands, and the places of the calls that led there."""
+        *callers, at = self.stack
+        return at, tuple(callers)
 
     @property
     def running(self) -> bool:
@@ -178,6 +201,9 @@ class GeneratorTask(Task):
     """
 
     __slots__ = ("_file", "_generator", "_make", "_places")
+
+    # The code of `resume`, behind which no further code of a program stands.
+    resumes: CodeType
 
     def __init__(
         self, name: str, make: Callable[[float, float], Steps], file: str, places: Sequence[int]
@@ -218,7 +244,7 @@ class GeneratorTask(Task):
 
         `above` says how many calls above this one that code is.
         """
-        if _getframe(above + 1).f_code is RESUMES:
+        if _getframe(above + 1).f_code is self.resumes:
             return ()
         frame: FrameType | None = _getframe(above)
         found = []
@@ -271,5 +297,4 @@ class GeneratorTask(Task):
         return out.since, out  # type: ignore[union-attr,return-value,unused-ignore]
 
 
-# Behind this no further code of a program stands.
-RESUMES = GeneratorTask.resume.__code__
+GeneratorTask.resumes = GeneratorTask.resume.__code__

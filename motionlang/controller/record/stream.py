@@ -190,6 +190,11 @@ class Stream(_Of[T]):
         if len(tail) >= MOST:
             self.pack(MOST - LEFT)
 
+    def trim(self) -> None:
+        """Pack some where there are many, for who appends."""
+        if len(self._tail) >= MOST:
+            self.pack(len(self._tail) - LEFT)
+
     @property
     def first(self) -> int:
         """The number of the oldest record that is kept."""

@@ -16,7 +16,10 @@ def write_priority(environment: Environment, name: str, value: int) -> None:
 
 
 def write_quantum(environment: Environment, name: str, value: int) -> None:
+    """TASKQUANTUM, likewise."""
     environment.quanta[name] = value
+    if name in environment.tasks:
+        environment.tasks[name].set_turn()
 
 
 def read_status(environment: Environment, name: str) -> int:

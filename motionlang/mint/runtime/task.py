@@ -7,6 +7,8 @@ from motionlang.lang.task import INFINITY, GeneratorTask, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from motionlang.lang.attention import Note
     from motionlang.mint.runtime.environment import Environment, Make
     from motionlang.mint.runtime.waits import Waits
@@ -39,31 +41,33 @@ class MintTask(GeneratorTask):
         self.notes: list[Note] | None = None
         self.suspended = False
         self.held: Wait | None = None
+        self.set_turn()
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """As every task; what others did meanwhile is noticed."""
         environment = self.environment
         environment.task = self
-        clock = environment.clock
+        clock, attention, statements = environment.clock, environment.attention, environment.statements
         if environment.fired != clock.fired:
             self.noticed(environment)
         if environment.ran is not self or environment.leaps != clock.leaps:
             environment.resumed += 1
             environment.leaps = clock.leaps
         acts = environment.acts
-        attention = environment.attention
         attention.notes = self.notes
-        statements = environment.statements
+        self.busy = 0.0
+        count = statements.count if now == statements.reached else statements.start(now)
+        limit, generator = statements.limit(horizon), self._generator
+        out: Any
         try:
-            time, wait = super().resume(statements.arrive(now), statements.limit(horizon))
-            if wait is None:
-                time, self.busy = statements.leave(time), self.busy * statements.cost
-            self.notes = attention.notes
-            environment.ran = self
-            if environment.acts != acts:  # it has done something, if not since it last looked
-                if self.look is None or self.look[0] != environment.acts:
-                    self.in_vain = None
-                self.look = None
+            if generator is None:
+                self._generator = generator = self._make(count, limit)
+                out = next(generator)
+            else:
+                out = generator.send((count, limit))
+        except StopIteration as stop:
+            self.done = True
+            time, wait = statements.leave(stop.value), None
         except TaskEnd as end:
             self.done = True
             return end.time, None
@@ -72,16 +76,30 @@ class MintTask(GeneratorTask):
 
             with_number(refusal)
             raise
+        else:
+            if out.__class__ is float:
+                time, wait = statements.leave(out), None
+            elif out.__class__ is tuple:
+                count, busy = out
+                time, wait, self.busy = statements.leave(count), None, busy * statements.cost
+            else:
+                time, wait = out.since, out
+        self.notes = attention.notes
+        environment.ran = self
+        if environment.acts != acts:  # it has done something, if not since it last looked
+            if self.look is None or self.look[0] != environment.acts:
+                self.in_vain = None
+            self.look = None
         if self.suspended:
             self.held, wait = wait, self.never()
         return time, wait
 
-    @property
-    def turn(self) -> float:
+    def set_turn(self) -> None:
         """TASKQUANTUM; less half a statement, so that rounding does not decide whether the last one still fits."""
         environment = self.environment
         quantum = environment.quanta.get(self.name)
-        return INFINITY if quantum is None else (quantum - 0.5) * environment.machine.instruction_time
+        if quantum is not None:
+            self.turn = (quantum - 0.5) * environment.machine.instruction_time
 
     def noticed(self, environment: Waits) -> None:
         """Events have fired since the program last looked: whatever it polled may be another now."""
@@ -121,3 +139,6 @@ def until_free(since: float, semaphore: list[MintTask | None]) -> Wait:
         "for a semaphore",
         "task",
     )
+
+
+MintTask.resumes = MintTask.resume.__code__

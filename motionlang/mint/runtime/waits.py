@@ -6,7 +6,7 @@ from sys import _getframe
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import TICK, Condition
-from motionlang.lang.task import RESUMES, Wait, wait_until
+from motionlang.lang.task import Delay, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -61,11 +61,13 @@ class Waits:
                 if found is not None:
                     clock.now = end = statements.base
                     task = self.task
-                    callers = () if _getframe(2).f_code is RESUMES else task.callers()
+                    callers = () if _getframe(2).f_code is task.resumes else task.callers()
                     waited((task.name, at, since, end, "time", (), "", callers))
                     return found
             end = statements.rest(t, milliseconds / 1000.0)
-            wait = self.wait = wait_until(machine, statements.reached, end)
+            task = self.task
+            callers = () if _getframe(2).f_code is task.resumes else task.callers()
+            wait = self.wait = Delay(clock, statements.reached, end, (at, callers))
             if alone and not self._notes_errors and scheduler.passes(wait):  # type: ignore[union-attr]
                 return self._gone_on(wait.since, "time", "", at)
             return None
@@ -76,7 +78,7 @@ class Waits:
         """Wait for the next tick of the profiler."""
         self.acts += 1
         now = self.statements.leave(t)
-        return wait_until(self.machine, now, (int(now / TICK + 1e-6) + 1) * TICK)
+        return Delay(self.clock, now, (int(now / TICK + 1e-6) + 1) * TICK)
 
     def room(self, t: float, axes: tuple[int, ...]) -> Wait:
         """A move waits for room in the buffers of all its axes."""
@@ -106,11 +108,12 @@ class Waits:
         statements.count = t
         statements.reached = since = statements.base + t * statements.cost
         if axes and self.settled is None and scheduler is not None and not noted:
+            if len(scheduler.tasks) > 1:
+                callers = () if _getframe(2).f_code is task.resumes else task.callers()
+                self.wait = Rest(self, since, axes, ready, why, (at, callers))
+                return None
             if scheduler.comes_to_rest(since, self.controller, axes):
                 return self._gone_on(since, "condition", why, at)
-            if len(scheduler.tasks) > 1:
-                self.wait = Rest(self, since, axes, ready, why)
-                return None
 
         def test() -> object:
             self.task = task  # whose TIME the condition may read
@@ -146,16 +149,24 @@ class Waits:
 class Rest(Wait):
     """The wait until axes are at rest, of which events tell; where the program wants them settled, too, it is asked."""
 
-    __slots__ = ("_asked", "_axes", "_environment", "_test")
+    __slots__ = ("_asked", "_axes", "_end_of_moves", "_environment", "_test", "place")
 
     cause = "condition"
     what = ()
     ends = None
 
     def __init__(
-        self, environment: Waits, since: float, axes: tuple[int, ...], test: Callable[[], object], why: str
+        self,
+        environment: Waits,
+        since: float,
+        axes: tuple[int, ...],
+        test: Callable[[], object],
+        why: str,
+        place: tuple[int, tuple[int, ...]],
     ) -> None:
         self.since, self.why, self._environment, self._axes, self._test = since, why, environment, axes, test
+        self.place = place
+        self._end_of_moves = environment.controller.end_of_moves
         self._asked: Wait | None = None
 
     def ready(self) -> bool:
@@ -166,6 +177,9 @@ class Rest(Wait):
 
     def due(self) -> float:
         return INFINITY if self._environment.settled is None else self._condition().due()
+
+    def expected(self) -> float:
+        return self._end_of_moves(self._axes) if self._environment.settled is None else -1.0
 
     def _condition(self) -> Wait:
         if self._asked is None:

@@ -7,9 +7,9 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
-from motionlang.lang.task import GeneratorTask
 from motionlang.mint.compile import polling
 from motionlang.mint.runtime.loop_skipping import Site
+from motionlang.mint.runtime.task import MintTask
 from motionlang.result import Run
 from motionlang.source import Source
 from tests.mint.polling_programs import COST, program
@@ -269,7 +269,7 @@ def effort(text: str, monkeypatch: pytest.MonkeyPatch) -> tuple[Run, int]:
 
         return call
 
-    monkeypatch.setattr(GeneratorTask, "resume", counted(GeneratorTask.resume))
+    monkeypatch.setattr(MintTask, "resume", counted(MintTask.resume))
     monkeypatch.setattr(Site, "skip", counted(Site.skip))
     return run(Source("a.mnt", text), cache=False), count
 
