@@ -16,7 +16,7 @@ from motionlang.mint.keywords.following_auxiliary import AuxEncoders, _channel
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
 from motionlang.mint.keywords.sensing_operations import Encoders, channel_of
 from motionlang.mint.keywords.table_motion_cams import elements
-from motionlang.mint.runtime.binding import axis_of, of, scale_of
+from motionlang.mint.runtime.binding import Each, axis_of, of, scale_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -152,12 +152,9 @@ class CamBoxes:
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
-        self._boxes: dict[int, CamBox] = {}
+        self._boxes = Each(lambda number: CamBox(environment, checked(number, LAST_BOX, "cam box")))
 
     def box(self, number: int) -> CamBox:
-        checked(number, LAST_BOX, "cam box")
-        if number not in self._boxes:
-            self._boxes[number] = CamBox(self.environment, number)
         return self._boxes[number]
 
 

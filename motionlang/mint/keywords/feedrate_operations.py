@@ -88,12 +88,6 @@ def read_jerk_time(environment: Environment, row: Row, axis: int) -> int:
     return round((accel / a.accel_jerk if _rate(row.name) == "accel" else decel / a.decel_jerk) * 1000.0)
 
 
-def write_jerk_time(environment: Environment, row: Row, axis: int, milliseconds: float) -> None:
-    """ACCELJERKTIME and DECELJERKTIME, ms in which a rate builds up."""
-    name = f"{_rate(row.name)}_jerk_time"
-    environment.controller.configure(axis, name, milliseconds / 1000.0)
-
-
 def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
     """SRAMP: the percentage of a ramp that is rounded; it replaces jerk times, and 0 makes trapezoids."""
     configure = environment.controller.configure
@@ -122,12 +116,6 @@ def write_limit(environment: Environment, row: Row, axis: int, value: float) -> 
 
 
 OPERATIONS = {
-    "feedrate.override": {
-        "read": of(Environment, lambda e, axis: 100.0 * float(e.controller.setting(axis, "override"))),
-        "write": repeatable(
-            of(Environment, lambda e, axis, value: e.controller.configure(axis, "override", value / 100.0))
-        ),
-    },
     "feedrate.parameter": {
         "read": of(Environment, read_parameter),
         "write": of(Environment, write_parameter),
@@ -140,10 +128,8 @@ OPERATIONS = {
         "read": of_word(Environment, read_time_to_most),
         "write": repeatable(of_word(TimesToMost, write_time_to_most)),
     },
-    "feedrate.jerk_time": {
-        "read": of_word(Environment, read_jerk_time),
-        "write": repeatable(of_word(Environment, write_jerk_time)),
-    },
+    "accel_jerk_time": {"read": of_word(Environment, read_jerk_time)},
+    "decel_jerk_time": {"read": of_word(Environment, read_jerk_time)},
     "feedrate.s_ramp": {
         "read": of(Environment, lambda e, axis: 100.0 * (e.controller.axes[axis].s_ramp or 0.0)),
         "write": repeatable(of(Environment, write_s_ramp)),

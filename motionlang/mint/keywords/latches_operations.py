@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from motionlang.controller.triggers.homing import next_index
 from motionlang.mint.keywords.io_inputs import checked
-from motionlang.mint.runtime.binding import axis_of, scale_of, unchecked
+from motionlang.mint.runtime.binding import Each, axis_of, scale_of, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -131,12 +131,10 @@ class Latches:
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
-        self._latches: dict[int, Latch] = {}
+        self._latches = Each(lambda number: self.made(self.checked(number)))
 
     def latch(self, number: int) -> Latch:
         """The latch of a channel or of an axis, made on first use."""
-        if self.checked(number) not in self._latches:
-            self._latches[number] = self.made(number)
         return self._latches[number]
 
     def checked(self, number: int) -> int:

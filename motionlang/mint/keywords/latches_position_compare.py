@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.position_zones import Cells
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, checked
-from motionlang.mint.runtime.binding import of, of_word, scale_of, unchecked
+from motionlang.mint.runtime.binding import Each, of, of_word, scale_of, unchecked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -92,11 +92,9 @@ class Compares:
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
-        self._compares: dict[int, Compare] = {}
+        self._compares = Each(lambda axis: Compare(environment, axis))
 
     def compare(self, axis: int) -> Compare:
-        if axis not in self._compares:
-            self._compares[axis] = Compare(self.environment, axis)
         return self._compares[axis]
 
     def of_output(self, output: int) -> list[Compare]:

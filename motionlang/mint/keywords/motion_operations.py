@@ -9,54 +9,41 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
     from motionlang.mint.runtime.environment import Environment
 
 
-def load_load_by(environment: Environment, row: Row) -> Operation:
-    """Answers true while the buffer is full."""
-    controller, name = environment.controller, row.name
-    room, load = controller.room, controller.load_by
+def load_move(relative: bool) -> Maker:
+    """What loads a move by a distance, or to a place: true while the buffer is full."""
 
-    def by(axis: int, value: float, line: int) -> bool:
-        scale = scale_of(environment, axis)
-        finite(row, value)
-        refuse_stopping(environment, axis)
-        if room(axis) <= 0:
-            return True
-        load(axis, value * scale.counts, name, line)
-        if environment.loaded is not None:
-            environment.loaded(axis)
-        return False
+    def made(environment: Environment, row: Row) -> Operation:
+        controller, name = environment.controller, row.name
 
-    by.plain = _plain(environment, True, name)  # type: ignore[attr-defined]
-    return by
+        def load(axis: int, value: float, line: int) -> bool:
+            scale = scale_of(environment, axis)
+            finite(row, value)
+            refuse_stopping(environment, axis)
+            if controller.room(axis) <= 0:
+                return True
+            if relative:
+                controller.load_by(axis, value * scale.counts, name, line)
+            else:
+                place = scale.position_to_counts(value + environment.turn(axis))
+                controller.load_to(axis, place, name, line)
+            if environment.loaded is not None:
+                environment.loaded(axis)
+            return False
 
+        load.plain = _plain(environment, relative, name)  # type: ignore[attr-defined]
+        return load
 
-def load_load_to(environment: Environment, row: Row) -> Operation:
-    """Answers true while the buffer is full."""
-    controller, name = environment.controller, row.name
-    room, load = controller.room, controller.load_to
-
-    def to(axis: int, value: float, line: int) -> bool:
-        scale = scale_of(environment, axis)
-        finite(row, value)
-        refuse_stopping(environment, axis)
-        if room(axis) <= 0:
-            return True
-        load(axis, scale.position_to_counts(value + environment.turn(axis)), name, line)
-        if environment.loaded is not None:
-            environment.loaded(axis)
-        return False
-
-    to.plain = _plain(environment, False, name)  # type: ignore[attr-defined]
-    return to
+    return made
 
 
 def _plain(environment: Environment, relative: bool, name: str) -> Mapping[int, Callable[[float, int], bool]]:
     """What loads a move about which nothing is special, by axis; it answers false where anything is."""
     loader = environment.controller.loader
-    return Each(lambda axis: loader(axis_of(environment, axis), relative, name))  # type: ignore[return-value]
+    return Each(lambda axis: loader(axis_of(environment, axis), relative, name))
 
 
 def refuse_stopping(environment: Environment, axis: int) -> None:
@@ -93,8 +80,8 @@ def cancel(environment: Environment, axis: int) -> None:
 
 
 OPERATIONS = {
-    "load_by": {"load": load_load_by},
-    "load_to": {"load": load_load_to},
+    "load_by": {"load": load_move(True)},
+    "load_to": {"load": load_move(False)},
     "go": {"do": do_go},
     "cancel": {"do": on_axes(cancel)},
     "cancel_all": {"do": on_every_axis(cancel)},

@@ -47,7 +47,7 @@ event_flags.pend event_flags.unpend
 factory_defaults.defaults
 """,
     "feedrate_operations": """
-feedrate.override feedrate.parameter feedrate.limit feedrate.time_to_most feedrate.jerk_time feedrate.s_ramp
+feedrate.parameter feedrate.limit feedrate.time_to_most accel_jerk_time decel_jerk_time feedrate.s_ramp
 """,
     "following_auxiliary": """
 following.auxiliary.position following.auxiliary.velocity following.auxiliary.speed following.auxiliary.mode
@@ -171,8 +171,8 @@ table_motion.cams.table table_motion.cams.cam table_motion.cams.index table_moti
 table_motion.cams.phase table_motion.cams.phase_status
 """,
     "table_motion_splines": """
-table_motion.splines.table table_motion.splines.spline table_motion.splines.setting
-table_motion.splines.suspend_time table_motion.splines.index table_motion.splines.segment
+table_motion.splines.table table_motion.splines.spline table_motion.splines.setting table_motion.splines.index
+table_motion.splines.segment
 """,
     "tasks_operations": """
 task_priority task_quantum task_status task_suspend task_resume timer_event event_active event_pending

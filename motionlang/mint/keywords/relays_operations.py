@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.io_inputs import BANK, LAST_CHANNEL, bits_of, checked
 from motionlang.mint.keywords.io_outputs import LAST_ANALOGUE
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Each, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 
@@ -131,12 +131,10 @@ class Brakes:
 
     def __init__(self, environment: Environment) -> None:
         self._environment = environment
-        self._brakes: dict[int, Brake] = {}
+        self._brakes = Each(lambda axis: Brake(environment, axis))
         environment.controller.listeners.append(self._heard, "switched")
 
     def brake(self, axis: int) -> Brake:
-        if axis not in self._brakes:
-            self._brakes[axis] = Brake(self._environment, axis)
         return self._brakes[axis]
 
     def default(self, axis: int) -> None:

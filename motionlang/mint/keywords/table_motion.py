@@ -85,7 +85,7 @@ ROWS = (
     _setting("SPLINETIME", "table_motion.splines.setting", "ms",
              "Milliseconds of each segment of a spline, of which whole steps of 2 count.",
              _SPLINE.format("SPLINETIME(0) = 250\n"), 100.0, 4, 60000),
-    _setting("SPLINESUSPENDTIME", "table_motion.splines.suspend_time", "ms",
+    _setting("SPLINESUSPENDTIME", "suspend_time", "ms",
              "Milliseconds in which SUSPEND and STOP bring a spline to rest on its path, and in which it does the rest "
              "of its segment when it goes on.",
              _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),

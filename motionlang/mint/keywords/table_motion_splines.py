@@ -22,7 +22,6 @@ from motionlang.mint.keywords.table_motion_cams import (
     span,
 )
 from motionlang.mint.runtime.binding import of, of_word
-from motionlang.mint.runtime.environment import Environment
 from motionlang.profile.pvt.velocities import average_velocities, smooth_velocities
 from motionlang.profile.table_motion import spline_slopes
 
@@ -30,6 +29,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.controller.moves.entries import Timed
     from motionlang.mint.runtime.binding import Row
+    from motionlang.mint.runtime.environment import Environment
 
     Array = list[float]
 
@@ -168,10 +168,6 @@ def read_index(splines: Splines, axis: int) -> int:
     return splines.ends[axis] - ahead % (splines.ends[axis] - int(splines.setting("SPLINESTART", axis)) + 1)
 
 
-def write_suspend_time(environment: Environment, axis: int, milliseconds: float) -> None:
-    environment.controller.configure(axis, "suspend_time", milliseconds / 1000.0)
-
-
 OPERATIONS = {
     "table_motion.splines.table": {"do": of_word(Splines, do_table)},
     "table_motion.splines.spline": {
@@ -179,10 +175,6 @@ OPERATIONS = {
         "load": loads(Splines, put_spline),
     },
     "table_motion.splines.setting": {"read": reading(Splines), "write": writing(Splines)},
-    "table_motion.splines.suspend_time": {
-        "read": of(Environment, lambda e, axis: round(e.controller.axes[axis].suspend_time * 1000.0)),
-        "write": of(Environment, write_suspend_time),
-    },
     "table_motion.splines.index": {"read": of(Splines, read_index)},
     "table_motion.splines.segment": {"do": of_word(Splines, do_segment)},
 }

@@ -30,17 +30,21 @@ with_first: Callable[..., Operation] = partial
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
+    from typing import TypeVar
 
     from motionlang.controller.scale import Scale
     from motionlang.mint.runtime.environment import Environment
 
     Operation = Callable[..., object]
     Maker = Callable[["Environment", "Row"], Operation]
+    Made = TypeVar("Made")
     # What binds an operation to an axis.
     Bound = Callable[["Environment", "Row"], Callable[[int], Operation]]
 
 # Units of what is whole.
 _WHOLE = ("integer", "bool", "bits")
+# What a setting of the controller, in seconds or as a share, is multiplied by to be in a unit.
+_TIMES = {"ms": 1000.0, "%": 100.0}
 _MODULES = {verb: name for name, verbs in VERBS.items() for verb in verbs.split()}
 
 
@@ -62,14 +66,14 @@ class Row:
             raise Refusal("range", f"{self.name} cannot be {value:g}", limits)
 
 
-class Each(dict[int, "Operation"]):
-    """What a keyword does on each axis, made when an axis is first named."""
+class Each(dict[int, "Made"]):
+    """Something of each axis or channel, made when its number is first named."""
 
-    def __init__(self, make: Callable[[int], Operation]) -> None:
+    def __init__(self, make: Callable[[int], Made]) -> None:
         self._make = make
 
-    def __missing__(self, axis: int) -> Operation:
-        made = self[axis] = self._make(axis)
+    def __missing__(self, number: int) -> Made:
+        made = self[number] = self._make(number)
         return made
 
 
@@ -278,12 +282,12 @@ def no_axis(environment: Environment, axis: int) -> Refusal:
 def _write_setting(environment: Environment, row: Row, axis: int) -> Operation:
     write = environment.controller.writer(row.verb, axis, row.unit)
     low, high = _limits(row)
-    in_ms = row.unit == "ms"
+    times = _TIMES.get(row.unit)
 
     def checked(value: float) -> None:
         if not low <= value <= high:
             row.check(value)
-        write(value / 1000.0 if in_ms else value)
+        write(value / times if times else value)
 
     return checked
 
@@ -293,7 +297,10 @@ def _read_setting(environment: Environment, row: Row, axis: int) -> Operation:
     if row.unit in _WHOLE:
         setting = environment.controller.reader(row.verb, axis)
         return lambda: int(setting())
-    return environment.controller.reader(row.verb, axis, row.unit)
+    read, times = environment.controller.reader(row.verb, axis, row.unit), _TIMES.get(row.unit)
+    if times is None:
+        return read
+    return (lambda: round(read() * times)) if row.unit == "ms" else lambda: times * read()
 
 
 @by_axis
