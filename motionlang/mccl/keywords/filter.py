@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl.keywords.row import Group
 
 _G = Group("servo filter")
-_row, _known = _G.row, _G.known
+_row = _G.row
 
 ROWS = (
     _row("SG", "setting", "W", "axes", "number", "kept_gain", "Set the proportional gain.",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl.keywords.row import Group
 
 _G = Group("flow")
-_row, _known = _G.row, _G.known
+_row = _G.row
 
 ROWS = (
     _row("RP", "statement", "W", "none", "number", "repeat",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl.keywords.row import Group
 
 _G = Group("input and output")
-_row, _known = _G.row, _G.known
+_row = _G.row
 
 ROWS = (
     _row("CN", "command", "W", "none", "number", "channel_on", "Switch an output channel on.", "CT9,CN9", low=1,

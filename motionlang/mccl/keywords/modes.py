@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl.keywords.row import Group
 
 _G = Group("modes")
-_row, _known = _G.row, _G.known
+_row = _G.row
 
 ROWS = (
     _row("PM", "command", "C", "axes", "", "position_mode", "Position mode: moves to targets.", "1PM"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl.keywords.row import Group
 
 _G = Group("motion")
-_row, _known = _G.row, _G.known
+_row = _G.row
 
 ROWS = (
     _row("MN", "command", "C", "axes", "", "motor_on",

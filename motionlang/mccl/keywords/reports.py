@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang.mccl.keywords.row import Group
 
 _G = Group("reports")
-_row, _known = _G.row, _G.known
+_row = _G.row
 
 ROWS = (
     _row("TP", "reading", "R", "axes", "uu", "tell_position", "Tell the actual position.", "1TP", meant="POS PRINT"),

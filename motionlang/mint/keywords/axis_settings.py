@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from typing import TypeVar
 
+    from motionlang.controller.controller import Controller
     from motionlang.controller.scale import Scale
     from motionlang.mint.runtime.binding import Maker, Operation, Row
     from motionlang.mint.runtime.environment import Environment
@@ -30,8 +31,12 @@ class Settings:
     in_counts = unsigned = False
 
     def __init__(self, environment: Environment) -> None:
-        self.environment, self.controller = environment, environment.controller
+        self.environment = environment
         self._settings: dict[tuple[str, int], float] = {}
+
+    @property
+    def controller(self) -> Controller:
+        return self.environment.controller
 
     def setting(self, name: str, axis: int) -> float:
         return self._settings.get((name, axis), self.defaults.get(name, self.otherwise))

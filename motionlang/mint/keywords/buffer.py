@@ -41,7 +41,7 @@ ROWS = (
     Keyword("MOVEBUFFERLOW", "", "setting", "RW", "axis", "integer", "buffer_low",
             "The event MBLOW comes when an entry leaves the buffer and more places than this are free; -1 for never.",
             "MOVEBUFFERLOW(0) = 1\nPRINT MOVEBUFFERLOW(0)", default=-1.0, low=-1, high=100, group="buffer"),
-    Keyword("TRIGGERMODE", "", "setting", "RW", "axis", "integer", "buffer.trigger_mode",
+    Keyword("TRIGGERMODE", "", "setting", "RW", "axis", "integer", "buffer.trigger",
             "What starts moves: _trAUTO at once when they are loaded, _trGO at GO, _trINPUT at the input TRIGGERINPUT, "
             "_trPOSITION when TRIGGERCHANNEL passes TRIGGERVALUE. GO starts them in every mode.",
             "TRIGGERMODE(0) = _trAUTO\nMOVER(0) = 10\nPAUSE IDLE(0)\nPRINT POS(0)",

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 AUTO, AT_GO, AT_INPUT, AT_POSITION = range(4)
-_DEFAULTS = {"TRIGGERINPUT": -1.0}
+_DEFAULTS = {"TRIGGERMODE": AT_GO, "TRIGGERINPUT": -1}
 
 
 class Triggers(Settings):
@@ -27,7 +27,6 @@ class Triggers(Settings):
 
     def __init__(self, environment: Environment) -> None:
         super().__init__(environment)
-        self._modes: dict[int, int] = {}
         self._watches: dict[int, tuple[Axis, Watch]] = {}
         # The counts at which TRIGGERVALUE lies where it is a position of an axis: it keeps them whatever the scale.
         self._places: dict[int, float] = {}
@@ -35,18 +34,11 @@ class Triggers(Settings):
         environment.part(Inputs).listeners.append(self._changed)
         environment.loaded = self.loaded
 
-    def mode(self, axis: int) -> int:
-        return self._modes.get(axis, AT_GO)
-
-    def set_mode(self, axis: int, mode: int) -> None:
-        """Start moves in another way from now on; what waits already waits for it, too."""
-        self._modes[axis] = mode
-        self._watch(axis)
-
     def set(self, name: str, axis: int, value: float) -> None:
+        """Go by another setting from now on; what waits already does so, too."""
         super().set(name, axis, value)
         watched = self._watched_axis(axis)
-        if name != "TRIGGERINPUT" and watched is not None:
+        if name not in ("TRIGGERINPUT", "TRIGGERMODE") and watched is not None:
             self._places[axis] = watched.scale.position_to_counts(self.setting("TRIGGERVALUE", axis))
         self._watch(axis)
 
@@ -67,12 +59,11 @@ class Triggers(Settings):
 
     def loaded(self, axis: int) -> None:
         """Something was put into the buffer of an axis."""
-        if self._modes.get(axis) == AUTO:
+        if self.setting("TRIGGERMODE", axis) == AUTO:
             self.controller.go((axis,))
 
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        self._modes.pop(axis, None)
         super().default(axis)
         self._places.pop(axis, None)
         self._watch(axis)
@@ -82,8 +73,9 @@ class Triggers(Settings):
             self.controller.go((axis,))
 
     def _changed(self, channel: int, on: bool) -> None:
-        for axis, mode in self._modes.items():
-            if on and mode == AT_INPUT and self.setting("TRIGGERINPUT", axis) == channel:
+        for (name, axis), mode in list(self._settings.items()):
+            starts = on and name == "TRIGGERMODE" and mode == AT_INPUT
+            if starts and self.setting("TRIGGERINPUT", axis) == channel:
                 self._start(axis)
 
     def _watch(self, axis: int) -> None:
@@ -91,7 +83,7 @@ class Triggers(Settings):
         track, watch = self._watches.pop(axis, (None, None))
         if track is not None and watch is not None:
             track.watches.remove(watch)
-        if self.mode(axis) != AT_POSITION:
+        if self.setting("TRIGGERMODE", axis) != AT_POSITION:
             return
         from motionlang.mint.keywords.following_masters import master
 
@@ -174,7 +166,6 @@ def put_pulse(
 OPERATIONS = {
     "buffer.last_id": {"read": of(Environment, lambda e, axis: e.controller.move_id(axis))},
     "buffer.status": {"read": of(Environment, read_status)},
-    "buffer.trigger_mode": {"read": of(Triggers, Triggers.mode), "write": of(Triggers, Triggers.set_mode)},
     "buffer.trigger": {"read": reading(Triggers), "write": writing(Triggers)},
     "buffer.dwell": {"load": loads(Environment, put_dwell)},
     "buffer.out": {"load": loads(Environment, put_bank)},

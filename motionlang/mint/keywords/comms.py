@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_MODBUS, _LIBRARY = "ABB AN00198", "Mint type library"
-
 _PARAMETERS = (
     ("_mpENABLE", 0, "MODBUSPARAMETER: 1 while the server answers."),
     ("_mpDEBUG", 1, "MODBUSPARAMETER: the terminal that is told of what goes on."),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
 
@@ -12,28 +13,25 @@ if TYPE_CHECKING:
 NONE = -1
 
 
-class Signals:
+class Signals(Settings):
     """The outputs, by axis for DRIVEENABLEOUTPUT; an output that is assigned shows the state at once."""
 
-    def __init__(self, environment: Environment) -> None:
-        self._controller = environment.controller
-        self.enabled: dict[int, int] = {}
-        self.errors = NONE
-        self._controller.listeners.append(self._heard, "fault", "switched", "cleared")
+    otherwise = NONE
 
-    def assign(self, axis: int, output: int) -> None:
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.errors = NONE
+        self.controller.listeners.append(self._heard, "fault", "switched", "cleared")
+
+    def set(self, name: str, axis: int, value: float) -> None:
         """DRIVEENABLEOUTPUT: the output that is on while the axis is enabled."""
-        self.enabled[axis] = output
+        super().set(name, axis, value)
         self._show(axis)
 
     def assign_errors(self, output: int) -> None:
         """GLOBALERROROUTPUT: the output that is on while any axis has an error."""
         self.errors = output
         self._show_errors()
-
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        self.enabled.pop(axis, None)
 
     def _heard(self, what: str, axis: int) -> None:
         if what == "switched":
@@ -42,21 +40,18 @@ class Signals:
             self._show_errors()
 
     def _show(self, axis: int) -> None:
-        output = self.enabled.get(axis, NONE)
+        output = int(self.setting("DRIVEENABLEOUTPUT", axis))
         if output != NONE:
-            self._controller.set_output(output, int(self._controller.is_enabled(axis)))
+            self.controller.set_output(output, int(self.controller.is_enabled(axis)))
 
     def _show_errors(self) -> None:
         if self.errors != NONE:
-            controller = self._controller
+            controller = self.controller
             controller.set_output(self.errors, int(any(controller.faults(axis) for axis in controller.axes)))
 
 
 OPERATIONS = {
-    "io.signals.enable_output": {
-        "read": of(Signals, lambda signals, axis: signals.enabled.get(axis, NONE)),
-        "write": repeatable(of(Signals, Signals.assign)),
-    },
+    "io.signals.enable_output": {"read": reading(Signals), "write": repeatable(writing(Signals))},
     "io.signals.error_output": {
         "read": of(Signals, lambda signals: signals.errors),
         "write": repeatable(of(Signals, Signals.assign_errors)),

@@ -61,7 +61,7 @@ ROWS = (
     _mode("ERRORINPUTMODE", "What the axis does when its error input becomes active"),
     _switch("ERRORSWITCH", "es", "limits.switches.switch", "1 while the error input of the axis is active."),
     _input("STOPINPUT", "", "The input that stops the axis"),
-    Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", "limits.switches.stop_input_mode",
+    Keyword("STOPINPUTMODE", "", "setting", "RW", "axis", "integer", "limits.resetting.stop_mode",
             "What the axis does when its stop input becomes active: _emIGNORE only the event STOP, _emCRASH_STOP "
             "a crash stop, _emERROR_DECEL a stop at ERRORDECEL.",
             "STOPINPUT(0) = 3\nSTOPINPUTMODE(0) = _emCRASH_STOP\nPRINT STOPINPUTMODE(0)",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
+from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.runtime.binding import axis_of, of, on_axes, on_every_axis
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment, mint_settings
@@ -13,22 +15,16 @@ if TYPE_CHECKING:
 
 # STOPMODE: how STOP brings an axis to rest.
 AT_DECEL, AT_ERROR_DECEL, CRASH = 0, 1, 2
+_DEFAULTS = {"STOPMODE": AT_DECEL, "STOPINPUTMODE": STOP_INPUT_MODE}
 
 
-class StopModes:
-    """STOPMODE of every axis."""
+class StopModes(Settings):
+    """STOPMODE of every axis, and STOPINPUTMODE."""
 
-    def __init__(self, environment: Environment) -> None:
-        self.modes: dict[int, int] = {}
-
-    def set(self, axis: int, mode: int) -> None:
-        self.modes[axis] = mode
-
-    def default(self, axis: int) -> None:
-        self.modes.pop(axis, None)
+    defaults = _DEFAULTS
 
 
-def stop(environment: Environment, axis: int, mode: int) -> None:
+def stop(environment: Environment, axis: int, mode: float) -> None:
     """Bring an axis to rest in one of the ways of STOPMODE."""
     controller = environment.controller
     if mode == CRASH:
@@ -67,11 +63,11 @@ def default(environment: Environment, axis: int) -> None:
 
 def do_stop(environment: Environment, axes: tuple[int, ...], line: int) -> None:
     """STOP: each axis as its STOPMODE says; one that there is not stops none."""
-    modes = environment.part(StopModes).modes
+    setting = environment.part(StopModes).setting
     for axis in axes:
         axis_of(environment, axis)
     for axis in axes:
-        stop(environment, axis, modes.get(axis, AT_DECEL))
+        stop(environment, axis, setting("STOPMODE", axis))
 
 
 def held_by_stop(environment: Environment, numbers: tuple[int, ...], line: int) -> object:
@@ -89,10 +85,7 @@ OPERATIONS = {
         "do": repeatable(of(Environment, do_stop)),
         "held": of(Environment, held_by_stop),
     },
-    "limits.resetting.stop_mode": {
-        "read": of(StopModes, lambda stops, axis: stops.modes.get(axis, AT_DECEL)),
-        "write": of(StopModes, StopModes.set),
-    },
+    "limits.resetting.stop_mode": {"read": reading(StopModes), "write": writing(StopModes)},
     "limits.resetting.reset": {"do": on_axes(reset)},
     "limits.resetting.reset_all": {"do": on_every_axis(reset)},
     "limits.resetting.default": {"do": on_axes(default)},

@@ -8,10 +8,9 @@ from __future__ import annotations
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
 from motionlang.controller.triggers.conditions import BY_INPUT
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
-from motionlang.mint.keywords.defaults import STOP_INPUT_MODE
 from motionlang.mint.keywords.io_inputs import Inputs
 from motionlang.mint.keywords.limits_operations import ACTIONS, AxisErrors
-from motionlang.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, reset, stop
+from motionlang.mint.keywords.limits_resetting import AT_ERROR_DECEL, CRASH, StopModes, reset, stop
 from motionlang.mint.runtime.binding import of, of_word
 from motionlang.mint.runtime.environment import Environment
 
@@ -31,7 +30,6 @@ class Switches(Settings):
         super().__init__(environment)
         self._inputs = environment.part(Inputs)
         self._errors = environment.part(AxisErrors)
-        self.stop_modes: dict[int, int] = {}
         self._inputs.listeners.append(self._changed)
 
     def channel(self, name: str, axis: int) -> int:
@@ -49,13 +47,8 @@ class Switches(Settings):
         if self.is_on(name, axis) is not before:
             _MEANINGS[name](self, axis, not before)
 
-    def set_stop_mode(self, axis: int, mode: int) -> None:
-        """STOPINPUTMODE."""
-        self.stop_modes[axis] = mode
-
     def default(self, axis: int) -> None:
         """DEFAULT: no input has a meaning for the axis."""
-        self.stop_modes.pop(axis, None)
         for name, each in list(self._settings):
             if each == axis:
                 self.set(name, axis, NONE)
@@ -79,7 +72,7 @@ class Switches(Settings):
     def _stop(self, axis: int, on: bool) -> None:
         if not on:
             return
-        action = ACTIONS[self.stop_modes.get(axis, STOP_INPUT_MODE)]
+        action = ACTIONS[int(self.environment.part(StopModes).setting("STOPINPUTMODE", axis))]
         if action in ("abort", "error-stop"):
             stop(self.environment, axis, CRASH if action == "abort" else AT_ERROR_DECEL)
         self.environment.events.raise_("stop")
@@ -113,10 +106,6 @@ OPERATIONS = {
     "limits.switches.input": {"read": reading(Switches), "write": writing(Switches)},
     "limits.switches.switch": {
         "read": of_word(Switches, lambda switches, row, axis: int(switches.is_on(SHOWN[row.name], axis)))
-    },
-    "limits.switches.stop_input_mode": {
-        "read": of(Switches, lambda switches, axis: switches.stop_modes.get(axis, STOP_INPUT_MODE)),
-        "write": of(Switches, Switches.set_stop_mode),
     },
     "limits.switches.home_switch": {
         "read": of(Environment, lambda e, axis: int(e.controller.axes[axis].home))

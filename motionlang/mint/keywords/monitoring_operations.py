@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import ANALOGUE_LIMIT
+from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import FATAL_ERROR
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.keywords.limits_operations import AxisErrors
@@ -84,13 +85,12 @@ def do_trim(environment: Environment, channel: int) -> None:
 # ------------------------------------------------------------------------------------------------- warnings
 
 
-class Warnings:
+class Warnings(Settings):
     """The warnings of axes: bit 0, the following error was beyond FOLERRORWARNING. They stay until they are cleared."""
 
     def __init__(self, environment: Environment) -> None:
-        self._controller = environment.controller
+        super().__init__(environment)
         self.bits: dict[int, int] = {}
-        self.disabled: dict[int, int] = {}
         self.levels: dict[int, float] = {}
 
     def set_level(self, axis: int, level: float) -> None:
@@ -103,21 +103,17 @@ class Warnings:
         self.bits.pop(axis, None)
         self._watch(axis, self.levels.get(axis, float("inf")))
 
-    def disable(self, axis: int, pattern: int) -> None:
-        """AXISWARNINGDISABLE: the bits that are set do not warn."""
-        self.disabled[axis] = pattern
-
     def default(self, axis: int) -> None:
         """DEFAULT."""
-        self.disabled.pop(axis, None)
+        super().default(axis)
         if self.levels.pop(axis, None) is not None:
             self._watch(axis, float("inf"))
 
     def _watch(self, axis: int, level: float) -> None:
-        self._controller.warn_of_error(axis, level, lambda: self._warn(axis))
+        self.controller.warn_of_error(axis, level, lambda: self._warn(axis))
 
     def _warn(self, axis: int) -> None:
-        if not self.disabled.get(axis, 0) & FOLLOWING_WARNING:
+        if not int(self.setting("AXISWARNINGDISABLE", axis)) & FOLLOWING_WARNING:
             self.bits[axis] = self.bits.get(axis, 0) | FOLLOWING_WARNING
 
 
@@ -140,11 +136,13 @@ def write_level(environment: Environment, row: Row, axis: int, value: float) -> 
 # ---------------------------------------------------------------------------------------------------- masks
 
 
-class Masks:
+class Masks(Settings):
     """The errors that call no ONERROR: by the bits of an axis, and by their numbers."""
 
+    otherwise = ALL_BITS
+
     def __init__(self, environment: Environment) -> None:
-        self.calling: dict[int, int] = {}
+        super().__init__(environment)
         self.codes: set[tuple[int, int]] = set()
         self.misc_disabled = 0
         environment.errors.masked = self.is_masked
@@ -156,15 +154,7 @@ class Masks:
             return True
         if error.group == MISC:
             return not first & ~self.misc_disabled
-        return error.group == AXIS and not error.data[1] & self.calling.get(error.data[0], ALL_BITS)
-
-    def mask(self, axis: int, pattern: int) -> None:
-        """ERRORMASK: the errors of the axis that call ONERROR."""
-        self.calling[axis] = pattern
-
-    def default(self, axis: int) -> None:
-        """DEFAULT."""
-        self.calling.pop(axis, None)
+        return error.group == AXIS and not error.data[1] & int(self.setting("ERRORMASK", error.data[0]))
 
 
 def write_code_mask(masks: Masks, code: int, data: int, masked: int) -> None:
@@ -222,14 +212,8 @@ OPERATIONS = {
         "read": of(Warnings, lambda warnings, axis: warnings.bits.get(axis, 0)),
         "write": of(Warnings, lambda warnings, axis, value: warnings.clear(axis)),
     },
-    "monitoring.warning_disable": {
-        "read": of(Warnings, lambda warnings, axis: warnings.disabled.get(axis, 0)),
-        "write": of(Warnings, Warnings.disable),
-    },
-    "monitoring.mask": {
-        "read": of(Masks, lambda masks, axis: masks.calling.get(axis, ALL_BITS)),
-        "write": of(Masks, Masks.mask),
-    },
+    "monitoring.warning_disable": {"read": reading(Warnings), "write": writing(Warnings)},
+    "monitoring.mask": {"read": reading(Masks), "write": writing(Masks)},
     "monitoring.code_mask": {
         "read": of(Masks, lambda masks, code, data: int((code, data) in masks.codes)),
         "write": of(Masks, write_code_mask),

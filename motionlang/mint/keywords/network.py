@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY, _MN1274 = "Mint type library", "Baldor MN1274 p. 113"
 _CODES = (
     ("NONE", 0, "nothing has happened"),
     ("OPERATIONAL", 1, "the bus works"),

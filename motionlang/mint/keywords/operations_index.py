@@ -15,8 +15,7 @@ auxiliary_latches.zero_mode auxiliary_latches.zero_place
 default_axes scale accel decel accel_time decel_time profile_mode buffer_size enabled
 """,
     "buffer_operations": """
-buffer.last_id buffer.status buffer.trigger_mode buffer.trigger buffer.dwell buffer.out buffer.out_bit
-buffer.pulse
+buffer.last_id buffer.status buffer.trigger buffer.dwell buffer.out buffer.out_bit buffer.pulse
 """,
     "camboxes_operations": """
 camboxes.box camboxes.data
@@ -100,7 +99,7 @@ limits.resetting.stop limits.resetting.stop_mode limits.resetting.reset limits.r
 limits.resetting.default limits.resetting.default_all
 """,
     "limits_switches": """
-limits.switches.input limits.switches.switch limits.switches.stop_input_mode limits.switches.home_switch
+limits.switches.input limits.switches.switch limits.switches.home_switch
 """,
     "modbus_operations": """
 modbus.word modbus.whole modbus.real modbus.own_register modbus.coil

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.homing_operations import Homes
-from motionlang.mint.keywords.limits_resetting import AT_DECEL, StopModes, stop
+from motionlang.mint.keywords.limits_resetting import StopModes, stop
 from motionlang.mint.keywords.torque_operations import TorqueReferences
 
 TYPE_CHECKING = False
@@ -111,7 +111,7 @@ def _torque(preset: Preset) -> None:
 
 def _stop(preset: Preset) -> None:
     environment = preset.presets.environment
-    stop(environment, preset.axis, environment.part(StopModes).modes.get(preset.axis, AT_DECEL))
+    stop(environment, preset.axis, environment.part(StopModes).setting("STOPMODE", preset.axis))
 
 
 def _suspend(preset: Preset) -> None:

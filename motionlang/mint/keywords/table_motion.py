@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.lang.keyword import Keyword
 
-_LIBRARY = "Mint type library"
 _LARGEST = 8388607.0
 _CAM = (
     "Dim rise(5) As Float = 4, 1, 2, 2, 1\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"

@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 
 # Bits of CAM and SPLINE.
 ABSOLUTE, TRULY_ABSOLUTE, CONTINUOUS = 1, 2, 4
-POSITIONS, LENGTHS = 0, 1
 
 
 def elements(array: Sequence[float], word: str) -> list[float]:
