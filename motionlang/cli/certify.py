@@ -10,8 +10,8 @@ from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.golden import programs
 from motionlang.controller.record.certificate import certificate, violations
 from motionlang.errors import ProgramError
-from motionlang.execution import machine_of, run
-from motionlang.source import Source
+from motionlang.execution import MACHINE_SUFFIX, machine_of, run
+from motionlang.source import STDIN_NAME, Source
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,10 +25,14 @@ if TYPE_CHECKING:
 MOST_NAMED = 5
 
 
-def certify(result: Run) -> list[Limit]:
-    """The certificate of a run; what speaks against it becomes diagnostics of the run."""
+def certify(result: Run, machine: str | None) -> list[Limit]:
+    """The certificate of a run on a machine file; what speaks against it becomes diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
-    result.diagnostics += violations(result.controller, lines, result.time)
+    if machine is None:
+        stem = os.path.splitext(result.source.name)[0]
+        of_none = result.source.name == STDIN_NAME
+        machine = "a machine file" if of_none else f"{stem}{MACHINE_SUFFIX}, beside the program,"
+    result.diagnostics += violations(result.controller, lines, result.time, machine)
     return lines
 
 
@@ -79,7 +83,7 @@ def certify_folder(folder: str, options: Options) -> int:
             continue
         proof = result.proof()
         result.diagnostics += proof.violations
-        lines = certify(result)
+        lines = certify(result, machine_of(program))
         if options.report == "table":
             print_certificate(result, lines, proof, machine_of(program))
             sys.stdout.write("\n")

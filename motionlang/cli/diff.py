@@ -14,6 +14,7 @@ from motionlang.cli.machine_options import add_dialect, set_values
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
+from motionlang.diff.charged import charged
 from motionlang.diff.motion import parting
 from motionlang.diff.reports import check, difference
 from motionlang.diff.tolerance import Tolerance
@@ -25,8 +26,10 @@ from motionlang.source import Source
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Sequence
 
     from motionlang.cli.parser import Commands
+    from motionlang.diff.charged import Charge
     from motionlang.result import Run
 
 EPILOG = """\
@@ -113,13 +116,14 @@ def diff_command(arguments: argparse.Namespace) -> int:
         sides.reverse()  # what was comes first
     (old, old_run), (new, new_run) = sides
     found = difference(old, new, tolerance)
-    parted = None
+    parted, charges = None, []
     if old_run is not None and new_run is not None:
         parted = parting(old_run, new_run, tolerance.size("position"))
+        charges = charged(old_run, new_run) if found.time is not None else []
     if arguments.json:
-        sys.stdout.write(json.dumps(_data(found, parted), default=vars) + "\n")
+        sys.stdout.write(json.dumps(_data(found, parted, charges), default=vars) + "\n")
     else:
-        _print(found, parted, arguments.all)
+        _print(found, parted, charges, arguments.all)
     status = 0 if found.same else 1
     if arguments.plot is not None:
         status = max(status, _plot(old_run, new_run, arguments.plot, parser))
@@ -237,11 +241,12 @@ def _report(path: str) -> tuple[dict[str, Any], None] | None:
     return found, None
 
 
-def _data(found: Any, parted: Any) -> dict[str, Any]:
+def _data(found: Any, parted: Any, charges: Sequence[Charge]) -> dict[str, Any]:
     return {
         "schema": "motionlang.diff/1",
         "same": found.same,
         "time": found.time,
+        "charged": [{name: getattr(each, name) for name in each.__slots__} for each in charges],
         "status": found.status,
         "lines": [{name: getattr(each, name) for name in each.__slots__} for each in found.lines],
         "gone": found.gone,
@@ -254,11 +259,13 @@ def _data(found: Any, parted: Any) -> dict[str, Any]:
     }
 
 
-def _print(found: Any, parted: Any, everything: bool) -> None:
+def _print(found: Any, parted: Any, charges: Sequence[Charge], everything: bool) -> None:
     from motionlang.views.diff import MOST, diff_lines
     from motionlang.views.terminal import draws, plain, wants_colour
 
     most = 1_000_000 if everything else MOST
-    lines = diff_lines(found, parted, colour=wants_colour(sys.stdout), most=most) or ["nothing is otherwise"]
+    lines = diff_lines(found, parted, charges, colour=wants_colour(sys.stdout), most=most) or [
+        "nothing is otherwise"
+    ]
     text = "\n".join(lines) + "\n"
     sys.stdout.write(text if draws(sys.stdout) else plain(text).replace("→", "->"))

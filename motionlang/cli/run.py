@@ -105,7 +105,7 @@ def _tell(result: Run, options: Options) -> int:
     if options.certify and proof is not None:
         from motionlang.cli.certify import certify
 
-        result.certificate = certify(result)
+        result.certificate = certify(result, options.machine)
     _report(result, options)
     if proof is not None and options.report == "table":
         sys.stdout.write("\n")

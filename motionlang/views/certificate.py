@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from hashlib import sha256
+from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang import __version__
@@ -47,7 +48,9 @@ def certificate_lines(
 
 def _row(line: Limit) -> list[str]:
     margin = ""
-    if line.margin is not None:
+    if line.reached == inf:
+        margin = "none"
+    elif line.margin is not None:
         margin = f"{figure(line.margin)} uu" if "position" in line.name else f"{100.0 * line.margin:.1f} %"
     return [
         str(line.axis),

@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
+from math import fsum
 from typing import TYPE_CHECKING, Any
 
 from motionlang.diff.tolerance import FIELDS
 from motionlang.views.terminal import printable, styled
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from motionlang.diff.accept import Change
+    from motionlang.diff.charged import Charge
     from motionlang.diff.motion import Parting
     from motionlang.diff.reports import Difference, LineChange
 
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
 # Figures of a motor that no tube is about.
 MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
-# Entries of a kind that are told one by one.
-MOST = 12
+# Entries of a kind that are told one by one; lines that a difference in time is charged to.
+MOST, MOST_CHARGED = 12, 4
 
 
 def diff_lines(
-    found: Difference, parted: Parting | None = None, *, colour: bool = False, most: int = MOST
+    found: Difference,
+    parted: Parting | None = None,
+    charges: Sequence[Charge] = (),
+    *,
+    colour: bool = False,
+    most: int = MOST,
 ) -> list[str]:
-    """The difference as lines of text; none where there is none."""
+    """The difference as lines of text; none where there is none. `charges` are of a difference in time."""
     out: list[str] = []
     if found.status is not None:
         out.append(f"the run: {found.status[0]} → {found.status[1]}")
@@ -30,6 +39,8 @@ def diff_lines(
         was, is_ = found.time
         part = f", {100.0 * (is_ - was) / was:+.2g} %" if was else ""
         out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{part})", "bold", colour))
+        if charges:
+            out.append(f"of that: {_charged(charges, MOST_CHARGED if most == MOST else most)}")
     by_time = sorted(found.lines, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis))
     out += _first([_line(each) for each in by_time], most, "lines")
     out += _first([f"no more: {_move(each)}" for each in found.gone], most, "moves that are gone")
@@ -47,6 +58,23 @@ def diff_lines(
     elif found.first is not None and out:
         out.append(f"the motion is first otherwise at {found.first[0]:.6f} s, on axis {found.first[1]}")
     return out
+
+
+def _charged(charges: Sequence[Charge], most: int) -> str:
+    told = [f"{_place(each)} {each.seconds:+.6f} s" for each in charges[:most]]
+    if len(charges) > most:
+        rest = fsum(each.seconds for each in charges[most:])
+        told.append(f"{len(charges) - most} more {rest:+.6f} s")
+    return ", ".join(told)
+
+
+def _place(charge: Charge) -> str:
+    old, new = charge.old, charge.new
+    if old == new:
+        return f"line {new}" if new else "no line"
+    if old is None:
+        return f"line {new} (new)"
+    return f"line {old} (no more)" if new is None else f"line {old} (now {new})"
 
 
 def _first(lines: list[str], most: int, what: str) -> list[str]:

@@ -31,6 +31,19 @@ def test_limits_that_are_kept_and_passed(cell: Cell) -> None:
     assert "stroke.mnt:3" in ran.err
 
 
+def test_what_has_no_bound_is_infinite_and_where_limits_would_stand_is_named(cell: Cell) -> None:
+    cell.write("stroke.mnt", STROKE)
+    ran = cell("run", "stroke.mnt", "--certify", "--report", "none")
+    assert ran.status == 1
+    assert "hint: give stroke.machine.toml, beside the program, a section such as [axis.0.limits]" in ran.err
+    cell.write("stroke.machine.toml", "[axis.0.limits]\njerk = 1e6\n")
+    ran = cell("run", "stroke.mnt", "--certify")
+    assert ran.status == 1
+    # From its first moment on; the margin of what has no bound is none.
+    assert "   0  jerk   uu/s³    1e+06      inf  0.000040     3    none  beyond" in ran.out
+    assert "the jerk of axis 0 is infinite at 0.000040 s, where its acceleration jumps" in ran.err
+
+
 def test_the_report_has_the_lines(cell: Cell) -> None:
     jsonschema = pytest.importorskip("jsonschema")
     cell.write("stroke.mnt", STROKE)

@@ -17,7 +17,8 @@ def test_a_program_beside_its_golden_files_another_one_and_itself(cell: Cell) ->
     ran = cell("diff", "pick.mnt", "fast.mnt")
     assert (ran.status, ran.err) == (1, "")
     assert ran.out.startswith(
-        "time: 0.700050 → 0.600050 s (-0.100000 s, -14 %)\nline 3: MOVEA of axis 0, 1 move: "
+        "time: 0.700050 → 0.600050 s (-0.100000 s, -14 %)\nof that: line 3 -0.100000 s\n"
+        "line 3: MOVEA of axis 0, 1 move: "
     )
     assert "the motion parts at 0.000" in ran.out
     assert cell("diff", "pick.mnt", "--set-b", "rate=2000").out == ran.out

@@ -99,7 +99,7 @@ def test_what_speaks_against_signing_is_told() -> None:
     for limits, told in (
         ({"speed": 99.0}, "the speed of axis 0 reaches 100 uu/s at 0.1000"),
         ({"torque": 1.0}, "the torque of axis 0 cannot be certified: no motor is simulated"),
-        ({"jerk": 1e9}, "the jerk of axis 0 reaches inf"),
+        ({"jerk": 1e9}, "the jerk of axis 0 is infinite at 0.0000"),
         ({}, "nothing to certify: the machine has no limits"),
     ):
         result, lines = certified(limits)

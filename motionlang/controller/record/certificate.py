@@ -6,6 +6,7 @@ code, must find nothing beyond them.
 
 from __future__ import annotations
 
+from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.extremes import Extreme, extremes, motor_peak
@@ -31,7 +32,9 @@ MOTOR = ("torque", "following_error")
 SLACK = 1e-9
 # Samples of each axis for the second look.
 SAMPLES = 100_000
-HINT = "give the machine file a section such as [axis.0.limits] with speed = 500, acceleration = 8000"
+HINT = "give {} a section such as [axis.0.limits] with speed = 500, acceleration = 8000"
+# What jumps where a derivative is infinite.
+JUMPS = {"acceleration": "velocity", "jerk": "acceleration"}
 
 
 class Limit:
@@ -115,12 +118,21 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
     return line
 
 
-def violations(controller: Controller, lines: list[Limit], until: float) -> list[Diagnostic]:
-    """What speaks against signing a certificate: limits that were passed, or that nobody can know; a contradiction."""
+def violations(
+    controller: Controller, lines: list[Limit], until: float, machine: str = "the machine file"
+) -> list[Diagnostic]:
+    """What speaks against signing a certificate: limits that were passed, or that nobody can know; a contradiction.
+
+    `machine` is where limits would stand.
+    """
     found = [_told(line) for line in lines if line.verdict != "within"]
     found += [Diagnostic("proof", each) for each in contradictions(controller, lines, until)]
     if not lines:
-        found.append(Diagnostic("beyond-limit", "nothing to certify: the machine has no limits", hint=HINT))
+        found.append(
+            Diagnostic(
+                "beyond-limit", "nothing to certify: the machine has no limits", hint=HINT.format(machine)
+            )
+        )
     return found
 
 
@@ -129,6 +141,11 @@ def _told(line: Limit) -> Diagnostic:
         message = f"the {line.name} of axis {line.axis} cannot be certified: no motor is simulated"
         return Diagnostic("beyond-limit", message, hint=f"give the machine file [axis.{line.axis}.plant]")
     what = f"the {line.name} of axis {line.axis} reaches {line.reached:.6g} {line.unit} at {line.time:.6f} s"
+    if line.reached == inf:
+        jumps = JUMPS[line.name]
+        what = (
+            f"the {line.name} of axis {line.axis} is infinite at {line.time:.6f} s, where its {jumps} jumps"
+        )
     return Diagnostic("beyond-limit", f"{what}; the machine allows {line.limit:.6g}", line.line)
 
 

@@ -170,9 +170,12 @@ _MOMENT = 1e-10
 
 def _jump(found: Extremes, now: float, left: State, right: State) -> None:
     """What is there at once between two states at one time has an infinite derivative."""
-    if _differ(left.velocity, right.velocity, left.acceleration, right.acceleration):
-        found.acceleration, found.jerk = Extreme(inf, now), Extreme(inf, now)
-    elif _differ(left.acceleration, right.acceleration, left.jerk, right.jerk):
+    jumps = _differ(left.velocity, right.velocity, left.acceleration, right.acceleration)
+    if jumps and found.acceleration.value < inf:
+        found.acceleration = Extreme(inf, now)
+    if found.jerk.value < inf and (
+        jumps or _differ(left.acceleration, right.acceleration, left.jerk, right.jerk)
+    ):
         found.jerk = Extreme(inf, now)
 
 
