@@ -35,6 +35,7 @@ STRETCH = 256
 PLAIN = NUMERIC | {STRING}
 # What stands for a level, in generated text, until the reading turns round, and whatever it does.
 UNTIL_IT_TURNS, WHATEVER = "1e999", "-1e999"
+COUNTER = "counter"
 COMPARED = frozenset(("<", ">", "<=", ">="))
 
 
@@ -121,7 +122,8 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict
     turns round, which the copy is asked for instead of a level; of a mere copy nobody asks anything.
     """
     uses: dict[Symbol | None, int] = {}
-    counters: set[Symbol] = set()
+    # How each is given its values: one that is so in several ways decides something after all.
+    ways: dict[Symbol, set[object]] = {}
     levels: dict[int, tuple[Symbol, str]] = {}
     alone = b.function.kind != "sub" and not b.function.jumps and not b.watching
     for node in turn if alone else ():
@@ -131,24 +133,25 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict
         own = _own(b, given.target) if isinstance(given, nodes.Assign) else None
         if own is None or not isinstance(given, nodes.Assign):
             continue
-        value, reading, within = given.values[0], _reading(given.values[0]), 0
+        value, reading = given.values[0], _reading(given.values[0])
         if isinstance(node, nodes.If):
             test = node.condition
             if reading and isinstance(test, nodes.Binary) and test.op in COMPARED:
                 sides = {_own(b, side) or _reading(side) for side in (test.left, test.right)}
                 if sides == {own, reading}:
-                    within, levels[id(value)] = 1, (own, UNTIL_IT_TURNS)
+                    uses[own] = uses.get(own, 0) - 1
+                    levels[id(value)] = own, UNTIL_IT_TURNS
         elif isinstance(value, nodes.Binary) and value.op in "+-" and _own(b, value.left) is own:
             if isinstance(value.right, nodes.Number) and isinstance(value.right.value, int):
-                within = 2
-                counters.add(own)
+                uses[own] = uses.get(own, 0) - 2
+                ways.setdefault(own, set()).add(COUNTER)
         elif own.type.name == FLOAT and reading:
-            within = 1
+            uses[own] = uses.get(own, 0) - 1
+            ways.setdefault(own, set()).add(id(value) if id(value) in levels else WHATEVER)
             levels.setdefault(id(value), (own, WHATEVER))
-        uses[own] = uses.get(own, 0) - within
-    mere = {own for own, left in uses.items() if own is not None and not left}
+    mere = {own for own, found in ways.items() if not uses[own] and len(found) == 1}
     kept = {number: text for number, (own, text) in levels.items() if own in mere}
-    return sorted(own.python for own in mere & counters), {own.python for own in mere}, kept
+    return sorted(own.python for own in mere if COUNTER in ways[own]), {own.python for own in mere}, kept
 
 
 def turn(b: Body, poll: Poll) -> None:

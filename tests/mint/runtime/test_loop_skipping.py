@@ -84,6 +84,10 @@ PROGRAMS |= {
     'PRINT high, " ", low, " ", fast, " ", slow, " ", n, " ", k, " ", x, " ", TIME',
     "a counter that is looked at": "Dim n As Integer, k As Integer\nMOVER = 30 : GO\nRepeat\n  n = n + 1\n"
     "  k = k + 2\nUntil n > 30000 Or IDLE\nPRINT n, k, TIME",
+    "an extremum that is counted down": "Dim n As Float\nn = 50\nRepeat\n  If POS > n Then n = POS\n  n = n - 1\n"
+    "Until TIME > 100\nPRINT n, TIME",
+    "an extremum and a copy": "Dim n As Float\nSPEED(1) = 50 : MOVER(0, 1) = 5, 30 : GO(0, 1)\nn = 80\nRepeat\n"
+    "  If POS(0) > n Then n = POS(0)\n  n = VEL(1)\nUntil IDLE(1)\nPRINT n, TIME",
     "a counter that a Define looks at": "Dim n As Integer\nDefine enough = n > 500\nMOVER = 30 : GO\nRepeat\n"
     "  n = n + 1\nUntil enough Or IDLE\nPRINT n, TIME",
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
