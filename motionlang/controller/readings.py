@@ -196,7 +196,7 @@ class Readings:
     def crossing_time(self, axis: int, position: float) -> float:
         """The time at which the axis will pass `position`, infinite if the present motion never does.
 
-        Where `position` is infinite: the time at which it turns round.
+        Where `position` is infinite: the time at which it turns round, now where it stands.
         Of a simulated motor as far as can be seen; beyond that the time to look again.
         """
         feedback = self.axes[axis].feedback
@@ -206,10 +206,10 @@ class Readings:
 
     def error_crossing_time(self, axis: int, error: float) -> float:
         """The time at which the following error of an axis passes `error`, as `crossing_time`."""
+        if abs(error) == INFINITY:
+            return self.clock.now
         feedback = self.axes[axis].feedback
-        if feedback is None:
-            return INFINITY
-        return self.clock.now if abs(error) == INFINITY else feedback.error_crossing_time(error)
+        return INFINITY if feedback is None else feedback.error_crossing_time(error)
 
     def demand_crossing_time(self, axis: int, position: float) -> float:
         """The same of the demanded position."""
@@ -221,11 +221,11 @@ class Readings:
 
     def _crossing_time(self, a: Axis, position: float) -> float:
         start, profile = a.starts[-1], a.profiles[-1]
-        if profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
-            return INFINITY  # it rests, as a slave whose master does: it passes nothing, not even where it is
         elapsed = self.clock.now - start
         if abs(position) == INFINITY:
-            found = profile.velocity_crossing(0.0, elapsed)
+            found = profile.velocity_crossing(0.0, elapsed) if a.velocity(self.clock.now) else elapsed
+        elif profile.duration == INFINITY and profile.start == profile.end and not profile.peak_speed:
+            return INFINITY  # it rests, as a slave whose master does: it passes nothing, not even where it is
         else:
             found = profile.crossing(position, elapsed)
         return INFINITY if found is None else start + found

@@ -36,7 +36,6 @@ PLAIN = NUMERIC | {STRING}
 # What stands for a level, in generated text, until the reading turns round, and whatever it does.
 UNTIL_IT_TURNS, WHATEVER = "1e999", "-1e999"
 COUNTER = "counter"
-COMPARED = frozenset(("<", ">", "<=", ">="))
 
 
 class Poll:
@@ -136,7 +135,7 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict
         value, reading = given.values[0], _reading(given.values[0])
         if isinstance(node, nodes.If):
             test = node.condition
-            if reading and isinstance(test, nodes.Binary) and test.op in COMPARED:
+            if reading and isinstance(test, nodes.Binary) and test.op in ("<", ">"):
                 sides = {_own(b, side) or _reading(side) for side in (test.left, test.right)}
                 if sides == {own, reading}:
                     uses[own] = uses.get(own, 0) - 1

@@ -162,7 +162,9 @@ class Encoders:
     def until(self, channel: int, level: float | None) -> float:
         """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
         track = self.track(channel)
-        if level is None or level == INFINITY or track not in self._controller.encoders:
+        if level == INFINITY:
+            return self.changes.at_once()
+        if level is None or track not in self._controller.encoders:
             return self.changes.moving()
         zero, per_unit = self.setting("zero", channel), self.per_unit(channel)
         crossing_time = self._controller.encoder_crossing_time

@@ -49,8 +49,8 @@ def repeatable(make: Maker) -> Maker:
 class Changes:
     """The moments, from the clock's on, at which readings change.
 
-    A reading that is compared with nothing, level None, changes for as long as something moves; one that is compared
-    with what it was before, INFINITY, until it turns round. -INFINITY: whatever it is, nobody asks.
+    A reading that is compared with nothing, level None, changes for as long as something moves. One that is more than
+    ever before, INFINITY, is so until it turns round, and no second time where it stands. -INFINITY: nobody asks.
     """
 
     def __init__(self, environment: Environment) -> None:
@@ -111,7 +111,7 @@ class Changes:
         def until(axis: int, level: Level) -> float:
             wrap = wraps.get(axis) if unit == PLACE else None
             if controller.is_still(axis):
-                return INFINITY
+                return self.at_once() if level == INFINITY else INFINITY
             if level is None or (wrap and level == INFINITY):
                 return self.at_once()
             if isinstance(level, tuple):

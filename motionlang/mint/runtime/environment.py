@@ -282,7 +282,9 @@ class Environment(Waits):
 
     def _counted(self, base: float, level: float) -> float:
         """When the milliseconds since a moment next pass `level`: they reach it, or are the first ones beyond it."""
-        if not -INFINITY < level < INFINITY:
+        if level == INFINITY:
+            return self.clock.now  # they are more than ever before
+        if not level > -INFINITY:
             return INFINITY
         for milliseconds in (ceil(level), floor(level) + 1):
             moment = base + milliseconds / 1000.0

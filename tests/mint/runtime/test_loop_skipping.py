@@ -88,6 +88,10 @@ PROGRAMS |= {
     "Until TIME > 100\nPRINT n, TIME",
     "an extremum and a copy": "Dim n As Float\nSPEED(1) = 50 : MOVER(0, 1) = 5, 30 : GO(0, 1)\nn = 80\nRepeat\n"
     "  If POS(0) > n Then n = POS(0)\n  n = VEL(1)\nUntil IDLE(1)\nPRINT n, TIME",
+    "an extremum that comes to rest": "Dim m As Float, k As Integer\nSPEED = 20 : MOVER = 8 : GO\nRepeat\n"
+    "  If POS > m Then m = POS\n  k = k + 1\nUntil TIME > 900\nPRINT k, m, TIME",
+    "the greatest time": "Dim m As Float, k As Integer\nRepeat\n  If TIME > m Then m = TIME\n  k = k + 1\n"
+    "Until INX(0)\nPRINT k, m, TIME",
     "a counter that a Define looks at": "Dim n As Integer\nDefine enough = n > 500\nMOVER = 30 : GO\nRepeat\n"
     "  n = n + 1\nUntil enough Or IDLE\nPRINT n, TIME",
     "encoders": "Dim s As Integer\nLoop\n  If s = 0 And AUXENCODER(0) > 30 Then s = 1 : PRINT TIME\n"
