@@ -67,6 +67,12 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/keywords/camboxes_operations.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
         "no source has 0 counts in a unit"
     ),
+    "motionlang/mint/keywords/terminal_operations.py: ask: 1 -> 2": (
+        "of how often something was done only a change is asked"
+    ),
+    "motionlang/mint/keywords/presets_operations.py: Presets: choose: value >= 0 -> value > 0": (
+        "0 is the number of a channel, and passes the check"
+    ),
     "motionlang/mint/keywords/modbus_operations.py: Coils: __init__: 1 -> 2": (
         "a coil is on at every value but 0"
     ),

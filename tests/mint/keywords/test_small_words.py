@@ -43,6 +43,11 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
     "a path starts as it is loaded where the first of its axes says so": (
         "TRIGGERMODE(0) = _trAUTO : VECTORR(0, 1) = 3, 4 : PAUSE IDLE(0, 1) : PRINT POS(0), POS(1)",
         ["3.00004.0000"], {}),
+    "before it homes an axis has no place at which it did": ("PRINT HOMEPOS(0)", ["0.0000"], {}),
+    "COMMSREMOTE is about the first bus": (
+        "COMMSREMOTE(2, 7) = 2.5 : PRINT COMMSREMOTE(2, 7), REMOTECOMMS(1, 2, 7), REMOTECOMMS(2, 2, 7)",
+        ["2.50002.50001.5000"],
+        {"remote": [{"bus": bus, "node": 2, "element": 7, "value": 1.5} for bus in (1, 2)]}),
     "five entries of comms have an event on a NextMove ESB-2": (
         "WAIT 300\nEnd\nEvent COMMS5\n  PRINT 5\nEnd Event\nEvent COMMS6\n  PRINT 6\nEnd Event", ["5"],
         {"controller.model": "NextMove ESB-2",
