@@ -1,6 +1,8 @@
 """`python -m tests.mutants [COUNT] [SEED]`: how many of so many mutants are killed, and which live.
 
 `--only TEXT` takes those of them whose names have the text, `--tests PATH` those tests: to see whether a new one kills.
+`--after LOG` begins with the tests that killed in an earlier run, of which that is the output; only what these let live
+is held against all tests, which is most of the time of a run.
 """
 
 from __future__ import annotations
@@ -8,6 +10,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.mutants.equivalent import EQUIVALENT
-from tests.mutants.forks import ACTIVE, ALONE, BEGUN, FAILED, NONE, TASKS, TOLD
+from tests.mutants.forks import ACTIVE, ALONE, BEGUN, CHOSEN, FAILED, NONE, TASKS, TOLD
 from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, woven
 
 # All but what starts processes of its own, and what asks about the text of the project.
@@ -137,18 +140,41 @@ def failing(tree: Path, number: int, durations: dict[str, float]) -> str:
     return told or (f"the end of its process with {status}" if status else "")
 
 
-def main(count: int, seed: int, only: list[str], tests: list[str]) -> int:
-    """Print a line a mutant and the share that was killed; 1 where less than 95 % were."""
-    mutants = [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
-    known = [each for each in mutants if each.name in EQUIVALENT]
-    mutants = [each for each in mutants if each.name not in EQUIVALENT]
+def killers(log: str) -> list[str]:
+    """The tests that killed a mutant in an earlier run, as far as their files are still there."""
+    found = re.findall(rf"^\d+ killed by (tests/.+?): {PACKAGE.name}/", log, re.MULTILINE)
+    return sorted({name for name in found if (ROOT / name.partition("::")[0]).exists()})
+
+
+def living(mutants: list[Mutant], tests: list[str], chosen: list[str]) -> list[Mutant]:
+    """What no test kills, of the chosen ones where any are; prints a line a mutant."""
     lived = []
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), mutants)
+        if chosen:
+            (tree / CHOSEN).write_text(json.dumps(chosen))
+            tests = sorted({name.partition("::")[0] for name in chosen})
         for done, (mutant, by) in enumerate(verdicts(tree, mutants, tests), 1):
             print(f"{done} {f'killed by {by}' if by else 'LIVED'}: {mutant}", flush=True)
             if not by:
                 lived.append(mutant)
+    return lived
+
+
+def main(count: int, seed: int, only: list[str], tests: list[str], earlier: str = "") -> int:
+    """Print a line a mutant and the share that was killed; 1 where less than 95 % were.
+
+    `earlier` is the output of an earlier run: of what the tests that killed then kill again, no other is asked.
+    """
+    mutants = [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
+    known = [each for each in mutants if each.name in EQUIVALENT]
+    mutants = [each for each in mutants if each.name not in EQUIVALENT]
+    lived = mutants
+    if first := killers(earlier):
+        lived = living(lived, tests, first)
+        print(f"{len(lived)} of {len(mutants)} live through {len(first)} tests", flush=True)
+    if lived:
+        lived = living(lived, tests, [])
     share = 1.0 - len(lived) / max(len(mutants), 1)
     print(
         f"{len(mutants)} mutants, seed {seed}, and {len(known)} that change nothing: {share:.1%} killed; lived:"
@@ -163,5 +189,7 @@ if __name__ == "__main__":
     parser.add_argument("seed", type=int, nargs="?", default=0)
     parser.add_argument("--only", metavar="TEXT", action="append", default=[])
     parser.add_argument("--tests", metavar="PATH", action="append", default=[])
+    parser.add_argument("--after", metavar="LOG", type=Path)
     given = parser.parse_args()
-    sys.exit(main(given.count, given.seed, given.only, given.tests or list(TESTS)))
+    earlier = given.after.read_text(encoding="utf-8") if given.after is not None else ""
+    sys.exit(main(given.count, given.seed, given.only, given.tests or list(TESTS), earlier))

@@ -24,6 +24,8 @@ from typing import Any
 import pytest
 
 TASKS, TOLD, TESTS, ALONE = "mutants.json", "told.fifo", "tests.json", "alone.json"
+# The names of the tests that are run, where not all of their files are.
+CHOSEN = "chosen.json"
 # Where a process of its own says which test it has come to, and in the end which one fails.
 FAILED = "failed.txt"
 # The environment variable with the number of the mutant that is made, here and in processes of tests.
@@ -69,6 +71,11 @@ class Forks:
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         if report.failed and _active >= 0:
             os._exit(KILLED)
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        if Path(CHOSEN).exists():
+            names = set(json.loads(Path(CHOSEN).read_text()))
+            items[:] = [item for item in items if item.nodeid in names]
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import TESTS, main
+from tests.mutants.__main__ import TESTS, killers, main
 from tests.mutants.equivalent import EQUIVALENT
 from tests.mutants.mutate import ROOT, chosen, files, mutants, woven
 
@@ -100,6 +100,19 @@ def test_each_change_is_made_where_its_number_is_active(
 def test_what_is_equivalent_stands_in_the_text() -> None:
     every = {each.name for path in files() for each in mutants(path)}
     assert [name for name in EQUIVALENT if name not in every] == []
+
+
+def test_the_tests_that_killed_stand_in_the_output_of_a_run() -> None:
+    here = "tests/mutants/test_mutants.py::test_a"
+    log = (
+        f"1 killed by {here}[1: 2]: motionlang/profile/a.py:3: a -> b\n"
+        "2 LIVED: motionlang/profile/a.py:4: a -> b\n"
+        "3 killed by time or memory: motionlang/profile/a.py:5: a -> b\n"
+        f"4 killed by {here}: motionlang/profile/a.py:6: a -> b\n"
+        "5 killed by tests/gone.py::test_a: motionlang/profile/a.py:7: a -> b\n"
+        "5 mutants, seed 0, and 0 that change nothing: 80.0% killed; lived:\n"
+    )
+    assert killers(log) == [here, f"{here}[1: 2]"]
 
 
 @pytest.mark.long
