@@ -134,10 +134,8 @@ def write_position(environment: Environment, row: Row, axis: int, value: float, 
 
 def read_position(environment: Environment, axis: int) -> float:
     """Where the reference is, or would begin: the target of the axis, as far as it has one."""
-    a, wrap = environment.controller.axes[axis], environment.wraps.get(axis)
-    place = a.target if abs(a.target) < INFINITY else environment.controller.demand(axis)
-    shown = a.scale.position_to_user(place)
-    return shown % wrap if wrap else shown
+    target = environment.controller.axes[axis].target
+    return environment.place(axis, target if abs(target) < INFINITY else environment.controller.demand(axis))
 
 
 def read_error(environment: Environment, row: Row, axis: int) -> float:

@@ -43,11 +43,7 @@ class Homes(Settings):
 
     def position_before(self, axis: int) -> float:
         """HOMEPOS: what POS was at the datum before homing gave it another value."""
-        if axis not in self._before:
-            return 0.0
-        found = self.controller.axes[axis].scale.position_to_user(self._before[axis])
-        wrap = self.environment.wraps.get(axis)
-        return found % wrap if wrap else found
+        return self.environment.place(axis, self._before[axis]) if axis in self._before else 0.0
 
     def phase(self, axis: int) -> int:
         """Where the homing is, as the place among `STATES`."""

@@ -182,10 +182,7 @@ def write_setting(latch: Latch, row: Row, value: float) -> None:
 
 def read_value(latch: Latch, row: Row) -> float:
     """What was caught: a position in user units, within POSWRAP as POS shows it, an encoder's count in counts."""
-    if latch.source == ENCODER:
-        return latch.value
-    shown, wrap = latch.scale.position_to_user(latch.value), latch.environment.wraps.get(latch.axis)
-    return shown % wrap if wrap else shown
+    return latch.value if latch.source == ENCODER else latch.environment.place(latch.axis, latch.value)
 
 
 def read_encoder(latch: Latch, row: Row) -> float:

@@ -10,9 +10,9 @@ from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 
 def _ready(environment: Environment, row: Row, axes: Sequence[int], values: Sequence[float]) -> bool:
@@ -28,53 +28,48 @@ def _ready(environment: Environment, row: Row, axes: Sequence[int], values: Sequ
     return all(environment.controller.room(axis) > 0 for axis in axes)
 
 
-def _loaded(environment: Environment, axes: Sequence[int]) -> None:
-    if environment.loaded is not None:
-        environment.loaded(axes[0])
+def loads(put: Callable[..., None]) -> Maker:
+    """What loads a path: true while a buffer of its axes is full; `put` is given the row, axes, values and line."""
+
+    def made(environment: Environment, row: Row) -> Operation:
+        def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
+            if not _ready(environment, row, axes, values):
+                return True
+            put(environment, row, axes, values, line)
+            if environment.loaded is not None:
+                environment.loaded(axes[0])
+            return False
+
+        return load
+
+    return made
 
 
-def load_line(environment: Environment, row: Row) -> Operation:
+def put_line(
+    environment: Environment, row: Row, axes: Sequence[int], values: Sequence[float], line: int
+) -> None:
     """VECTORA and VECTORR: a line, user units of each axis."""
-    controller = environment.controller
+    controller, counts = environment.controller, []
     relative = row.name.endswith("R")
-
-    def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
-        if not _ready(environment, row, axes, values):
-            return True
-        scales = [scale_of(environment, axis) for axis in axes]
-        if relative:
-            counts = [scale.to_counts(value) for scale, value in zip(scales, values, strict=True)]
-            controller.load_line_by(axes, counts, row.name, line)
-        else:
-            turns = [environment.turn(axis) for axis in axes]
-            counts = [
-                s.position_to_counts(v + turn) for s, v, turn in zip(scales, values, turns, strict=True)
-            ]
-            controller.load_line(axes, counts, row.name, line)
-        _loaded(environment, axes)
-        return False
-
-    return load
+    for axis, value in zip(axes, values, strict=True):
+        scale = scale_of(environment, axis)
+        place = (
+            scale.to_counts(value) if relative else scale.position_to_counts(value + environment.turn(axis))
+        )
+        counts.append(place)
+    (controller.load_line_by if relative else controller.load_line)(axes, counts, row.name, line)
 
 
-def load_arc(environment: Environment, row: Row) -> Operation:
+def put_arc(
+    environment: Environment, row: Row, axes: Sequence[int], values: Sequence[float], line: int
+) -> None:
     """CIRCLEA, CIRCLER, HELIXA and HELIXR: the centre in user units, the angle in degrees."""
-    controller = environment.controller
-    relative = row.name.endswith("R")
-
-    def load(axes: Sequence[int], values: Sequence[float], line: int) -> bool:
-        if not _ready(environment, row, axes, values):
-            return True
-        x, y, angle, *rest = values
-        counts = []
-        for axis, value in zip(axes, (x, y, *rest), strict=True):
-            scale = scale_of(environment, axis)
-            counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))
-        controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
-        _loaded(environment, axes)
-        return False
-
-    return load
+    relative, counts = row.name.endswith("R"), []
+    x, y, angle, *rest = values
+    for axis, value in zip(axes, (x, y, *rest), strict=True):
+        scale = scale_of(environment, axis)
+        counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))
+    environment.controller.load_arc(axes, counts[:2], angle, counts[2:], relative, row.name, line)
 
 
 _MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
@@ -94,8 +89,8 @@ def read_angle(environment: Environment, x: int, y: int) -> float:
 
 
 OPERATIONS = {
-    "paths.line": {"load": load_line},
-    "paths.arc": {"load": load_arc},
+    "paths.line": {"load": loads(put_line)},
+    "paths.arc": {"load": loads(put_arc)},
     "paths.mode": {
         "read": of_word(
             Environment, lambda e, row, axis: int(bool(e.controller.setting(axis, _MODES[row.name])))

@@ -50,10 +50,8 @@ def read_acceleration(environment: Environment, axis: int) -> float:
 
 def _shown(environment: Environment, axis: int, target: float) -> float:
     """An end in user units, within POSWRAP, as POSROLLOVERTARGET tells the turn; the position where there is none."""
-    scale, wrap = environment.controller.axes[axis].scale, environment.wraps.get(axis)
     counts = target if abs(target) < 1e300 else environment.controller.position(axis)
-    shown = scale.position_to_user(counts)
-    return shown % wrap if wrap else shown
+    return environment.place(axis, counts)
 
 
 # --------------------------------------------------------------------------------------------- idle windows

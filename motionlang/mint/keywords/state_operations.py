@@ -9,7 +9,7 @@ from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Operation, Row
+    from motionlang.mint.runtime.binding import Maker, Operation, Row
 
 
 @by_axis
@@ -19,20 +19,15 @@ def read_is_idle(environment: Environment, row: Row, axis: int) -> Operation:
     return lambda: int(is_idle() and (environment.settled is None or environment.settled(axis)))
 
 
-@by_axis
-def read_position(environment: Environment, row: Row, axis: int) -> Operation:
-    """POS, within the turn where the axis has one."""
-    changes = environment.part(Changes)
-    hearing = changes.hearing(axis, changes.passing("position"), environment.wraps)
-    return environment.controller.reader("position", axis, "place", hearing)
+def place(name: str) -> Maker:
+    """What reads POS or POSDEMAND, within the turn where the axis has one."""
 
+    def read(environment: Environment, row: Row, axis: int) -> Operation:
+        changes = environment.part(Changes)
+        hearing = changes.hearing(axis, changes.passing(name), environment.wraps)
+        return environment.controller.reader(name, axis, "place", hearing)
 
-@by_axis
-def read_demand(environment: Environment, row: Row, axis: int) -> Operation:
-    """POSDEMAND, within the turn where the axis has one."""
-    changes = environment.part(Changes)
-    hearing = changes.hearing(axis, changes.passing("demand"), environment.wraps)
-    return environment.controller.reader("demand", axis, "place", hearing)
+    return by_axis(read)
 
 
 def write_position(environment: Environment, row: Row, axis: int, value: float) -> None:
@@ -45,6 +40,6 @@ def write_position(environment: Environment, row: Row, axis: int, value: float) 
 
 OPERATIONS = {
     "is_idle": {"read": read_is_idle},
-    "position": {"read": read_position, "write": of_word(Environment, write_position)},
-    "demand": {"read": read_demand},
+    "position": {"read": place("position"), "write": of_word(Environment, write_position)},
+    "demand": {"read": place("demand")},
 }

@@ -309,6 +309,11 @@ class Environment(Waits):
         """A copy of a value of a user type, with its arrays and its inner values."""
         return [self.copy(each) if each.__class__ is list else each for each in record]
 
+    def place(self, axis: int, counts: float) -> float:
+        """Where that is in user units, within the turn where the axis has one, as POS shows it."""
+        place, wrap = self.controller.axes[axis].scale.position_to_user(counts), self.wraps.get(axis)
+        return place % wrap if wrap else place
+
     def turn(self, axis: int) -> float:
         """Where the turn begins, in user units, in which a wrapped axis will be when its buffer is empty."""
         wrap = self.wraps.get(axis)
