@@ -12,7 +12,7 @@ from motionlang.mint.runtime.loop_skipping import Site
 from motionlang.mint.runtime.task import MintTask
 from motionlang.result import Run
 from motionlang.source import Source
-from tests.mint.polling_programs import COST, program
+from tests.mint.polling_programs import COST, keeping, program
 
 STATES = """\
 Dim state As Integer, moves As Integer
@@ -245,6 +245,24 @@ def test_skipping_makes_no_difference_at_length(first: int, monkeypatch: pytest.
     skipped = [outcome(text, machine, until=3.0) for text, machine in programs]
     turn_by_turn(monkeypatch)
     assert skipped == [outcome(text, machine, until=3.0) for text, machine in programs]
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_skipping_makes_no_difference_to_what_a_loop_keeps(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    skipped = outcome(keeping(seed), WORLD, until=2.0)
+    turn_by_turn(monkeypatch)
+    assert skipped == outcome(keeping(seed), WORLD, until=2.0)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("first", range(24, 824, 100))
+def test_skipping_makes_no_difference_to_what_loops_keep(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    programs = [keeping(seed) for seed in range(first, first + 100)]
+    skipped = [outcome(text, WORLD, until=2.0) for text in programs]
+    turn_by_turn(monkeypatch)
+    assert skipped == [outcome(text, WORLD, until=2.0) for text in programs]
 
 
 def test_an_input_that_nobody_reads_changes_nothing() -> None:
