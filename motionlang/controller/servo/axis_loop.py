@@ -86,11 +86,12 @@ def _language(section: Mapping[str, object], gains: Gains, model: str, scale: fl
 
 def _suggested(loop: Loop, plant: Motor | Drive, bandwidth: float) -> Chosen:
     """Gains for the bandwidth, or for the half, the quarter … of it where the plant cannot have it."""
-    from motionlang.controller.servo.tuning import BeyondPlant, suggest
+    from motionlang.controller.servo.tuning import BeyondPlant, linearised, suggested_loop
 
+    linear = linearised(plant)
     while True:
         try:
-            return Chosen(suggest(plant, bandwidth, loop).loop, "suggested", bandwidth)
+            return Chosen(suggested_loop(linear, bandwidth, loop), "suggested", bandwidth)
         except BeyondPlant as error:
             bandwidth /= 2.0
             while bandwidth > error.best > 0.0:

@@ -121,7 +121,12 @@ class Generator:
             import numpy as np
 
             return np.concatenate((known, self.table(cycle, count)))
-        return [*known, *(self._point(i) for i in range(cycle, cycle + count))]
+        k = self.in_force(cycle)
+        if k != self.in_force(cycle + count - 1):
+            return [*known, *(self._point(i) for i in range(cycle, cycle + count))]
+        period, start, offset = self.period, self.track.starts[k], self.offset(k)
+        times = [i * period - start for i in range(cycle + 1, cycle + count + 1)]
+        return [*known, *(place + offset for place in self.track.profiles[k].positions(times))]
 
     def _point(self, cycle: int) -> float:
         k = self.in_force(cycle)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 LONG = 1000
 """Samples from which NumPy pays."""
+# Modes in which the demand does not decide whether the integral acts.
+_STEADFAST = frozenset(("always", "never"))
 _STILL = 1e-9
 _ROUNDING = 1e-15
 _TOTAL = MEMORY.index("total") - len(MEMORY)
@@ -82,14 +84,19 @@ def _run_short(
     state: State,
 ) -> tuple[Stretch, State]:
     ratio = loop.ratio
-    demand: list[float] = []
+    near: list[float] = points if isinstance(points, list) else points.tolist()  # type: ignore[union-attr]
+    demand = near[1:-1]
+    if ratio > 1:
+        demand = []
+        for here, there in pairwise(near[1:]):
+            slope = (there - here) / ratio
+            demand += [here + k * slope for k in range(ratio)]
     feed: list[float] = []
-    acting: list[bool] = []
-    for before, here, there in zip(points, points[1:], points[2:], strict=False):
-        slope = (there - here) / ratio
-        demand.extend(here + k * slope for k in range(ratio))
-        feed.append(_feed(loop, here - before, there - here))
-        acting.append(_acts(loop.integral_mode, before, here, there))
+    if loop.has_feed_forward:
+        feed = [_feed(loop, b - a, c - b) for a, b, c in zip(near, near[1:], near[2:], strict=False)]
+    acting = [True]
+    if loop.integral_mode not in _STEADFAST:
+        acting = [_acts(loop.integral_mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
     out = empty_columns(columns)
     demand = demand[part : part + count]
     for begin, end, integrating, clears in _spans(loop, acting, part, count):
@@ -113,7 +120,7 @@ def _run_long(
 
     at = np.asarray(points, dtype=np.float64)
     run = _LongRun(loop, plant, columns, at[1:], _feeds(loop, np.diff(at)), part, count)
-    if loop.integral_mode in ("always", "never") or not loop.has_integral:
+    if loop.integral_mode in _STEADFAST or not loop.has_integral:
         return run.made, run.span(0, count, True, state)
     near = at.tolist()
     acting = [_acts(loop.integral_mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
@@ -208,7 +215,7 @@ def _feeds(loop: Loop, speed: Array) -> Array:
 
 def _acts(mode: str, before: float, here: float, there: float) -> bool:
     """Whether the integral acts in a cycle, by `loop.INTEGRAL_MODES`."""
-    if mode in ("always", "never"):
+    if mode in _STEADFAST:
         return True
     change = there - 2.0 * here + before if mode == "steady" else there - here
     return abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.loop import Loop
 from motionlang.controller.servo.plant import Drive, Motor
-from motionlang.controller.servo.response import LoopFigures, bandwidth, is_stable, loop_figures
+from motionlang.controller.servo.response import LoopFigures, bandwidth, is_stable, loop_figures, reaches
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -41,7 +41,6 @@ class BeyondPlant(ValueError):
         self.best = best
 
 
-# Every axis with the same motor, and every run of it in a session, asks for the same.
 @lru_cache(maxsize=256)
 def suggest(
     plant: Motor | Drive, target: float, base: Loop | None = None, *, integral: bool = True
@@ -50,23 +49,29 @@ def suggest(
 
     `BeyondPlant` says what bandwidth is possible when this one is not.
     """
-    base = base or Loop()
+    linear = linearised(plant)
+    loop = suggested_loop(linear, target, base or Loop(), integral)
+    figures = loop_figures(loop, linear)
+    return Suggestion(loop, figures, _warnings(plant, figures))
+
+
+# Every axis with the same motor, whatever its friction, and every run of it in a session, asks for the same.
+@lru_cache(maxsize=256)
+def suggested_loop(linear: Motor | Drive, target: float, base: Loop, integral: bool = True) -> Loop:
+    """The loop of a suggestion for a `linearised` plant."""
     if not 0.0 < target < inf:
         raise ValueError(f"the bandwidth must be greater than zero, not {target}")
-    linear = linearised(plant)
     shaped = _shape(
         linear, replace(base, override=None, dac_bits=0, arithmetic="real", derivative_every=1), integral
     )
     low, high = _range(linear, shaped, target)
-    loop = shaped(_least(lambda w: bandwidth(shaped(w), linear) - target, low, high))
-    figures = loop_figures(loop, linear)
-    return Suggestion(loop, figures, _warnings(plant, figures))
+    return shaped(_least(lambda w: bandwidth(shaped(w), linear) - target, low, high))
 
 
 def _least(value: Callable[[float], float], low: float, high: float) -> float:
     """Where `value` is no longer negative, to a part in 10¹²: Dowell and Jarratt's chords (the Illinois method).
 
-    One value costs some ten milliseconds; halving needs more than fifty of them, chords some twenty.
+    One value costs about a millisecond; halving needs more than fifty of them, chords some twenty.
     """
     below, above = value(low), value(high)
     last = 0
@@ -138,22 +143,24 @@ def _range(plant: Motor | Drive, shaped: Callable[[float], Loop], target: float)
     """Pole frequencies below and above the target, all of them stable."""
     low = 2.0 * pi * target
     # Whether a loop is stable is known a hundred times sooner than its bandwidth.
-    while not is_stable(shaped(low), plant) or bandwidth(shaped(low), plant) >= target:
+    while not is_stable(shaped(low), plant) or reaches(shaped(low), plant, target):
         low *= 0.7
         if low < 1e-4 * target:
             raise BeyondPlant("this plant cannot be closed stably with a PID loop at this servo rate")
-    high, best = low, 0.0
+    high = low
+    tried: list[Loop] = []
     while True:
         high *= 1.05
         loop = shaped(high)
         if not is_stable(loop, plant):
+            best = max((bandwidth(each, plant) for each in tried), default=0.0)
             where = f"this plant at {loop.servo_rate:g} servo samples a second"
             raise BeyondPlant(
                 f"a bandwidth of {target:g} Hz is beyond {where}: about {best:.3g} Hz is possible", best
             )
-        best = max(best, bandwidth(loop, plant))
-        if best >= target:
+        if reaches(loop, plant, target):
             return low, high
+        tried.append(loop)
 
 
 def _warnings(plant: Motor | Drive, figures: LoopFigures) -> tuple[str, ...]:

@@ -178,6 +178,9 @@ def test_the_listings_pid_is_the_loops() -> None:
             k = round(time * 1000.0)
             return float(made.demand[min(max(k - 1, 0), 399)]) if k > 0 else 0.0
 
+        def positions(self, times: list[float]) -> list[float]:
+            return [self.position(time) for time in times]
+
         start = 0.0
 
     track = Points()

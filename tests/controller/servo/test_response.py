@@ -13,8 +13,10 @@ import pytest
 from motionlang.controller.servo import Drive, Loop, Motor, Track, simulate
 from motionlang.controller.servo.response import (
     LoopFigures,
+    bandwidth,
     closed_loop,
     loop_figures,
+    reaches,
     step_figures,
     step_response,
 )
@@ -178,6 +180,17 @@ def test_nonlinear_loops_have_no_frequency_response() -> None:
     ):
         with pytest.raises(ValueError, match="frequency response"):
             loop_figures(loop, plant)
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_the_quick_way_to_a_bandwidth_finds_the_same_to_the_last_bit(name: str) -> None:
+    loop, plant = PAIRS[name]
+    found = bandwidth(loop, plant)
+    assert found == loop_figures(loop, plant).bandwidth
+    assert reaches(loop, plant, found)
+    assert reaches(loop, plant, 0.5 * found)
+    assert not reaches(loop, plant, np.nextafter(found, np.inf))
+    assert not reaches(loop, plant, 2.0 * found)
 
 
 def test_an_unstable_loop_is_known_as_one() -> None:
