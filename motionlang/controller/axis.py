@@ -13,7 +13,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from motionlang.controller.clock import INFINITY
-from motionlang.controller.plain_moves import entry_of, move_of, written
+from motionlang.controller.plain_moves import NO_PLAN, entry_of, move_of, written
 from motionlang.controller.scale import Scale
 from motionlang.controller.watches import Watches
 from motionlang.profile import hold
@@ -102,6 +102,8 @@ class Axis:
         "override",
         "own_rates",
         "plain",
+        "plan",
+        "plan_before",
         "present",
         "ramp",
         "s_ramp",
@@ -174,6 +176,9 @@ class Axis:
         # last of them is under way, until when it is or was, and the event of its end.
         self.loaded: Entry | None = None
         self.plain: list[Row] = []
+        self.plan = self.plan_before = (
+            NO_PLAN  # of the last move, and of the one before: cycles go there and back
+        )
         self.under_way = False
         self.ends = 0.0
         self.bell: Event | None = None

@@ -204,10 +204,16 @@ class Core(Readings):
             low, high = watches.free or free_way(a, start)
             if not (low < start < high and low < target < high):
                 return False
-        ramps = from_rest(target - start, speed, accel, decel)
-        if ramps is None:
-            return False
-        duration, recipe = ramps
+        way = target - start
+        plan = a.plan_before
+        if way == plan[0] and speed == plan[1] and accel == plan[2] and decel == plan[3]:
+            a.plan_before, a.plan = a.plan, plan
+        else:
+            ramps = from_rest(way, speed, accel, decel)
+            if ramps is None:
+                return False
+            a.plan_before, a.plan = a.plan, (way, speed, accel, decel, ramps)
+        duration, recipe = a.plan[4]
         scale, log = a.scale, self.log
         row = a.index, now, start, target, duration, recipe, speed, scale.counts, scale.zero, entry
         plain.append(row)

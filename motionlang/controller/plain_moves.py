@@ -16,6 +16,11 @@ if TYPE_CHECKING:
     Entry = tuple[float, float | None, str, int, float | None, int]
     # Axis, start time, start, end, duration, recipe of the profile, speed asked for, scale, zero, and what was loaded.
     Row = tuple[int, float, float, float, float, tuple[float, ...], float, float, float, Entry]
+    # Way, speed, acceleration and deceleration, and what comes of them: duration and recipe of the profile.
+    Plan = tuple[float, float, float, float, tuple[float, tuple[float, ...]]]
+
+# A plan that is that of no move.
+NO_PLAN: Plan = (float("nan"), 0.0, 0.0, 0.0, (0.0, ()))
 
 
 def entry_of(axis: int, entry: Entry) -> Move:

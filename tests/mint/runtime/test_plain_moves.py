@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -124,6 +125,37 @@ def test_looks_make_no_difference(seed: int, monkeypatch: pytest.MonkeyPatch) ->
 def test_nor_do_random_programs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     plain, ordinary = held_apart(program(seed), monkeypatch, None)
     assert all_of(plain) == all_of(ordinary)
+
+
+def there_and_back(seed: int) -> str:
+    """A program whose ways come back, some with another speed or rate."""
+    random = Random(seed)
+    lines = []
+    for _ in range(30):
+        word, value = random.choice(
+            (("SPEED", 20), ("SPEED", 9), ("ACCEL", 300), ("ACCEL", 100), ("DECEL", 200))
+        )
+        if random.random() < 0.25:
+            lines.append(f"{word}(0, 1) = {value}, {value + random.choice((0, 5))}")
+        axis, way = random.randrange(2), random.choice((5, -5, 5, -5, 3))
+        lines.append(f"MOVER({axis}) = {way} : GO({axis})\nPAUSE IDLE({axis})")
+    return "\n".join(lines) + "\n"
+
+
+@cases("seed", range(20))
+def test_a_way_that_comes_back_is_planned_with_the_rates_of_then(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain, ordinary = held_apart(there_and_back(seed), monkeypatch, None)
+    assert all_of(plain) == all_of(ordinary)
+
+
+def test_an_axis_that_goes_there_and_back_has_one_recipe_for_each_way() -> None:
+    text = "".join(f"MOVEA(0) = {5 * (n % 2)} : GO(0)\nPAUSE IDLE(0)\n" for n in range(1, 9))
+    log: list[Any] = list(run(Source("a.mnt", text), cache=False).controller.log.moves.as_kept())
+    recipes = [row[5] for row in log]
+    assert len({id(recipe) for recipe in recipes}) == 2
+    assert recipes[0] != recipes[1]
 
 
 def kept(result: Run) -> list[type]:
