@@ -197,6 +197,7 @@ class Scheduler:
                 # When each goes on: at the latest, and if nothing but what is expected happens.
                 surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
                 ends, resting = surely[:], {k for k, wait in enumerate(known) if wait.ends is None}
+                last = (self._turn - 1) % len(tasks)
             for k in resting:
                 ends[k] = known[k].expected()
             now, first = clock.now, min(ends)
@@ -212,8 +213,8 @@ class Scheduler:
             elif clock.next_time() != first or not clock.advance_to_news(first):
                 break
             clock.now = self.began = self.turn_began = first
-            self.current, self._alone = found, place == (self._turn - 1) % len(tasks)
-            self._turn, self._stalls, found.wait = (place + 1) % len(tasks), 0, None
+            self.current, self._alone, last = found, place == last, place
+            self._turn, self._stalls, found.wait = place + 1, 0, None
             at, callers = wait.place or found.standing
             cause, turn = wait.cause, found.turn
             why = "" if cause == "time" else wait.why

@@ -36,9 +36,20 @@ class StatementTime:
         """The time of a statement."""
         return self.base + count * self.cost
 
-    def arrive(self, now: float) -> float:
-        """A task goes on at `now`: at which statement."""
-        return self.count if now == self.reached else self.start(now)
+    def go_on(self, now: float, horizon: float) -> tuple[float, float]:
+        """A task goes on at `now`: at which statement, and the first one not before `horizon`, as `limit` finds it."""
+        if now != self.reached:
+            self.base, count = now, 0.0
+        else:
+            count = self.count
+        self.until = horizon
+        if horizon == INFINITY:
+            return count, INFINITY
+        base, cost = self.base, self.cost
+        last = float(ceil((horizon - base) / cost))
+        if base + last * cost < horizon:
+            return count, last + 1.0
+        return count, last - 1.0 if base + (last - 1.0) * cost >= horizon else last
 
     def start(self, now: float) -> float:
         """Count from 0 again."""
@@ -53,9 +64,12 @@ class StatementTime:
 
     def rest(self, count: float, seconds: float) -> float:
         """The running task waits for a time: when that is over."""
-        self.leave(count)
-        end = (units(self.base) + round((count * self.cost + seconds) * UNITS)) / UNITS
-        self._known, self._units = end, units(end)
+        base, passed = self.base, count * self.cost
+        self.count, self.reached = count, base + passed
+        begun = self._units if base == self._known else units(base)
+        ends = begun + round((passed + seconds) * UNITS)
+        self._known = end = ends / UNITS
+        self._units = ends if ends < _EXACT else units(end)
         return end
 
     def pass_by(self, count: float, seconds: float) -> tuple[float, float] | None:
@@ -118,4 +132,6 @@ def units(moment: float) -> int:
     nearest = round(moment * UNITS)
     if nearest / UNITS == moment:
         return nearest
-    return next((each for each in (nearest, nearest - 1, nearest + 1) if each / UNITS == moment), nearest)
+    if (nearest - 1) / UNITS == moment:
+        return nearest - 1
+    return nearest + 1 if (nearest + 1) / UNITS == moment else nearest

@@ -8,6 +8,7 @@ from __future__ import annotations
 from array import array
 from math import fsum
 
+from motionlang.profile.total import exact_terms
 from motionlang.report import axes as axes_of
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
 # Up to this many moves are shown with their phases; of more than `MOST_ROWS`, so many are shown, and the totals.
 WITH_PHASES, MOST_ROWS, SHOWN = 10, 40, 10
 MOST_TOTALS = 30
+# Of more figures of a line than this, a few are held that add up to the same.
+MOST_TERMS = 4096
 # A chart of more moves than this is a solid block.
 MOST_CHARTED, MOST_CHARTS = 200, 4
 
@@ -122,15 +125,20 @@ def render(
 class _Total:
     """What a line of the program moved: seconds and distances of its moves, and the highest speed."""
 
-    __slots__ = ("distances", "durations", "peak")
+    __slots__ = ("count", "distances", "durations", "peak")
 
     def __init__(self) -> None:
         self.durations, self.distances, self.peak = array("d"), array("d"), 0.0
+        self.count = 0
 
     def add(self, row: Row) -> None:
+        self.count += 1
         self.durations.append(row["duration"])
         self.distances.append(abs(row["distance"]))
         self.peak = max(self.peak, row["peak_speed"])
+        if len(self.durations) >= MOST_TERMS:
+            self.durations = array("d", exact_terms(self.durations))
+            self.distances = array("d", exact_terms(self.distances))
 
 
 class _Gathered:
@@ -153,9 +161,8 @@ class _Gathered:
         self.count = 0
         self.by_axis: dict[int, int] = {}
         for (_, _, axis), total in self.totals.items():
-            moves = len(total.durations)
-            self.count += moves
-            self.by_axis[axis] = self.by_axis.get(axis, 0) + moves
+            self.count += total.count
+            self.by_axis[axis] = self.by_axis.get(axis, 0) + total.count
         if not everything and self.count > MOST_ROWS:
             del self.shown[SHOWN:]
 
@@ -283,7 +290,7 @@ def _totals(moves: _Gathered, time: float, width: int, colour: bool, everything:
 
 def _total(key: tuple[int, str, int], group: _Total, time: float) -> list[str]:
     line, command, axis = key
-    motion, distance, count = fsum(group.durations), fsum(group.distances), len(group.durations)
+    motion, distance, count = fsum(group.durations), fsum(group.distances), group.count
     return [
         str(line or ""),
         command,

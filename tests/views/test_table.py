@@ -6,8 +6,9 @@ import re
 
 import pytest
 
+from motionlang.report import moves
 from motionlang.views.grid import Column, decimals_of, grid
-from motionlang.views.table import render
+from motionlang.views.table import _Gathered, render
 from motionlang.views.words import clock_time, figure
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
@@ -126,6 +127,15 @@ def test_a_narrow_terminal_keeps_what_matters() -> None:
 
 def test_many_moves_are_summed_up_by_line() -> None:
     assert render(shift()).startswith(MANY)
+
+
+def test_of_very_many_figures_few_are_held_that_add_up_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = render(shift())
+    monkeypatch.setattr("motionlang.views.table.MOST_TERMS", 7)
+    assert render(shift()) == whole
+    totals = _Gathered(moves(shift()), False).totals.values()
+    assert [total.count for total in totals] == [100] * 4
+    assert max(len(each) for total in totals for each in (total.durations, total.distances)) < 7
 
 
 def test_all_moves_with_their_phases_where_everything_is_asked_for() -> None:

@@ -48,23 +48,24 @@ class MintTask(GeneratorTask):
         environment = self.environment
         environment.task = self
         clock, attention, statements = environment.clock, environment.attention, environment.statements
-        if environment.fired != clock.fired:
-            self.noticed(environment)
+        if environment.fired != clock.fired:  # as `noticed` has it
+            environment.fired = clock.fired
+            environment.acts += 1
+            self.look = self.in_vain = None
         if environment.ran is not self or environment.leaps != clock.leaps:
             environment.resumed += 1
             environment.leaps = clock.leaps
         acts = environment.acts
         attention.notes = self.notes
         self.busy = 0.0
-        count = statements.count if now == statements.reached else statements.start(now)
-        limit, generator = statements.limit(horizon), self._generator
+        place, generator = statements.go_on(now, horizon), self._generator
         out: Any
         try:
             if generator is None:
-                self._generator = generator = self._make(count, limit)
+                self._generator = generator = self._make(*place)
                 out = next(generator)
             else:
-                out = generator.send((count, limit))
+                out = generator.send(place)
         except StopIteration as stop:
             self.done = True
             time, wait = statements.leave(stop.value), None
