@@ -75,13 +75,13 @@ def read_offset(environment: Environment, row: Row) -> Operation:
     """What is still to go: of the offset of a slave, of the move of another axis."""
     controller = environment.controller
 
-    def read(axis: int) -> float:
+    def read(axis: int, level: object = None) -> float:
         scale = scale_of(environment, axis)
         slave = controller.master_of(axis) is not None
         return scale.to_user(controller.offset_remaining(axis) if slave else controller.remaining(axis))
 
     changes = environment.part(Changes)
-    return changes.comparable(read, changes.passing("following.offset"))
+    return changes.heard(read, changes.passing("following.offset"))
 
 
 OPERATIONS = {

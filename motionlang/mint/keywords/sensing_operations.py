@@ -157,7 +157,7 @@ class Encoders:
     def read(self, channel: int) -> float:
         return self.shown(channel, self.counts(channel))
 
-    def until(self, channel: int, level: float | None) -> float:
+    def until(self, channel: int, level: float | None = None) -> float:
         """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
         track = self.track(channel)
         if level == INFINITY:
@@ -219,8 +219,8 @@ def compared(kind: type[Encoders]) -> Maker:
 
     def made(environment: Environment, row: Row) -> Operation:
         encoders = environment.part(kind)
-        return encoders.changes.comparable(
-            lambda channel: encoders.read(encoders.checked(channel)), encoders.until
+        return encoders.changes.heard(
+            lambda channel, level=None: encoders.read(encoders.checked(channel)), encoders.until
         )
 
     return made

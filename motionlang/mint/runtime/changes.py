@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     Maker = Callable[[Environment, Row], Callable[..., Any]]
     # What a reading is compared with; `(level,)` where its sign is taken off, None where it is not known.
     Level = float | tuple[float] | None
-    Until = Callable[[int, Any], float]
+    Until = Callable[..., float]
 
 # What tells when a reading of an axis passes a level, or turns round where that is infinite, and the level's unit.
 CROSSINGS: dict[str, tuple[str, str]] = {
@@ -28,16 +28,22 @@ CROSSINGS: dict[str, tuple[str, str]] = {
     "remaining": ("remaining_crossing_time", "uu"),
     "following.offset": ("offset_crossing_time", "uu"),
 }
+# What is kept of such a reading decides nothing.
+NOBODY_ASKS = (-INFINITY,)
 
 
 def moving(make: Maker) -> Maker:
     """A reading that may change for as long as an axis moves; `make` makes the function that reads."""
-    return lambda environment, row: environment.part(Changes).noted(make(environment, row), Changes.moving)
+    return lambda environment, row: (changes := environment.part(Changes)).heard(
+        make(environment, row), changes.moving
+    )
 
 
 def always(make: Maker) -> Maker:
     """A reading that changes all the time."""
-    return lambda environment, row: environment.part(Changes).noted(make(environment, row), Changes.at_once)
+    return lambda environment, row: (changes := environment.part(Changes)).heard(
+        make(environment, row), changes.at_once
+    )
 
 
 def repeatable(make: Maker) -> Maker:
@@ -66,33 +72,22 @@ class Changes:
 
         return Hearing(attention, note, wraps)
 
-    def noted(self, read: Callable[..., Any], until: Callable[[Changes], float]) -> Callable[..., Any]:
-        """A reading that is compared with nothing."""
+    def heard(self, read: Callable[..., Any], until: Callable[..., float]) -> Callable[..., Any]:
+        """A reading bound to none of them: it and `until` are given where it is made and what it is compared with."""
         attention = self._environment.attention
 
-        def noted(*where: Any) -> Any:
-            if attention.notes is not None:
-                attention.note(until, self)
+        def heard(*where: Any) -> Any:
+            if attention.notes is not None and where[-1:] != NOBODY_ASKS:
+                attention.note(until, *where)
             return read(*where)
 
-        return noted
+        return heard
 
-    def comparable(self, read: Callable[[int], float], until: Until) -> Callable[..., float]:
-        """The same of a reading that is bound to none of them."""
-        attention = self._environment.attention
-
-        def compared(number: int, level: Level = None) -> float:
-            if attention.notes is not None and level != -INFINITY:
-                attention.note(until, number, level)
-            return read(number)
-
-        return compared
-
-    def at_once(self) -> float:
+    def at_once(self, *where: Any) -> float:
         """What may change at any time."""
         return self._environment.clock.now
 
-    def moving(self) -> float:
+    def moving(self, *where: Any) -> float:
         """What may change while anything moves: an axis, or an encoder that the world turns."""
         controller = self._environment.controller
         still = all(map(controller.is_still, controller.axes)) and not any(
@@ -104,11 +99,11 @@ class Changes:
         """What tells when a reading of an axis passes a level, in user units; nothing changes of one that stands."""
         controller, wraps = self._environment.controller, self._environment.wraps
         if verb not in CROSSINGS:
-            return lambda axis, level: self.moving()
+            return self.moving
         name, unit = CROSSINGS[verb]
         crossing_time = getattr(controller, name)
 
-        def until(axis: int, level: Level) -> float:
+        def until(axis: int, level: Level = None) -> float:
             wrap = wraps.get(axis) if unit == PLACE else None
             if controller.is_still(axis):
                 return self.at_once() if level == INFINITY else INFINITY
