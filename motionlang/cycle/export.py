@@ -12,7 +12,7 @@ from motionlang.files import replacing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
     from typing import Any
 
     from motionlang.cycle.profile import TimeProfile
@@ -27,14 +27,15 @@ FORMATS = (".speedscope.json", ".trace.json", ".json")
 def write_profile(made: TimeProfile, path: str) -> None:
     """Write the profile in the format of the suffix. Raises OSError."""
     lower = path.lower()
+    pieces: Iterable[str]
     if lower.endswith(".speedscope.json"):
-        text = json.dumps(speedscope(made), indent=1)
+        pieces = (json.dumps(speedscope(made), indent=1), "\n")
     elif lower.endswith(".trace.json"):
-        text = json.dumps(trace_events(made), indent=1)
+        pieces = (json.dumps(trace_events(made), indent=1), "\n")
     else:
-        text = "".join(_report(made))
+        pieces = _report(made)
     with replacing(path) as file:
-        file.write(f"{text}\n".encode())
+        file.writelines(piece.encode() for piece in pieces)
 
 
 def _report(made: TimeProfile) -> Iterator[str]:
@@ -54,7 +55,12 @@ def _report(made: TimeProfile) -> Iterator[str]:
         before, text = end, repr(end)
         links.append(f'  {{\n   "begin": {begins},\n   "end": {text},\n{rest}')
     yield json.dumps(document, indent=1).removesuffix("\n}")
-    yield ',\n "chain": [' + ("\n" + ",\n".join(links) + "\n ]" if links else "]") + "\n}"
+    yield ',\n "chain": ['
+    if links:
+        yield "\n"
+        yield ",\n".join(links)
+        yield "\n "
+    yield "]\n}\n"
 
 
 def _inner(row: Row) -> str:

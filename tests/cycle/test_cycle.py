@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli import main
-from motionlang.cycle.export import speedscope, trace_events
+from motionlang.cycle.export import speedscope, trace_events, write_profile
 from motionlang.cycle.profile import Share, TimeProfile
 from motionlang.cycle.tasks import TaskTime
 from motionlang.execution import run
@@ -178,6 +178,23 @@ def test_other_programs_read_it() -> None:
     assert max(event["ts"] + event["dur"] for event in events if event["ph"] == "X") == pytest.approx(
         made.run.time * 1e6
     )
+
+
+@pytest.mark.parametrize(
+    "text", ["", "WAIT(1)", PROGRAM, 'MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\nWAIT(0.3)\nPRINT "x"\n']
+)
+def test_the_file_is_what_json_would_write(text: str, tmp_path: Path) -> None:
+    made, path = profiled(text, machine=WORLD), tmp_path / "cycle.json"
+    write_profile(made, str(path))
+    assert path.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n"
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_nor_does_it_differ_on_the_gallery(part: int, tmp_path: Path) -> None:
+    for path in GALLERY[part::4]:
+        made, to = TimeProfile(run(path)), tmp_path / "cycle.json"
+        write_profile(made, str(to))
+        assert to.read_text(encoding="utf-8") == json.dumps(made.report(), indent=1) + "\n", path.name
 
 
 def test_the_listing_has_the_seconds_of_each_line() -> None:
