@@ -24,14 +24,14 @@ def _enable(name: str, verb: str, help: str, example: str) -> Keyword:
 
 
 ROWS = (
-    _setting("FASTAUXSELECT", "integer", "setting", "3", "The input that triggers the latch of an auxiliary encoder.",
-             999),
+    _setting("FASTAUXSELECT", "integer", "setting.input", "3",
+             "The input that triggers the latch of an auxiliary encoder.", 999),
     _enable("FASTAUXENABLE", "enable", "Arm the latch of an auxiliary encoder; it forgets what it had caught.",
             _FAST.format("FASTAUXLATCH")),
-    _setting("FASTAUXLATCHEDGE", "bool", "setting", "1",
+    _setting("FASTAUXLATCHEDGE", "bool", "setting.edge", "1",
              "0: the input triggers when it becomes active; 1: inactive.", 1),
-    _setting("FASTAUXLATCHMODE", "integer", "setting", "1", "0: the latch catches once; 1: it stays armed.", 1),
-    _setting("FASTAUXLATCHDISTANCE", "number", "setting", "5",
+    _setting("FASTAUXLATCHMODE", "integer", "setting.again", "1", "0: the latch catches once; 1: it stays armed.", 1),
+    _setting("FASTAUXLATCHDISTANCE", "number", "setting.inhibit_distance", "5",
              "How far the encoder must be from the position caught last before an edge counts again.", 8388607.0),
     _reading("FASTAUXLATCH", "", "auxchannel", "bool", "caught", "1 when the latch of an auxiliary encoder has caught.",
              _FAST),

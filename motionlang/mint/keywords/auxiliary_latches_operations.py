@@ -41,10 +41,6 @@ class AuxLatches(FastLatches):
         """DEFAULT: they are no axis's."""
 
 
-def _setting(row: Row) -> str:
-    return SETTINGS[row.name.replace("AUX", "")]
-
-
 def _per_unit(latches: AuxLatches, row: Row, channel: int) -> float:
     """Counts in one unit of what the encoder shows, for distances."""
     return latches.encoders.per_unit(channel) if row.unit == "number" else 1.0
@@ -52,13 +48,13 @@ def _per_unit(latches: AuxLatches, row: Row, channel: int) -> float:
 
 def read_setting(latches: AuxLatches, row: Row, channel: int) -> float:
     """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
-    value: float = getattr(latches.latch(channel), _setting(row))
+    value: float = getattr(latches.latch(channel), row.attribute)
     return value / _per_unit(latches, row, channel) if row.unit == "number" else int(value)
 
 
 def write_setting(latches: AuxLatches, row: Row, channel: int, value: float) -> None:
     """FASTAUXSELECT, -LATCHEDGE, -LATCHMODE, and -LATCHDISTANCE in the encoder's units."""
-    latches.latch(channel).set(_setting(row), value * abs(_per_unit(latches, row, channel)))
+    latches.latch(channel).set(row.attribute, value * abs(_per_unit(latches, row, channel)))
 
 
 def read_encoder(latches: AuxLatches, channel: int) -> float:
@@ -154,11 +150,9 @@ def read_place(indexes: Indexes, channel: int) -> float:
     return indexes.environment.part(AuxEncoders).shown(channel, indexes.of_aux(channel).place)
 
 
+_SETTING = {"read": of_word(AuxLatches, read_setting), "write": of_word(AuxLatches, write_setting)}
 OPERATIONS = {
-    "auxiliary_latches.setting": {
-        "read": of_word(AuxLatches, read_setting),
-        "write": of_word(AuxLatches, write_setting),
-    },
+    **{f"auxiliary_latches.setting.{each}": _SETTING for each in SETTINGS},
     "auxiliary_latches.enable": {
         "write": unchecked(of(AuxLatches, lambda part, channel, armed: part.latch(channel).arm(bool(armed))))
     },

@@ -264,35 +264,23 @@ class Capture:
 
 # ----------------------------------------------------------------------------------------------- operations
 
-# Keyword -> the attribute of a channel or of a trigger.
-_ATTRIBUTES = {
-    "CAPTUREMODE": "mode",
-    "CAPTUREAXIS": "axis",
-    "CAPTUREMODEPARAMETER": "parameter",
-    "CAPTURETRIGGERMODE": "mode",
-    "CAPTURETRIGGERSOURCE": "source",
-    "CAPTURETRIGGERCHANNEL": "channel",
-    "CAPTURETRIGGERVALUE": "value",
-    "CAPTURETRIGGERABSOLUTE": "absolute",
-}
-
 
 def _part(capture: Capture, row: Row, number: int) -> Channel | Trigger:
     """The channel or the trigger of which a word is an attribute."""
-    if "TRIGGER" in row.name:
+    if row.index == "trigger":
         return capture.triggers[checked(number, LAST_TRIGGER, "trigger")]
     return capture.channels[checked(number, LAST_CHANNEL, "capture channel")]
 
 
 def read_attribute(capture: Capture, row: Row, number: int) -> object:
-    return getattr(_part(capture, row, number), _ATTRIBUTES[row.name])
+    return getattr(_part(capture, row, number), row.attribute)
 
 
 def write_attribute(capture: Capture, row: Row, number: int, value: float) -> None:
     """What a channel records, and what a trigger waits for; refused while a capture runs."""
     part = _part(capture, row, number)
     capture.refuse_running()
-    setattr(part, _ATTRIBUTES[row.name], value)
+    setattr(part, row.attribute, value)
 
 
 def read_name(capture: Capture, channel: int) -> str:
@@ -338,7 +326,8 @@ def read_progress(environment: Environment, row: Row) -> Operation:
 
 _ATTRIBUTE = {"read": of_word(Capture, read_attribute), "write": of_word(Capture, write_attribute)}
 OPERATIONS = {
-    "captures.channel": _ATTRIBUTE,
+    **{f"captures.channel.{each}": _ATTRIBUTE for each in Channel.__slots__},
+    **{f"captures.trigger.{each}": _ATTRIBUTE for each in Trigger.__slots__},
     "captures.name": {"read": of(Capture, read_name)},
     "captures.points": {
         "read": of(Capture, lambda capture: capture.points),
@@ -353,7 +342,7 @@ OPERATIONS = {
         "read": of(Capture, lambda capture: capture.before),
         "write": of(Capture, write_before),
     },
-    "captures.trigger": {**_ATTRIBUTE, "do": of(Capture, Capture.trigger)},
+    "captures.trigger": {"do": of(Capture, Capture.trigger)},
     "captures.running": {"read": of_word(Capture, read_running), "write": of_word(Capture, write_running)},
     "captures.status": {"read": of(Capture, lambda capture: capture.status)},
     "captures.progress": {"read": read_progress},

@@ -97,33 +97,28 @@ def write_s_ramp(environment: Environment, axis: int, percent: float) -> None:
     configure(axis, "s_ramp", percent / 100.0 if percent else None)
 
 
-_LIMITS = {"MAXSPEED": "max_speed", "MAXACCEL": "max_accel", "MAXDECEL": "max_decel"}
-
-
 def read_limit(environment: Environment, row: Row, axis: int) -> float:
     """MAXSPEED and the like; without a limit the largest number that they take."""
     a = environment.controller.axes[axis]
-    value: float = getattr(a, _LIMITS[row.name])
+    value: float = getattr(a, row.verb)
     return 8388607.0 if value == inf else a.scale.to_user(value, row.unit)
 
 
 def write_limit(environment: Environment, row: Row, axis: int, value: float) -> None:
     """MAXSPEED, MAXACCEL and MAXDECEL, user units; rates that were times to MAXSPEED follow it."""
     counts = abs(environment.controller.axes[axis].scale.to_counts(value, row.unit))
-    environment.controller.configure(axis, _LIMITS[row.name], counts)
-    if row.name == "MAXSPEED":
+    environment.controller.configure(axis, row.verb, counts)
+    if row.verb == "max_speed":
         environment.part(TimesToMost).renew(axis)
 
 
+_LIMIT = {"read": of_word(Environment, read_limit), "write": repeatable(of_word(Environment, write_limit))}
 OPERATIONS = {
     "feedrate.parameter": {
         "read": of(Environment, read_parameter),
         "write": of(Environment, write_parameter),
     },
-    "feedrate.limit": {
-        "read": of_word(Environment, read_limit),
-        "write": repeatable(of_word(Environment, write_limit)),
-    },
+    **dict.fromkeys(("max_speed", "max_accel", "max_decel"), _LIMIT),
     "feedrate.time_to_most": {
         "read": of_word(Environment, read_time_to_most),
         "write": repeatable(of_word(TimesToMost, write_time_to_most)),

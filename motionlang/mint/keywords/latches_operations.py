@@ -24,21 +24,8 @@ LAST_LATCH = 31
 BY_INPUT, BY_INDEX = 0, 1
 RISING, FALLING, BOTH = 0, 1, 2
 AXIS_POSITION, ENCODER = 0, 1
-# Keyword -> the attribute of a latch; FAST… keywords are those of the axis's own latch.
-SETTINGS = {
-    "LATCHTRIGGERMODE": "trigger_mode",
-    "LATCHTRIGGERCHANNEL": "input",
-    "LATCHTRIGGEREDGE": "edge",
-    "LATCHSOURCE": "source",
-    "LATCHSOURCECHANNEL": "axis",
-    "LATCHMODE": "again",
-    "LATCHINHIBITTIME": "inhibit_time",
-    "LATCHINHIBITVALUE": "inhibit_distance",
-    "FASTSELECT": "input",
-    "FASTLATCHEDGE": "edge",
-    "FASTLATCHMODE": "again",
-    "FASTLATCHDISTANCE": "inhibit_distance",
-}
+# What a latch goes by.
+SETTINGS = ["trigger_mode", "input", "edge", "source", "axis", "again", "inhibit_time", "inhibit_distance"]
 
 
 class Latch:
@@ -168,16 +155,15 @@ class FastLatches(Latches):
 
 def read_setting(latch: Latch, row: Row) -> float:
     """What a latch goes by; positions in user units of its axis, times in ms."""
-    value: float = getattr(latch, SETTINGS[row.name])
+    value: float = getattr(latch, row.attribute)
     return latch.scale.to_user(value) if row.unit == "uu" else int(value)
 
 
 def write_setting(latch: Latch, row: Row, value: float) -> None:
     """What a latch goes by; positions in user units of its axis, times in ms."""
-    name = SETTINGS[row.name]
-    if name == "axis":
+    if row.attribute == "axis":
         axis_of(latch.environment, int(value))
-    latch.set(name, latch.scale.to_counts(value) if row.unit == "uu" else value)
+    latch.set(row.attribute, latch.scale.to_counts(value) if row.unit == "uu" else value)
 
 
 def read_value(latch: Latch, row: Row) -> float:
@@ -200,8 +186,9 @@ def on_latch(function: Callable[..., object]) -> Maker:
     return made
 
 
+_SETTING = {"read": on_latch(read_setting), "write": on_latch(write_setting)}
 OPERATIONS = {
-    "latches.setting": {"read": on_latch(read_setting), "write": on_latch(write_setting)},
+    **{f"latches.setting.{each}": _SETTING for each in SETTINGS},
     "latches.enable": {
         "read": on_latch(lambda latch, row: int(latch.armed)),
         "write": unchecked(on_latch(lambda latch, row, armed: latch.arm(bool(armed)))),

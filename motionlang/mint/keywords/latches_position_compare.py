@@ -110,17 +110,15 @@ class Compares:
 
 # ----------------------------------------------------------------------------------------------- operations
 
-_NAMES = {"COMPAREMODE": "mode", "COMPAREOUTPUT": "output"}
-
 
 def read_setting(compares: Compares, row: Row, axis: int) -> int:
-    value: int = getattr(compares.compare(axis), _NAMES[row.name])
+    value: int = getattr(compares.compare(axis), row.attribute)
     return value
 
 
 def write_setting(compares: Compares, row: Row, axis: int, value: int) -> None:
     """COMPAREMODE and COMPAREOUTPUT; a compare at work begins anew."""
-    compares.compare(axis).set(_NAMES[row.name], value)
+    compares.compare(axis).set(row.attribute, value)
 
 
 def read_position(compares: Compares, axis: int, register: int) -> float:
@@ -150,11 +148,10 @@ def write_enable(compares: Compares, output: int, enabled: int) -> None:
         each.enable(bool(enabled))
 
 
+_SETTING = {"read": of_word(Compares, read_setting), "write": of_word(Compares, write_setting)}
 OPERATIONS = {
-    "latches.position_compare.setting": {
-        "read": of_word(Compares, read_setting),
-        "write": of_word(Compares, write_setting),
-    },
+    "latches.position_compare.mode": _SETTING,
+    "latches.position_compare.output": _SETTING,
     "latches.position_compare.position": {
         "read": of(Compares, read_position),
         "write": of(Compares, write_position),

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 VERBS = {
     "auxiliary_latches_operations": """
-auxiliary_latches.setting auxiliary_latches.enable auxiliary_latches.caught auxiliary_latches.encoder
-auxiliary_latches.passed auxiliary_latches.aux_passed auxiliary_latches.zero_enable
-auxiliary_latches.zero_mode auxiliary_latches.zero_place
+auxiliary_latches.setting.trigger_mode auxiliary_latches.setting.input auxiliary_latches.setting.edge
+auxiliary_latches.setting.source auxiliary_latches.setting.axis auxiliary_latches.setting.again
+auxiliary_latches.setting.inhibit_time auxiliary_latches.setting.inhibit_distance auxiliary_latches.enable
+auxiliary_latches.caught auxiliary_latches.encoder auxiliary_latches.passed auxiliary_latches.aux_passed
+auxiliary_latches.zero_enable auxiliary_latches.zero_mode auxiliary_latches.zero_place
 """,
     "axis_operations": """
 default_axes scale accel decel accel_time decel_time profile_mode buffer_size enabled
@@ -21,8 +23,10 @@ buffer.last_id buffer.status buffer.trigger buffer.dwell buffer.out buffer.out_b
 camboxes.box camboxes.data
 """,
     "captures_operations": """
-captures.channel captures.name captures.points captures.spacing captures.before captures.trigger
-captures.running captures.status captures.progress captures.point
+captures.channel.axis captures.channel.mode captures.channel.parameter captures.trigger.absolute
+captures.trigger.channel captures.trigger.mode captures.trigger.source captures.trigger.value captures.name
+captures.points captures.spacing captures.before captures.trigger captures.running captures.status
+captures.progress captures.point
 """,
     "comms_operations": """
 comms.modbus_parameter comms.real comms.whole
@@ -46,7 +50,8 @@ event_flags.pend event_flags.unpend
 factory_defaults.defaults
 """,
     "feedrate_operations": """
-feedrate.parameter feedrate.limit feedrate.time_to_most accel_jerk_time decel_jerk_time feedrate.s_ramp
+feedrate.parameter max_speed max_accel max_decel feedrate.time_to_most accel_jerk_time decel_jerk_time
+feedrate.s_ramp
 """,
     "following_auxiliary": """
 following.auxiliary.position following.auxiliary.velocity following.auxiliary.speed following.auxiliary.mode
@@ -82,11 +87,13 @@ io.signals.enable_output io.signals.error_output
 jogging.setting jogging.command jogging.time jogging.velocity
 """,
     "latches_operations": """
-latches.setting latches.enable latches.caught latches.value latches.encoder
+latches.setting.trigger_mode latches.setting.input latches.setting.edge latches.setting.source
+latches.setting.axis latches.setting.again latches.setting.inhibit_time latches.setting.inhibit_distance
+latches.enable latches.caught latches.value latches.encoder
 """,
     "latches_position_compare": """
-latches.position_compare.setting latches.position_compare.position latches.position_compare.enable
-latches.position_compare.passed
+latches.position_compare.mode latches.position_compare.output latches.position_compare.position
+latches.position_compare.enable latches.position_compare.passed
 """,
     "legacy_operations": """
 legacy.error legacy.error_line legacy.error_axis legacy.contour
@@ -134,7 +141,7 @@ nonvolatile.word nonvolatile.real
 on_the_fly.by on_the_fly.to on_the_fly.suspend
 """,
     "paths_operations": """
-paths.line paths.arc paths.mode paths.blend paths.angle
+paths.line paths.arc contour_mode blend_mode paths.blend paths.angle
 """,
     "presets_operations": """
 presets.format presets.entry presets.index presets.setting presets.inputs

@@ -88,17 +88,12 @@ def read_angle(environment: Environment, x: int, y: int) -> float:
     return environment.controller.vector_angle(x, axis_of(environment, y))
 
 
+_MODE = repeatable(of_word(Environment, lambda e, row, axis, mode: set_mode(e, row.name, axis, bool(mode))))
 OPERATIONS = {
     "paths.line": {"load": loads(put_line)},
     "paths.arc": {"load": loads(put_arc)},
-    "paths.mode": {
-        "read": of_word(
-            Environment, lambda e, row, axis: int(bool(e.controller.setting(axis, _MODES[row.name])))
-        ),
-        "write": repeatable(
-            of_word(Environment, lambda e, row, axis, mode: set_mode(e, row.name, axis, bool(mode)))
-        ),
-    },
+    "contour_mode": {"write": _MODE},
+    "blend_mode": {"write": _MODE},
     "paths.blend": {"do": on_axes(lambda e, axis: e.controller.blend(axis))},
     "paths.angle": {"read": moving(of(Environment, read_angle))},
 }

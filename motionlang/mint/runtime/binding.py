@@ -58,6 +58,11 @@ class Row:
     ) -> None:
         self.verb, self.name, self.unit, self.index, self.low, self.high = verb, name, unit, index, low, high
 
+    @property
+    def attribute(self) -> str:
+        """What a verb ends in that is the setting of a thing: "input" of "latches.setting.input"."""
+        return self.verb.rpartition(".")[2]
+
     def check(self, value: float) -> None:
         """Refuse a value outside the row's range; NaN is outside every range."""
         low, high = self.low, self.high
