@@ -60,27 +60,23 @@ class ModbusParameters:
 
 
 def element(name: str) -> Maker:
-    """A method of the host's memory, of the area that a word means."""
+    """A method of the host's memory, of the area that the verb ends in."""
 
     def made(environment: Environment, row: Row) -> Operation:
-        return with_first(getattr(environment.machine.host, name), _area(row))
+        return with_first(getattr(environment.machine.host, name), row.attribute)
 
     return made
 
 
-def _area(row: Row) -> str:
-    area = {"NET": "netdata", "DPR": "dpr"}.get(row.name[:3], "comms")
-    assert area in AREAS
-    return area
-
-
+_REAL = {"read": element("real"), "write": repeatable(element("set_real"))}
+_WHOLE = {"read": element("integer"), "write": repeatable(element("set_integer"))}
 OPERATIONS = {
     "comms.modbus_parameter": {
         "read": of(ModbusParameters, ModbusParameters.read),
         "write": of(ModbusParameters, ModbusParameters.write),
     },
-    "comms.real": {"read": element("real"), "write": repeatable(element("set_real"))},
-    "comms.whole": {"read": element("integer"), "write": repeatable(element("set_integer"))},
+    **{f"comms.real.{area}": _REAL for area in AREAS},
+    **{f"comms.whole.{area}": _WHOLE for area in AREAS},
 }
 # What raises the events of a kind, made for programs that handle them.
 SOURCES = {"comms": HostEvents, "netdata": HostEvents}

@@ -29,7 +29,8 @@ captures.points captures.spacing captures.before captures.trigger captures.runni
 captures.progress captures.point
 """,
     "comms_operations": """
-comms.modbus_parameter comms.real comms.whole
+comms.modbus_parameter comms.real.comms comms.real.netdata comms.real.dpr comms.whole.comms
+comms.whole.netdata comms.whole.dpr
 """,
     "compensation_operations": """
 compensation.setting compensation.table
@@ -151,7 +152,8 @@ relays.pulse relays.relay relays.bank relays.auxiliary relays.brake relays.brake
 relays.brake_output relays.brake_delay
 """,
     "remote_operations": """
-remote.bits remote.bit remote.percent remote.live
+remote.bits.inputs remote.bits.outputs remote.bit.inputs remote.bit.outputs remote.percent.analogue_inputs
+remote.percent.analogue_outputs remote.live
 """,
     "sensing_operations": """
 sensing.axis_mode sensing.acceleration sensing.target sensing.last_target sensing.window sensing.settling_time

@@ -245,19 +245,12 @@ def _signed(word: int) -> int:
     return word - (1 << 32) if word >> 31 else word
 
 
-def _kind(row: Row) -> str:
-    name = row.name.removeprefix("REMOTE")
-    if name in ("ADC", "DAC"):
-        return "analogue_inputs" if name == "ADC" else "analogue_outputs"
-    return "inputs" if name.startswith("IN") else "outputs"
-
-
 # ----------------------------------------------------------------------------------------------- operations
 
 
 def read_bits(nodes: Nodes, row: Row, bus: int, node: int, bank: int = 0) -> int:
     """REMOTEIN, REMOTEOUT and, with the number of a bank, REMOTEINBANK, REMOTEOUTBANK."""
-    kind = _kind(row)
+    kind = row.attribute
     channels = nodes.channels(bus, node, kind)
     return bits_of(bank, channels.inverted if kind == "inputs" else channels.__getitem__)
 
@@ -266,12 +259,12 @@ def write_bits(nodes: Nodes, row: Row, bus: int, node: int, *rest: int) -> None:
     """REMOTEOUT and, with the number of a bank, REMOTEOUTBANK."""
     bank = rest[0] if len(rest) > 1 else 0
     checked(bank, LAST_CHANNEL // BANK, "bank")
-    nodes.channels(bus, node, _kind(row)).set_bank(bank * BANK, BANK, rest[-1])
+    nodes.channels(bus, node, row.attribute).set_bank(bank * BANK, BANK, rest[-1])
 
 
 def read_bit(nodes: Nodes, row: Row, bus: int, node: int, channel: int) -> int:
     """REMOTEINX and REMOTEOUTX; inputs in terms of their active level."""
-    kind = _kind(row)
+    kind = row.attribute
     channels = nodes.channels(bus, node, kind)
     checked(channel, LAST_CHANNEL, "channel")
     return int(channels.inverted(channel) if kind == "inputs" else channels[channel] != 0)
@@ -284,12 +277,12 @@ def write_bit(nodes: Nodes, row: Row, bus: int, node: int, channel: int, value: 
 
 def read_percent(nodes: Nodes, row: Row, bus: int, node: int, channel: int) -> float:
     """REMOTEADC and REMOTEDAC, percent."""
-    return float(nodes.channels(bus, node, _kind(row))[checked(channel, LAST_CHANNEL, "channel")])
+    return float(nodes.channels(bus, node, row.attribute)[checked(channel, LAST_CHANNEL, "channel")])
 
 
 def write_percent(nodes: Nodes, row: Row, bus: int, node: int, channel: int, value: float) -> None:
     """REMOTEDAC, percent."""
-    nodes.channels(bus, node, _kind(row))[checked(channel, LAST_CHANNEL, "channel")] = value
+    nodes.channels(bus, node, row.attribute)[checked(channel, LAST_CHANNEL, "channel")] = value
 
 
 def read_live(nodes: Nodes, bus: int, node: int) -> int:
@@ -297,13 +290,16 @@ def read_live(nodes: Nodes, bus: int, node: int) -> int:
     return int((bus, node) in nodes.named and nodes.answers(bus, node))
 
 
+_BITS = {"read": of_word(Nodes, read_bits), "write": repeatable(of_word(Nodes, write_bits))}
+_BIT = {"read": of_word(Nodes, read_bit), "write": repeatable(of_word(Nodes, write_bit))}
+_PERCENT = {"read": of_word(Nodes, read_percent), "write": repeatable(of_word(Nodes, write_percent))}
 OPERATIONS = {
-    "remote.bits": {"read": of_word(Nodes, read_bits), "write": repeatable(of_word(Nodes, write_bits))},
-    "remote.bit": {"read": of_word(Nodes, read_bit), "write": repeatable(of_word(Nodes, write_bit))},
-    "remote.percent": {
-        "read": of_word(Nodes, read_percent),
-        "write": repeatable(of_word(Nodes, write_percent)),
-    },
+    "remote.bits.inputs": _BITS,
+    "remote.bits.outputs": _BITS,
+    "remote.bit.inputs": _BIT,
+    "remote.bit.outputs": _BIT,
+    "remote.percent.analogue_inputs": _PERCENT,
+    "remote.percent.analogue_outputs": _PERCENT,
     "remote.live": {"read": of(Nodes, read_live)},
 }
 # What raises the events of a kind, made for programs that handle them.
