@@ -145,9 +145,7 @@ class Scheduler:
             if task is None:
                 self._jump(until)
                 continue
-            horizon = clock.next_time()
-            if horizon > until:
-                horizon = until
+            horizon = min(clock.next_time(), until)
             several = outside or len(self.tasks) > 1
             event, self.began = horizon, now
             if not self._end:
@@ -203,7 +201,8 @@ class Scheduler:
             now, first = clock.now, min(ends)
             place = ends.index(first)
             ends[place] = INFINITY
-            if not (now + ROUNDING < first < until and first + ROUNDING < min(ends)):
+            second = min(ends)
+            if first <= now + ROUNDING or first >= until or second <= first + ROUNDING:
                 break
             found, wait = tasks[place], known[place]
             if place not in resting:
@@ -220,8 +219,11 @@ class Scheduler:
             why = "" if cause == "time" else wait.why
             waits((found.name, at, wait.since, first, cause, wait.what, why, callers))
             self._end = horizon = first + (turn if turn < TURN else TURN)
-            event = min(clock.next_time(), until)
-            horizon = min(horizon, min(surely) - 0.5 * ROUNDING, event)
+            due = (min(surely) if resting else second) - 0.5 * ROUNDING
+            horizon = due if due < horizon else horizon
+            event = clock.next_time()
+            event = event if event < until else until
+            horizon = event if event < horizon else horizon
             time, found.wait = found.resume(first, horizon)
             after = found.wait
             went += 1
