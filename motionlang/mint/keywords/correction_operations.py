@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import of, of_word, scale_of
+from motionlang.mint.runtime.binding import Row, of, of_word, scale_of
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
 
 
 def write_correction(environment: Environment, row: Row, axis: int, value: float, line: int) -> None:

@@ -11,14 +11,10 @@ from motionlang.controller.clock import INFINITY
 from motionlang.controller.motion.reference import PERIOD
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Row, of, of_word
 from motionlang.mint.runtime.changes import moving, repeatable
 from motionlang.mint.runtime.environment import Environment
 from motionlang.profile.reference import Slope
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
 
 # Settings that are not 0 until they are written.
 DEFAULTS = {"SPEEDREFENABLE": 1.0}

@@ -6,13 +6,9 @@ from math import floor
 
 from motionlang.controller.moves import buffer
 from motionlang.mint.keywords.homing_operations import Homes
-from motionlang.mint.runtime.binding import axis_of, of, of_word
+from motionlang.mint.runtime.binding import Row, axis_of, of, of_word
 from motionlang.mint.runtime.changes import moving
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
 
 NEGATIVE_INDEX = 4
 

@@ -11,13 +11,9 @@ from motionlang.controller.faults import Refusal
 from motionlang.lang.machine.machine import CONSOLE
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE
 from motionlang.mint.keywords.io_inputs import BANK
-from motionlang.mint.runtime.binding import of_word
+from motionlang.mint.runtime.binding import Row, of_word
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.events import Events
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
 
 # Kinds whose first datum is a bank, and kinds whose first datum is a number; the others take a bit pattern.
 _BANKED, _NUMBERED = ("in", "fastin"), ("latch",)

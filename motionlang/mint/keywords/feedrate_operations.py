@@ -5,13 +5,9 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.controller.faults import Refusal
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Row, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
 
 # FEEDRATEPARAMETER: what each parameter is, in user units.
 PARAMETERS = ("uu/s", "uu/s2", "uu/s2")

@@ -12,13 +12,9 @@ from motionlang.mint.keywords.sensing_operations import (
     write_encoder,
     write_setting,
 )
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Row, of, of_word
 from motionlang.mint.runtime.changes import moving
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 LAST_ENCODER = 63
 # The AUXENCODERMODE of a virtual axis.

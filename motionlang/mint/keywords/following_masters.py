@@ -18,20 +18,13 @@ if TYPE_CHECKING:
 
 AXIS, ENCODER, AUX_ENCODER = range(3)
 LAST_ENCODER = 63
+# What is not 0 until it is written.
 DEFAULTS = {
-    "MASTERSOURCE": 0.0,
-    "MASTERCHANNEL": 0.0,
-    "MASTERDISTANCE": 0.0,
-    "FOLLOWMODE": 0.0,
     "FOLLOWNUMERATOR": 1.0,
     "FOLLOWDENOM": 1.0,
     "GEARING": 100.0,
-    "GEARINGMODE": 0.0,
-    "OFFSETMODE": 0.0,
-    "OFFSETDISTANCE": 0.0,
     "CAMAMPLITUDE": 1.0,
     "CAMSTART": 1.0,
-    "CAMEND": 0.0,
 }
 
 

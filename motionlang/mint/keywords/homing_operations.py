@@ -9,10 +9,7 @@ from motionlang.mint.keywords.defaults import HOME_BACKOFF, HOME_SPEED, HOME_TYP
 from motionlang.mint.keywords.limits_switches import NONE, Switches
 from motionlang.mint.runtime.binding import of, unchecked
 from motionlang.mint.runtime.changes import repeatable
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 _DEFAULTS = {"HOMESPEED": HOME_SPEED, "HOMEBACKOFF": HOME_BACKOFF}
 

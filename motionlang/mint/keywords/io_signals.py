@@ -5,10 +5,7 @@ from __future__ import annotations
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.runtime.binding import of
 from motionlang.mint.runtime.changes import repeatable
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 NONE = -1
 

@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 from motionlang.mint.keywords.paths_operations import set_mode
-from motionlang.mint.runtime.binding import axis_of, of, of_word
+from motionlang.mint.runtime.binding import Row, axis_of, of, of_word
 from motionlang.mint.runtime.environment import Environment
-from motionlang.mint.runtime.errors import AXIS, Errors
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.errors import Error
+from motionlang.mint.runtime.errors import AXIS, Error, Errors
 
 
 def last(errors: Errors, of_axis: bool = False) -> Error | None:

@@ -7,15 +7,10 @@ from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import FATAL_ERROR
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
 from motionlang.mint.keywords.limits_operations import AxisErrors
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Row, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS, Errors
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.errors import Error
+from motionlang.mint.runtime.errors import AXIS, MISC, SYNCHRONOUS, Error, Errors
 
 LIMITS = {"ADCMIN": -100.0, "ADCMAX": 100.0}
 MONITORED = 32  # the analogue inputs that a bit pattern can name

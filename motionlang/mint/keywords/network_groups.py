@@ -6,10 +6,7 @@ from motionlang.mint.keywords.io_inputs import checked
 from motionlang.mint.keywords.network_operations import write_real
 from motionlang.mint.keywords.remote_operations import LAST_NODE, Nodes, checked_bus
 from motionlang.mint.runtime.binding import of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.environment import Environment
 
 LAST_GROUP = 31
 

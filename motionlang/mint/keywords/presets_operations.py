@@ -6,12 +6,8 @@ from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import Settings, reading
 from motionlang.mint.keywords.io_inputs import LAST_CHANNEL, Inputs, checked
 from motionlang.mint.keywords.presets_moves import begin
-from motionlang.mint.runtime.binding import of, of_word
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
-    from motionlang.mint.runtime.environment import Environment
+from motionlang.mint.runtime.binding import Row, of, of_word
+from motionlang.mint.runtime.environment import Environment
 
 LAST_PRESET = 63
 STAYS, STEPS, GOES_ON = range(3)

@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from motionlang.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME, PERIOD
 from motionlang.mint.keywords.torque_operations import TorqueReferences
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Row, of, of_word
 from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
 
 # Volts of one percent of full scale.
 _PERCENT = 0.1

@@ -10,13 +10,9 @@ from motionlang.controller.faults import Refusal
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import LOOP_TIME, PERIOD
 from motionlang.mint.keywords.io_outputs import Analogue, analogue_input
-from motionlang.mint.runtime.binding import of, of_word
+from motionlang.mint.runtime.binding import Row, of, of_word
 from motionlang.mint.runtime.changes import moving
 from motionlang.mint.runtime.environment import Environment
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from motionlang.mint.runtime.binding import Row
 
 # Volts of one percent of full scale, and the full scale.
 _PERCENT, FULL = 0.1, 10.0
