@@ -14,6 +14,7 @@ from operator import itemgetter, sub
 from motionlang.cycle.motions import Motions
 from motionlang.cycle.places import Place, Places
 from motionlang.cycle.tasks import ended_at, kept_waits, parent_of
+from motionlang.profile.total import exact_terms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.profile.ramps import Recipe
     from motionlang.result import Run
 
-    # One of several links that differ in nothing but their times, and how long each of them took.
+    # One of several links that differ in nothing but their times, and how long they took: terms of an exact sum.
     Alike = tuple["Link", list[float]]
     # Its cause, place, task and axes.
     About = tuple[str, Place, str, tuple[int, ...]]
@@ -45,10 +46,11 @@ CAUSES = {
 # Waits for these end because a move ended, if one did.
 MOVED = ("axis", "condition")
 NOWHERE = Place(0, "", ())
-# When the waits of a task were over, and the waits, of one that has none.
-NO_WAITS: tuple[list[float], list[Wait]] = ([], [])
-# Of a place where no wait was, and of one where no move was waited for.
-_NOTHING = NO_WAITS[0].append
+# When a wait was over.
+_UNTIL: Callable[[Wait], float] = itemgetter(3)
+# What no time is ever put into: of a place where no wait was, and of one where no move was waited for.
+_UNUSED: list[float] = []
+_NOTHING = _UNUSED.append
 UNKNOWN = "", (), NOWHERE, _NOTHING, _NOTHING, False, _NOTHING, _NOTHING
 UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
 
@@ -119,7 +121,10 @@ class Chain:
         self._run = run
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
         self._waits = kept_waits(run) if waits is None else waits
-        self._ends = {name: ([wait[3] for wait in waits], waits) for name, waits in self._waits.items()}
+        # When they were over, where others than the one task are asked again and again what they waited for.
+        self._untils = {
+            name: list(map(_UNTIL, mine)) for name, mine in self._waits.items() if len(self._waits) > 1
+        }
         self._switched = [change.time for change in run.controller.log.inputs]
         self._strips: dict[object, Strip] = {}
         self._follow()
@@ -146,7 +151,7 @@ class Chain:
             for name, lows, highs in strip.parts():
                 if lows:
                     link = Link(lows[0], highs[0], name, strip.place, strip.task, strip.axes)
-                    _put(found, link, list(map(sub, highs, lows)))
+                    _put(found, link, exact_terms(map(sub, highs, lows)))
         return list(found.values())
 
     # ---------------------------------------------------------------------------------------- from the end
@@ -166,13 +171,13 @@ class Chain:
         begins, ends, order = motions.begins, motions.ends, motions.order
         rows, lines, alone = motions.rows, motions.lines, motions.alone
         rank = len(ends) - 1  # of the last motion that was over by then
-        untils, waits = self._ends.get(task, NO_WAITS)
+        waits = self._waits.get(task, [])
         # By the place in the program the cause and the callers of the last wait there, where it was, and what takes the
         # begins and ends of what was computed behind it, and of the wait where no motion ends it.
         known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
         # By the same the last move that was waited for there, and what takes the begins and ends of such.
         moved: dict[int, tuple[int, tuple[int, ...], Profile | Recipe, Place, Put, Put]] = {}
-        for last in range(bisect_right(untils, time + 1e-12) - 1, -1, -1):
+        for last in range(bisect_right(waits, time + 1e-12, key=_UNTIL) - 1, -1, -1):
             _, at, since, until, cause, what, _, callers = wait = waits[last]
             if since >= time or until > time + 1e-12:
                 continue  # it was not over by then
@@ -218,7 +223,7 @@ class Chain:
             if (
                 line == line_before and axes == axes_before and place is where
                 and begin - near <= since and begin + near < until
-                and not (last and begin + near < untils[last - 1])
+                and not (last and begin + near < waits[last - 1][3])
                 and shape == shape_before
             ):  # the task itself began it, as most often  # fmt: skip
                 started(begin)
@@ -283,8 +288,9 @@ class Chain:
 
     def _waiting_at(self, task: str, time: float) -> Wait | None:
         """The wait that a task is in at `time`, its first and last moment not counted."""
-        untils, waits = self._ends.get(task, NO_WAITS)
-        place = bisect_right(untils, time + self._near)
+        waits, soon = self._waits.get(task, []), time + self._near
+        untils = self._untils.get(task)
+        place = bisect_right(waits, soon, key=_UNTIL) if untils is None else bisect_right(untils, soon)
         if place < len(waits) and waits[place][2] < time - self._near:
             return waits[place]
         return None

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from itertools import compress, islice
-from operator import add, itemgetter, ne
+from operator import add, itemgetter, lt, ne
 
 from motionlang.profile.ramps import named_ramps
 
@@ -64,16 +64,14 @@ class Motions:
         self.lines: list[int] = list(map(_LINE, map(_ENTRY, self.rows)))
         self._phases: dict[object, Phases] = {}
 
-    def together(self) -> tuple[list[int], list[float], list[int], list[int]]:
+    def together(self) -> tuple[Sequence[int], list[float], list[int], list[int]]:
         """Where those of a begin start, and behind the last; ends, axes and lines of all, in the order of begins."""
         begins, ends, axes, lines = self.begins, self._ends_of, list(map(_AXIS, self.rows)), self.lines
         if not self._in_order:
             numbers = self._by_begin()
             begins, ends = [begins[number] for number in numbers], [ends[number] for number in numbers]
             axes, lines = [axes[number] for number in numbers], [lines[number] for number in numbers]
-        later = map(ne, begins, islice(begins, 1, None))
-        cuts = [0, *compress(range(1, len(begins)), later), len(begins)] if begins else []
-        return cuts, ends, axes, lines
+        return _cuts(begins), ends, axes, lines
 
     def _by_begin(self) -> Sequence[int]:
         numbers = range(len(self.rows))
@@ -159,6 +157,18 @@ class Motions:
         number = self.order[place]
         row = self.rows[number]
         return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
+
+
+def _cuts(begins: list[float]) -> Sequence[int]:
+    """Where each begin is first, and behind the last; of one in which always as many begin together, a range."""
+    if not begins:
+        return ()
+    width = bisect_right(begins, begins[0])
+    firsts = begins[::width]
+    alike = len(begins) % width == 0 and all(begins[k::width] == firsts for k in range(1, width))
+    if alike and all(map(lt, firsts, islice(firsts, 1, None))):
+        return range(0, len(begins) + 1, width)
+    return [0, *compress(range(1, len(begins)), map(ne, begins, islice(begins, 1, None))), len(begins)]
 
 
 def _kept(move: Move) -> tuple[Any, ...]:

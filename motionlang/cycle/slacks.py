@@ -47,9 +47,7 @@ def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]
 def _together(motions: Motions) -> Iterator[Group]:
     """The moves that began together on one line, those of the same axes at once."""
     cuts, ends, axes, lines = motions.together()
-    widths = list(map(sub, cuts[1:], cuts))
-    for width in set(widths) - {1}:
-        firsts = list(compress(cuts, map(width.__eq__, widths)))
+    for width, firsts in _by_width(cuts):
         by_line = _columns(lines, firsts, width)
         by_axis = _columns(axes, firsts, width)
         if all(map(by_line[0].__eq__, by_line)) and all(each.count(each[0]) == len(each) for each in by_axis):
@@ -58,11 +56,23 @@ def _together(motions: Motions) -> Iterator[Group]:
             yield from _one_by_one(firsts, width, ends, axes, lines)
 
 
+def _by_width(cuts: Sequence[int]) -> Iterator[tuple[int, Sequence[int]]]:
+    """Where groups of a width are, of each width but 1."""
+    if isinstance(cuts, range):
+        if cuts.step > 1:
+            yield cuts.step, cuts[:-1]
+        return
+    widths = list(map(sub, cuts[1:], cuts))
+    for width in set(widths) - {1}:
+        yield width, list(compress(cuts, map(width.__eq__, widths)))
+
+
 def _columns(values: Sequence[T], firsts: Sequence[int], width: int) -> list[list[T]]:
     """The values at each of `firsts`, at the places behind those, and so on."""
     begin, end = firsts[0], firsts[-1]
     step = firsts[1] - begin if len(firsts) > 1 else width
-    if len(firsts) == len(each := range(begin, end + 1, step)) and firsts == list(each):  # as in most cycles
+    each = range(begin, end + 1, step)
+    if firsts == each or (len(firsts) == len(each) and firsts == list(each)):  # as in most cycles
         return [list(values[begin + k : end + k + 1 : step]) for k in range(width)]
     return [[values[first + k] for first in firsts] for k in range(width)]
 
