@@ -89,6 +89,9 @@ BARS: dict[str, Bar] = {
     "quantised-real-time": _least(80.0),
     "both-real-time": _least(80.0),
     "simulate-real-time": _least(1_600.0),
+    "quantised-in-a-run": _least(80.0),
+    "linear-in-a-run": _least(200.0),
+    "suggestion": _most(20.0),
     # An S-curve from motion against one from rest, and against ruckig where that is installed.
     "plan.from_velocity_over_rest": _most(3.0),
     "plan.from_acceleration_over_rest": _most(5.0),

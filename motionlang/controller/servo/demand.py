@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 SHORT = 200
 """Below this many points plain floats are quicker than making a table of the pieces."""
+ONE_PROFILE = 1000
+"""The same where all of them lie on one profile."""
 _JUMP = 1e-6
 _AT_ONCE = 1e-9
 
@@ -57,13 +59,14 @@ class Generator:
     """Points of a track, cycle by cycle; `period` is the trajectory cycle in seconds.
 
     A track jumps where the program gives a position another name (POS = 0, DH): the motor does not move then, so
-    the jump is kept in `offset` (counts to add to the track) and taken out of the points.
+    the jump is kept in `offset` (counts to add to the track) and taken out of the points. Up to `few` points of one
+    profile are plain floats.
     """
 
-    __slots__ = ("offsets", "period", "track")
+    __slots__ = ("few", "offsets", "period", "track")
 
-    def __init__(self, track: Demanded, period: float) -> None:
-        self.track, self.period = track, period
+    def __init__(self, track: Demanded, period: float, few: int = SHORT) -> None:
+        self.track, self.period, self.few = track, period, few
         self.offsets = [0.0]
 
     def in_force(self, cycle: int) -> int:
@@ -117,12 +120,13 @@ class Generator:
         self, cycle: int, count: int, known: Sequence[float] = ()
     ) -> Sequence[float] | NDArray[np.float64]:
         """`known`, then the points at the ends of `count` cycles from `cycle` on; many of them as an array."""
-        if count > SHORT:
+        k = self.in_force(cycle)
+        is_one = k == self.in_force(cycle + count - 1)
+        if count > (self.few if is_one else SHORT):
             import numpy as np
 
             return np.concatenate((known, self.table(cycle, count)))
-        k = self.in_force(cycle)
-        if k != self.in_force(cycle + count - 1):
+        if not is_one:
             return [*known, *(self._point(i) for i in range(cycle, cycle + count))]
         period, start, offset = self.period, self.track.starts[k], self.offset(k)
         times = [i * period - start for i in range(cycle + 1, cycle + count + 1)]
@@ -143,7 +147,11 @@ class Generator:
         starts = np.array(self.track.starts[first : last + 1])
         table = PieceTable(starts.tolist(), self.track.profiles[first : last + 1])
         made = table.sample((cycle + 1) * self.period, self.period, count)
-        self.offset(last)
+        offset = self.offset(last)
+        if first == last:
+            if offset:
+                made += offset
+            return made
         offsets = np.array(self.offsets[first : last + 1])
         if offsets.any():
             owners = (

@@ -3,7 +3,7 @@
 The servo is run ahead of the clock in blocks. A reading is a look into the block; whatever waits for the motor (a
 switch on its way, the following-error limit, a window to settle in) is found in the block and happens as an event, at
 the time of its servo sample, though nobody reads. A new profile or gain throws away what lies behind the present
-sample. Blocks double from SHORT samples to LONG seconds while nothing interferes.
+sample. Blocks grow from SHORT samples to LONG seconds while nothing interferes.
 
 Until the axis is first commanded to move nothing is computed: the motor rests at its demand.
 """
@@ -25,6 +25,8 @@ from motionlang.controller.servo.lookahead import (
     crossing,
     next_other_side,
     next_side,
+    rests_as_seen,
+    seen,
 )
 from motionlang.controller.servo.replay import apply, run_to, sample_at, stands
 from motionlang.controller.servo.servo import Servo
@@ -261,7 +263,8 @@ class Feedback:
             if self._axis.profiles[-1].shape == "hold":
                 return
             self._wake()
-        self._forget()
+        meet = self.look_again if rests_as_seen(self._axis) else self._forget
+        meet()
         for watch in self._axis.watches:
             self._take_side(watch)
 
@@ -342,7 +345,8 @@ class Feedback:
             return
         self.chosen = self._choose()
         self.first_loop = self.chosen.loop
-        self._servo = servo = Servo(self.first_loop, self.plant, self._axis)
+        servo = Servo(self.first_loop, self.plant, self._axis, columns=seen(self.plant), ahead=True)
+        self._servo = servo
         last = None
         for change in self.changes:
             last = run_to(servo, sample_at(change[0], self._rate)) or last
@@ -386,7 +390,7 @@ class Feedback:
         sight.extend(servo.run(self._size))
         if self._size == self._long:
             self._judge(sight, now)
-        self._size = min(2 * self._size, self._long)
+        self._size = min(4 * self._size, self._long)
 
     def _judge(self, sight: Sight, now: int) -> None:
         """Whether the motor stands for good: its demand rests, and the last block went nowhere new."""

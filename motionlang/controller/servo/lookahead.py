@@ -7,18 +7,45 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from motionlang.controller.servo.steps import COLUMNS as RUN
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from motionlang.controller.servo.demand import Demanded
+    from motionlang.controller.servo.plant import Drive, Motor
     from motionlang.controller.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
 
 COLUMNS = ("encoder", "velocity", "error", "output", "torque", "current")
+# Seconds: a profile that ends this much later has ended.
+_AT_ONCE = 1e-9
 # Counts within which a motor stands on a position.
 _ON = 1e-6
 # A motor is at rest when it has been this near its demand, counts, for so many seconds.
 REST_ERROR, REST_TIME = 1.0, 0.02
+
+
+def seen(plant: Motor | Drive) -> tuple[str, ...]:
+    """The columns of a servo run that a sight is made of."""
+    twists = getattr(plant, "resonance", 0.0) > 0.0
+    return tuple(name for name in RUN if name != "integral" and (twists or name != "twist"))
+
+
+def rests_as_seen(track: Demanded) -> bool:
+    """Whether the last profile is the rest at the end of the one before it, in which that was followed ahead."""
+    if len(track.profiles) < 2:
+        return False
+    before, after = track.profiles[-2:]
+    return (
+        before.pieced
+        and after.shape == "hold"
+        and after.duration == inf
+        and before.end_velocity == 0.0
+        and before.end == after.start
+        and track.starts[-1] - track.starts[-2] >= before.duration - _AT_ONCE
+    )
 
 
 class Sight:

@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import floor, inf
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.demand import Generator
+from motionlang.controller.servo.demand import ONE_PROFILE, SHORT, Generator
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.steps import COLUMNS, initial_state
 from motionlang.controller.servo.stretch import Stretch, run_stretch
@@ -35,7 +35,8 @@ WATCH = 4096
 class Servo:
     """One axis under servo, from its track's position at time 0.
 
-    The readings are those of the last sample; `record` keeps `columns` of all of them for `trace`.
+    The readings are those of the last sample, of `columns` alone; `record` keeps those of all of them for `trace`.
+    `ahead` is for one that is run in many short blocks.
     """
 
     def __init__(
@@ -46,14 +47,15 @@ class Servo:
         *,
         record: bool = False,
         columns: tuple[str, ...] = COLUMNS,
+        ahead: bool = False,
     ) -> None:
         for name in columns:
             if name not in COLUMNS:
                 raise ValueError(f"a servo has no column {name!r}; it has {', '.join(COLUMNS)}")
         self.loop, self.plant = loop, plant
         self.peak_error = 0.0
-        self._columns = columns if record else COLUMNS
-        self._generator = Generator(track, 1.0 / loop.trajectory_rate)
+        self._columns = columns
+        self._generator = Generator(track, 1.0 / loop.trajectory_rate, ONE_PROFILE if ahead else SHORT)
         self._open_output: float | None = None
         self._sample = 0
         self._kept: list[Stretch] | None = [] if record else None

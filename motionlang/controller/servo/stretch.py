@@ -91,9 +91,7 @@ def _run_short(
         for here, there in pairwise(near[1:]):
             slope = (there - here) / ratio
             demand += [here + k * slope for k in range(ratio)]
-    feed: list[float] = []
-    if loop.has_feed_forward:
-        feed = [_feed(loop, b - a, c - b) for a, b, c in zip(near, near[1:], near[2:], strict=False)]
+    feed = _feed(loop, near) if loop.has_feed_forward else []
     acting = [True]
     if loop.integral_mode not in _STEADFAST:
         acting = [_acts(loop.integral_mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
@@ -102,7 +100,9 @@ def _run_short(
     for begin, end, integrating, clears in _spans(loop, acting, part, count):
         state = _cleared(state) if clears else state
         step = stepper(loop, plant, columns, integrating)
-        steady = [feed[(part + i) // ratio] for i in range(begin, end)] if loop.has_feed_forward else ()
+        steady = feed[begin:end]
+        if ratio > 1 and feed:
+            steady = [feed[(part + i) // ratio] for i in range(begin, end)]
         state = step(demand[begin:end], steady, state, out)
     return Stretch(points[1:], part, ratio, out), state
 
@@ -192,13 +192,17 @@ class _LongRun:
 # ------------------------------------------------------------------------------------- what the demand decides
 
 
-def _feed(loop: Loop, last: float, speed: float) -> float:
-    """Feed-forward volts of a cycle that moves `speed` counts after one that moved `last`."""
-    if not loop.has_feed_forward:
-        return 0.0
+def _feed(loop: Loop, points: Sequence[float]) -> list[float]:
+    """Feed-forward volts of each cycle, from the points it lies between and the one before."""
     rate = loop.trajectory_rate
-    gain = loop.decel_ff if (speed - last) * (speed + last) < 0.0 else loop.accel_ff
-    return (loop.velocity_ff * rate) * speed + gain * rate * rate * (speed - last)
+    steady, accel, decel = loop.velocity_ff * rate, loop.accel_ff * rate * rate, loop.decel_ff * rate * rate
+    moved = pairwise([there - here for here, there in pairwise(points)])
+    if accel == decel:
+        return [steady * now + accel * (now - last) for last, now in moved]
+    return [
+        steady * now + (decel if (now - last) * (now + last) < 0.0 else accel) * (now - last)
+        for last, now in moved
+    ]
 
 
 def _feeds(loop: Loop, speed: Array) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -13,10 +13,13 @@ from hypothesis import strategies as st
 import motionlang
 from motionlang.controller.controller import Controller
 from motionlang.controller.record.history import servo_trace
-from motionlang.controller.servo import Servo, simulate
+from motionlang.controller.servo import Drive, Motor, Servo, feedback, lookahead, simulate
 from motionlang.controller.servo.feedback import Feedback
 from motionlang.result import Run
 from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.controller.servo.servo import Mark
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
 ROUGH: dict[str, object] = {**MOTOR, "coulomb": 0.003, "quantised": True}
@@ -281,6 +284,40 @@ def test_a_hard_limit_is_where_the_motor_is() -> None:
     ends = [each.report["moves"][0]["duration"] for each in (ideal, real)]  # type: ignore[index]
     assert ends[1] > ends[0] + 0.001
     assert real.controller.faults(0) == 4
+
+
+# ------------------------------------------------------------------------------------------------ looking ahead
+
+
+@pytest.mark.parametrize("plant", [MOTOR, ROUGH], ids=["linear", "rough"])
+def test_the_rest_behind_a_move_is_what_was_seen_of_it(
+    plant: dict[str, object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing is thrown away at the end of a move, and nothing would be otherwise if it were."""
+    text = (
+        "Dim n As Integer\nFor n = 1 To 3\n"
+        + MOVE
+        + 'PAUSE IDLE(0)\nPRINT TIME, " ", POS(0), " ", VEL(0)\nWAIT = 30 * n\nPRINT POS(0), " ", FOLERROR(0)\nNext\n'
+    )
+    thrown: list[float] = []
+    back = Servo.back
+
+    def counted(servo: Servo, mark: Mark) -> None:
+        thrown.append(servo.time)
+        back(servo, mark)
+
+    monkeypatch.setattr(Servo, "back", counted)
+    seen, few = printed(text, plant, servo=GAINS), len(thrown)
+    monkeypatch.setattr(feedback, "rests_as_seen", lambda track: False)
+    assert printed(text, plant, servo=GAINS) == seen
+    assert len(thrown) - few > few
+
+
+def test_a_column_that_nobody_looks_at_is_not_made() -> None:
+    plants = Motor(), Motor(resonance=80.0, load_inertia=1e-5), Drive(5000.0, 2e-3)
+    plain = ("position", "velocity", "current", "output")
+    with_twist = ("position", "velocity", "current", "twist", "output")
+    assert [lookahead.seen(plant) for plant in plants] == [plain, with_twist, plain]
 
 
 # ------------------------------------------------------------------------------------------------ torque, off and on
