@@ -67,6 +67,9 @@ EQUIVALENT: dict[str, str] = {
     "motionlang/mint/keywords/camboxes_operations.py: CamBox: _edges: source.per_unit > 0 -> source.per_unit >= 0": (
         "no source has 0 counts in a unit"
     ),
+    "motionlang/mint/keywords/paths_operations.py: put_arc: True -> False": (
+        "as many places as axes have been asked for before"
+    ),
     "motionlang/mint/keywords/terminal_operations.py: ask: 1 -> 2": (
         "of how often something was done only a change is asked"
     ),
@@ -87,6 +90,9 @@ EQUIVALENT: dict[str, str] = {
     ),
     "motionlang/profile/composed.py: _on: place < 0.0 -> place <= 0.0": (
         "at 0 the straight continuation and the curve have the same position and slope"
+    ),
+    "motionlang/profile/curve.py: Profile: positions: len(pieces) - 1 -> len(pieces) + 1": (
+        "the last knot is the duration, which the time has been found to lie before"
     ),
     "motionlang/profile/fade.py: fade: bounds.decel * bounds.decel -> bounds.decel / bounds.decel": (
         "v0 beside it is at least as large as what can be lost by rounding there"
