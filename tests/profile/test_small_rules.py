@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, inf
+from math import exp, inf, nextafter
 
 import pytest
 
@@ -15,6 +15,7 @@ from motionlang.profile.composed import places
 from motionlang.profile.curve import from_curve
 from motionlang.profile.dissect import s_curve_times, slip_acceleration, step_segments, trapezoid_times
 from motionlang.profile.jerk import jerk_ramps
+from motionlang.profile.limits import LARGEST
 from motionlang.profile.lookahead import Pace, plan_course
 from motionlang.profile.pieces import position_in
 from motionlang.profile.pvt.fit import Rounding, fit_profile, fit_track
@@ -24,6 +25,7 @@ from motionlang.profile.solve import solve_move
 from motionlang.profile.stop import ramps_of
 from motionlang.profile.summed import added
 from motionlang.profile.table_motion import table_curve
+from motionlang.profile.trapezoid import from_rest
 
 LIMITS = (200.0, 400.0, 400.0)
 MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)
@@ -162,3 +164,11 @@ def test_the_printed_slews_cover_their_distances() -> None:
     a_cycle = tn1069.VELOCITY / tn1069.CYCLES
     for way, time in zip(tn1069.PRINTED["S_V"], tn1069.PRINTED["T_V"], strict=True):
         assert abs(way / a_cycle - time) < 0.5
+
+
+def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
+    """100 at rates of 100 never come to such a speed: a second up and a second down."""
+    found = from_rest(100.0, LARGEST, 100.0, 100.0)
+    assert found is not None
+    assert found[0] == 2.0
+    assert from_rest(100.0, nextafter(LARGEST, inf), 100.0, 100.0) is None
