@@ -123,8 +123,8 @@ class Core(Readings):
         """Write a move that begins into the log; it is the axis's own from now on."""
         move.profile, move.start_time = profile, self.clock.now
         move.scale, move.zero = a.scale.counts, a.scale.zero
+        a.move = move  # first: whoever ends the run in between finds none in the log that nobody has
         self.log.moves.add(move)
-        a.move = move
         a.target = move.target
         for limit in a.limits:
             limit.forget()

@@ -16,8 +16,10 @@ from motionlang import run
 from motionlang.controller.record.track import Recorded
 from motionlang.lang.scheduler import Scheduler
 from motionlang.profile.packed import packed
+from motionlang.report import moves
 from motionlang.result import Run
 from motionlang.source import Source
+from motionlang.views.table import render
 
 MINT = """Dim i As Integer
 SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
@@ -31,6 +33,8 @@ For i = 1 To 2
   PAUSE IDLE(0, 1)
 Next
 JOG(0) = 40
+WAIT = 60
+JOG(0) = 60
 WAIT = 60
 STOP(0)
 PAUSE IDLE(0)
@@ -131,6 +135,10 @@ def test_it_may_end_at_any_line(name: str, text: str, places: str, monkeypatch: 
         result = ran(source, Ended(PLACES[places], at), monkeypatch)
         assert result.status == "interrupted", at
         json.dumps(result.report)
+        render(result)
+        rows: list[dict[str, Any]] = list(moves(result))
+        ends = [row["start_time"] + row["duration"] for row in rows]
+        assert max(ends, default=0.0) <= result.time + 1e-9, at
         result.trace.sample(100.0)
         assert [each.message for each in result.proof().violations] == [], at
 
@@ -156,10 +164,8 @@ def test_plain_moves_are_whole_wherever_the_run_ends(monkeypatch: pytest.MonkeyP
         assert (result.status, result.diagnostics, result.proof().holds) == ("ended", [], True)
     assert result.controller.axes[0].older is not None
     ended = result
-    moves, tracks = (
-        [(each.start_time, each.axis, each.line) for each in result.controller.log.moves],
-        motion(result),
-    )
+    begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
+    tracks = motion(result)
     for at in range(1, whole.count + 1):
         result = ran(source, Ended(STEPS, at), monkeypatch)
         assert result.status == "interrupted", at
@@ -169,8 +175,8 @@ def test_plain_moves_are_whole_wherever_the_run_ends(monkeypatch: pytest.MonkeyP
         result.trace.sample(100.0)
         assert [each.message for each in result.proof().violations] == [], at
         found = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
-        assert found == moves[: len(found)], at
-        assert len(found) >= sum(start < result.time for start, *_ in moves), at
+        assert found == begun[: len(found)], at
+        assert len(found) >= sum(start < result.time for start, *_ in begun), at
         for number, track in motion(result).items():
             assert track == tracks[number][: len(track)], at
             assert len(track) >= sum(start < result.time for start, _ in tracks[number]), at
