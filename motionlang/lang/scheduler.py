@@ -334,8 +334,9 @@ class Scheduler:
             self._calm = 0
             return
         self._calm += 1
-        if self._calm < len(self.tasks):
-            return  # not everybody has looked in vain yet
+        count = len(self.tasks)
+        if self._calm < count or (self._calm % count and not self._waiting):
+            return  # not everybody has looked in vain yet; where nobody waits, one comparison a round tells as much
         if self._recurrence is None:
             from motionlang.lang.recurrence import Recurrence
 
