@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from motionlang.cli.parser import add_command
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
 from motionlang.execution import dialect, dialect_of, machine_of
+from motionlang.lang.dialect import dialects
 from motionlang.repl.commands import load_file
 from motionlang.repl.lines import read_lines
 from motionlang.repl.session import Session
@@ -28,13 +30,15 @@ if TYPE_CHECKING:
 def add_parser(commands: Commands, summary: str) -> None:
     """`motionlang repl` and its options."""
     parser = add_command(commands, "repl", summary, _repl)
-    parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first")
+    parser.add_argument("file", metavar="FILE", nargs="?", help="a program to run first, or mint or mccl")
     add_machine(parser)
 
 
 def _repl(arguments: argparse.Namespace) -> int:
     settings: dict[str, object] = {}
     overrides: dict[str, float | str] = {}
+    if arguments.file in dialects() and not os.path.exists(arguments.file):
+        arguments.dialect, arguments.file = arguments.dialect or arguments.file, None
     set_values(arguments.set, settings, overrides, arguments.parser)
     options = Options(arguments.machine or "")
     options.machine = machine_of(arguments.file or None, arguments.machine)
