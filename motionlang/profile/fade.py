@@ -71,7 +71,7 @@ def faded(start: float, v0: float, a0: float, steps: Steps, v1: float, sign: flo
     knots, p, v, a = [0.0], start, v0 * sign, a0 * sign
     pieces: list[Piece] = []
     for jerk, time in steps:
-        if knots[-1] + time == knots[-1]:
+        if knots[-1] + time <= knots[-1]:  # rounding may leave less than nothing of a stretch
             continue
         jerk *= sign
         pieces.append((p, v, 0.5 * a, jerk / 6.0, 0.0, 0.0, 0.0))

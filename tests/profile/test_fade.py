@@ -114,6 +114,10 @@ def test_changes_in_the_middle(case: object) -> None:
         case(seed)
 
 
+def test_rounding_leaves_no_stretch_of_less_than_no_time() -> None:
+    moved(12_566)  # its first stretch would take -2e-17 s
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("case", [moved, stopped, coursed])
 def test_many_changes_in_the_middle(case: object) -> None:

@@ -99,6 +99,8 @@ class Order(NamedTuple):
 
 
 REST = Order("rest", 0)
+# Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.
+SHIFTED = frozenset(("move", "jog", "stop"))
 # Profiles of a run that are kept to be proved; so many that are ordered alike, as in a loop, count as one.
 MOST, MANY_ALIKE = 200_000, 50
 # The corner, degrees, that is none: guided paths join where they go on in the same direction, to a thousandth an axis.
@@ -139,6 +141,10 @@ class Orders:
             order = self._path(a) if path else _order(a)
             if move is not None and order.kind == "step":
                 order = self._steps.setdefault(move, order)
+            elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
+                order = self.of[a.index][
+                    -1
+                ]  # the same motion at a new zero: settings that came since do not act
             self._append(a, order)
 
     def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:

@@ -354,3 +354,11 @@ def test_a_path_of_axes_with_scales_and_limits_is_proved() -> None:
     )
     proof = proved(program).proof()
     assert (proof.holds, proof.counts["paths"]) == (True, 1)
+
+
+@pytest.mark.parametrize("motion", ["1MR5000", "1PS0.1,1MR5000", "1VM,1GO"])
+def test_settings_that_come_in_motion_say_nothing_of_what_goes_on_at_a_new_zero(motion: str) -> None:
+    """An axis of MCCL goes on as it began until something is ordered; a new zero orders nothing."""
+    program = f"1MN,1SV5000,1SA100000,1DS100000\n{motion},WA0.01\n1SA2.5,1DS2.5\n1DH100\nWA0.01,1AB,1WS\n"
+    result = run(Source("zero.mcl", program), cache=False, prove=True)
+    assert (result.status, found(result)) == ("ended", [])
