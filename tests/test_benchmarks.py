@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -29,6 +30,26 @@ def test_every_benchmark_is_listed() -> None:
     listed = re.findall(r"\w+", ran.stderr.partition(": ")[2])
     files = {path.stem for path in (ROOT / "benchmarks").glob("*.py")}
     assert files - {"__main__", "timing", "parse_program"} == set(listed)
+
+
+FORGED = """
+from motionlang import run
+from motionlang.controller.core import Core
+from motionlang.profile import plan
+from motionlang.source import Source
+
+Core.plan_move = lambda *_: plan("trapezoid", 0.0, 100.0, 500.0, 9000.0, 9000.0)
+run(Source("a.mnt", "PROFILEMODE(0) = 1 : SPEED(0) = 5 : MOVER(0) = 100 : GO(0)"), cache=False)
+"""
+
+
+def test_a_run_that_breaks_its_limits_ends_its_benchmark() -> None:
+    path = os.pathsep.join(map(str, (ROOT / "benchmarks" / "proved", ROOT)))
+    command = [sys.executable, "-c", FORGED]
+    environment = os.environ | {"PYTHONPATH": path}
+    ran = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+    assert ran.returncode == 1
+    assert ran.stderr.startswith("line 1: ")
 
 
 @pytest.mark.long

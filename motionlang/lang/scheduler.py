@@ -214,10 +214,8 @@ class Scheduler:
             clock.now = self.began = self.turn_began = first
             self.current, self._alone, last = found, place == last, place
             self._turn, self._stalls, found.wait = place + 1, 0, None
-            at, callers = wait.place or found.standing
-            cause, turn = wait.cause, found.turn
-            why = "" if cause == "time" else wait.why
-            waits((found.name, at, wait.since, first, cause, wait.what, why, callers))
+            turn = found.turn
+            waits(found.waited(wait, first))
             self._end = horizon = first + (turn if turn < TURN else TURN)
             due = (min(surely) if resting else second) - 0.5 * ROUNDING
             horizon = due if due < horizon else horizon
@@ -292,10 +290,7 @@ class Scheduler:
 
     def _waited(self, task: Task, wait: Wait) -> None:
         """Write a wait that is over into the log."""
-        why = "" if wait.cause == "time" else wait.why
-        *callers, at = task.stack
-        row = task.name, at, wait.since, self.clock.now, wait.cause, wait.what, why, tuple(callers)
-        self._log.waits.add(row)
+        self._log.waits.add(task.waited(wait, self.clock.now))
         if self._took:
             self._write_turns()
 

@@ -170,6 +170,12 @@ class Task:
         *callers, at = self.stack
         return at, tuple(callers)
 
+    def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
+        """The record of a wait that is over, as `record.records.Waited` has it."""
+        at, callers = wait.place or self.standing
+        why = "" if wait.cause == "time" else wait.why
+        return self.name, at, wait.since, until, wait.cause, wait.what, why, callers
+
     @property
     def running(self) -> bool:
         """Whether a statement of the task is being executed at this very moment."""
