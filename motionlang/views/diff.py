@@ -41,8 +41,7 @@ def diff_lines(
         out.append(styled(f"time: {was:.6f} → {is_:.6f} s ({is_ - was:+.6f} s{part})", "bold", colour))
         if charges:
             out.append(f"of that: {_charged(charges, MOST_CHARGED if most == MOST else most)}")
-    by_time = sorted(found.lines, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis))
-    out += _first([_line(each) for each in by_time], most, "lines")
+    out += _first([_line(*each) for each in _together(found.lines)], most, "lines")
     out += _first([f"no more: {_move(each)}" for each in found.gone], most, "moves that are gone")
     out += _first([f"new: {_move(each)}" for each in found.new], most, "new moves")
     out += [_tail(found.tail)] if found.tail else []
@@ -81,10 +80,30 @@ def _first(lines: list[str], most: int, what: str) -> list[str]:
     return lines if len(lines) <= most else [*lines[:most], f"and {len(lines) - most} more {what}"]
 
 
-def _line(change: LineChange) -> str:
+def _together(changes: Sequence[LineChange]) -> list[list[LineChange]]:
+    """Changes of several axes that are one: segments of a path, and moves of a list; the longest in time come first."""
+    found: dict[tuple[object, ...], list[LineChange]] = {}
+    for each in sorted(changes, key=lambda each: (-abs(each.duration + each.wait), each.new, each.axis)):
+        same = each.old, each.new, each.command, each.count, each.first, each.duration, each.wait
+        found.setdefault(same, []).append(each)
+    return list(found.values())
+
+
+def _line(change: LineChange, *others: LineChange) -> str:
+    """A change; with `others`, those of more axes, what is not otherwise on all of them is told with its axis."""
     where = f"line {change.old}" if change.old == change.new else f"line {change.old}, now {change.new}"
     moves = "1 move" if change.count == 1 else f"{change.count} moves"
-    told = [_figure(name, *pair) for name, pair in change.figures.items()]
+    alike = (change, *others)
+    axes = f"axes {', '.join(str(each.axis) for each in alike)}" if others else f"axis {change.axis}"
+    shared = [
+        name
+        for name, pair in change.figures.items()
+        if all(each.figures.get(name) == pair for each in others)
+    ]
+    told = [_figure(name, *change.figures[name]) for name in shared]
+    for each in alike:
+        own = [_figure(name, *pair) for name, pair in each.figures.items() if name not in shared]
+        told += [f"axis {each.axis} {figure}" for figure in own]
     sums = []
     if change.duration:
         sums.append(f"{change.duration:+.6f} s in motion")
@@ -92,7 +111,7 @@ def _line(change: LineChange) -> str:
         sums.append(f"{change.wait:+.6f} s before it")
     if change.count > 1 and sums:
         sums[-1] += " together"
-    return f"{where}: {change.command} of axis {change.axis}, {moves}: {', '.join((*told, *sums))}"
+    return f"{where}: {change.command} of {axes}, {moves}{' each' if others else ''}: {', '.join((*told, *sums))}"
 
 
 def _figure(name: str, was: Any, is_: Any) -> str:

@@ -73,6 +73,22 @@ def test_a_rate_that_is_changed_is_told_once_a_line_with_all_its_moves() -> None
     assert parted.time == pytest.approx(old.controller.log.moves[1].start_time, abs=1e-4)
 
 
+def test_the_segment_of_a_path_is_told_once_with_its_axes_and_what_only_one_of_them_does_otherwise() -> None:
+    path = "SPEED(0) = 50 : ACCEL(0) = {} : DECEL(0) = 500\nVECTORR(0, 1) = 30, 40 : VECTORR(0, 1) = 0, 10\nGO(0)\n"
+    found = difference(build(ran(path.format(500))), build(ran(path.format(400))))
+    # By hand: 50/500 = 0.1 s becomes 50/400 = 0.125 s: half of that is added to each segment. Axis 0 rests on the last.
+    assert [line for line in diff_lines(found) if line.startswith("line")] == [
+        "line 2: VECTORR of axes 0, 1, 2 moves each: duration 1.1 → 1.1125 s, accel 0.1 → 0.125 s, "
+        "slew 0.9 → 0.8875 s, +0.025000 s in motion together"
+    ]
+    one = "SPEED(0, 1) = 50; : ACCEL(0, 1) = {}, 500 : DECEL(0, 1) = 500; : MOVER(0, 1) = 50; : GO(0, 1)\n"
+    found = difference(build(ran(one.format(500))), build(ran(one.format(400))))
+    assert [line for line in diff_lines(found) if line.startswith("line")] == [
+        "line 1: MOVER of axis 0, 1 move: duration 1.1 → 1.1125 s, accel 0.1 → 0.125 s, slew 0.9 → 0.8875 s, "
+        "+0.012500 s in motion"
+    ]
+
+
 def test_a_wait_that_is_changed_is_told_at_the_line_that_comes_later_and_nowhere_else() -> None:
     found, lines, _, _ = changed(("WAIT(100)", "WAIT(130)"))
     assert [(each.old, each.count, each.figures) for each in found.lines] == [(8, 3, {})]
