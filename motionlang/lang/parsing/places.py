@@ -12,7 +12,7 @@ from sys import maxsize
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import re
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from motionlang.lang.parsing.parser import Tables
     from motionlang.source import Source
@@ -44,6 +44,13 @@ class Places:
         if not self._lines:
             self._find_lines()
         return self._lines[min(at, len(self._lines) - 1)]
+
+    def lines(self, ats: Iterable[int]) -> list[int]:
+        """The lines of many tokens of the source."""
+        if not self._lines:
+            self._find_lines()
+        lines = self._lines
+        return [lines[at] for at in ats]
 
     def column(self, at: int) -> int:
         """The column of a token."""

@@ -152,7 +152,7 @@ def compile_text(
             override(module, overrides or {}, given)
         blocks = blocks_of(module)
         compiled = compile_module(module, settings)
-        compiled.outline = dumps((blocks, list(map(module.line, compiled.code.places))))
+        compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
         return compiled
     finally:
         if collecting:

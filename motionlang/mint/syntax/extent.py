@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from motionlang.mint.syntax.node import Node
 from motionlang.mint.syntax.parser import parse
-from motionlang.mint.syntax.traversal import walk
+from motionlang.mint.syntax.traversal import children
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.mint.syntax.nodes import Module, Node
+    from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
 
@@ -31,4 +32,9 @@ def blocks_of(module: Module) -> list[tuple[str, int, int]]:
 
 
 def _last(module: Module, node: Node, body: Sequence[object]) -> int:
-    return module.line(max((each.at for each in walk(body)), default=node.at))
+    """The line of the last token: a look along the right edge of the tree, where what begins last stands."""
+    last, below = node.at, body
+    while nodes := [each for each in below if isinstance(each, Node)]:
+        edge = max(nodes, key=lambda each: each.at)
+        last, below = max(last, edge.at), children(edge)
+    return module.line(last)
