@@ -89,7 +89,8 @@ def _first_in(
     low, finish = span
     if finish == inf:
         return _on_a_line(piece, wanted, low, value, slope)
-    a, y_a = low, value(piece, low) if low < finish else ending
+    # A piece without length still leads from where the one before it ended to where the next begins.
+    a, y_a = low, value(piece, low) if low < finish or not finish else ending
     for b in (*(x for x in turns(piece, finish) if x > low), finish):
         y_b = value(piece, b) if b < finish else ending
         if y_a == wanted:
@@ -97,6 +98,8 @@ def _first_in(
         if y_b == wanted:
             return b
         if (y_a < wanted) is not (y_b < wanted):
+            if a == b:
+                return a
             return bracketed_root(lambda x: (value(piece, x) - wanted, slope(piece, x)), a, b, y_b > y_a)
         a, y_a = b, y_b
     return None

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.profile import Profile, hold, on_line, path_length, plan_trapezoid, scaled
+from motionlang.profile.curve import from_curve
 from motionlang.profile.pvt.motion import plan_pvt
 from motionlang.profile.verify import verify
 from tests.profile.cases import Move, moves, quick
@@ -66,6 +67,16 @@ def test_an_overshoot_crosses_its_target_twice() -> None:
     assert first < 0.5
     assert move.crossing(1.0, after=0.5) == move.duration
     assert move.extrema() == pytest.approx((0.0, 2.0))
+
+
+def test_a_place_is_crossed_in_the_rounding_of_a_piece_that_lasts_no_time() -> None:
+    before, slew = 0.001 - 8e-15, (0.0, 7.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    knots = 0.0, before / 7.0, before / 7.0, 1.0
+    pieces = slew, (before, *slew[1:]), (0.001 + 6e-15, *slew[1:])
+    made = from_curve("parabolic", 0.0, 7.0, (knots, pieces, (("slew", 0),)), 7.0, 7.0)
+    assert made.crossing(0.001) == before / 7.0
+    assert made.crossing(0.001, after=0.5) is None
+    assert made.velocity_crossing(8.0) is None
 
 
 def test_the_crossing_of_a_velocity() -> None:
