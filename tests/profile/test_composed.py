@@ -209,6 +209,8 @@ def test_the_sum_of_pieces_is_pieces() -> None:
     assert made.peak_speed == pytest.approx(70.0)
     late = added(first.after(1.0), second.after(1.0), "offset")
     assert late.position(0.5) == pytest.approx(first.position(1.5) + second.position(1.5))
+    moving = added(first.after(0.25), second.after(0.1), "offset")
+    assert (moving.start_velocity, moving.end_velocity) == (25.0 + 10.0, 0.0)
 
 
 def test_a_chain_keeps_its_phases_or_has_one_of_its_own() -> None:
@@ -217,6 +219,16 @@ def test_a_chain_keeps_its_phases_or_has_one_of_its_own() -> None:
     assert [phase.name for phase in row.phases] == ["accel", "slew", "decel"] * 2
     (whole,) = Chain("follow", [arc, arc], "follow").phases
     assert (whole.name, whole.duration, whole.distance) == ("follow", 2.0 * arc.duration, 0.0)
+
+
+def test_a_velocity_is_found_in_whichever_part_of_a_chain_runs_at_it_first() -> None:
+    out, back = plan_trapezoid(0.0, 10.0, 10.0, 100.0, 100.0), plan_trapezoid(10.0, 0.0, 10.0, 100.0, 100.0)
+    row = Chain("follow", [out, back], "follow")
+    assert row.velocity_crossing(5.0) == pytest.approx(0.05)
+    assert row.velocity_crossing(5.0, after=0.06) == pytest.approx(1.05)
+    assert row.velocity_crossing(-5.0) == pytest.approx(1.1 + 0.05)
+    assert row.velocity_crossing(11.0) is None
+    assert row.crossing(5.0, after=0.6) == pytest.approx(1.1 + 0.55)
 
 
 def test_every_time_at_a_place() -> None:

@@ -93,6 +93,14 @@ def test_at_a_high_speed_late_in_a_run_a_position_is_as_exact_as_its_time(gap: f
     assert len(proof.violations) == told
 
 
+def test_a_cubic_piece_is_cut_where_its_velocity_and_its_acceleration_turn() -> None:
+    """4 + 9 x - 6 x² + x³: the velocity 9 - 12 x + 3 x² is 0 at 1 and at 3, the acceleration 6 x - 12 at 2."""
+    span = Span(0.0, 4.0, (4.0, 9.0, -6.0, 1.0, 0.0, 0.0, 0.0))
+    assert span.cuts() == pytest.approx([0.0, 1.0, 2.0, 3.0, 4.0])
+    assert (span.peak(1), span.peak(2), span.peak(3)) == (9.0, 12.0, 6.0)
+    assert [round(power) for power, _, _ in span.sides()] == [-34, 7, -7, 34]
+
+
 def test_parts_of_axes_in_counts() -> None:
     assert _counts([3.0, 2.0], [(0, 4.0), (1, 0.5)]) == [12.0, 1.0]
 
