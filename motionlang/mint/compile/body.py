@@ -72,17 +72,20 @@ class Value:
 
 
 class Answer(Value):
-    """What is true or false in Python, without brackets: an Integer, 1 or 0, but in a condition as it is."""
+    """What is true or false in Python, without brackets: an Integer, 1 or 0, but in a condition as it is.
 
-    __slots__ = ("_truth",)
+    `joined`: it is made of several answers, or turned round, so that a Not in front of it needs brackets.
+    """
 
-    def __init__(self, truth: str) -> None:
+    __slots__ = ("_truth", "joined")
+
+    def __init__(self, truth: str, joined: bool = False) -> None:
         super().__init__(f"(1 if {truth} else 0)", INTEGER, intervals.BOOL)
-        self._truth = truth
+        self._truth, self.joined = truth, joined
 
     @property
     def truth(self) -> str:
-        return f"({self._truth})"
+        return self._truth
 
 
 class Whole:

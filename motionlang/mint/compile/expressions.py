@@ -48,12 +48,23 @@ def number(b: Body, node: nodes.Expr, what: str = "a number") -> Value:
 
 
 def condition(b: Body, node: nodes.Expr) -> str:
-    """The text of a condition: only its truth counts."""
+    """The text of a condition: only its truth counts. Whatever is put beside it, it stands in brackets there."""
     if type(node) is nodes.Binary and node.op in ("And", "Or"):
-        return f"({condition(b, node.left)} {node.op.lower()} {condition(b, node.right)})"
+        return f"{_part(b, node.left, node.op)} {node.op.lower()} {_part(b, node.right, node.op)}"
     if type(node) is nodes.Unary and node.op == "Not":
-        return f"(not {condition(b, node.operand)})"
+        return f"not {_part(b, node.operand, node.op)}"
     return number(b, node, "a condition").truth
+
+
+def _part(b: Body, node: nodes.Expr, op: str) -> str:
+    """The text of what stands beside And, Or or Not, in brackets where Python would group it otherwise."""
+    if type(node) is nodes.Binary and node.op in ("And", "Or"):
+        text = condition(b, node)
+        return text if node.op == op else f"({text})"
+    if type(node) is nodes.Unary and node.op == "Not":
+        return condition(b, node)
+    found = number(b, node, "a condition")
+    return f"({found.truth})" if isinstance(found, Answer) and found.joined else found.truth
 
 
 # ------------------------------------------------------------------------------------------------- literals
@@ -289,8 +300,7 @@ def member(b: Body, node: nodes.Member) -> tuple[str, Type, tuple[int, ...]] | N
 
 def _unary(b: Body, node: nodes.Unary) -> Value:
     if node.op == "Not":
-        inner = condition(b, node.operand)
-        return Answer(f"not {inner}")
+        return Answer(condition(b, node), True)
     found = number(b, node.operand)
     if found.const is not None:
         known = fold_unary(node.op, found.const)
@@ -309,7 +319,7 @@ def _unary(b: Body, node: nodes.Unary) -> Value:
 def _binary(b: Body, node: nodes.Binary) -> Value:
     op = node.op
     if op == "And" or op == "Or":  # noqa: PLR1714 - quicker
-        return Answer(condition(b, node))
+        return Answer(condition(b, node), True)
     left_node, right_node = node.left, node.right
     called, b.calls = b.calls, False
     left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)

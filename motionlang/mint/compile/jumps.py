@@ -116,7 +116,7 @@ def _unless(b: Body, node: nodes.Jump) -> str:
         return ""
     test = condition(b, node.unless)
     b.settle()
-    return f"if not {test}: "
+    return f"if not ({test}): "
 
 
 def return_(b: Body, node: nodes.Return) -> None:

@@ -68,7 +68,7 @@ def while_(b: Body, node: nodes.While) -> None:
         b.emit("while True:", LOOP)
         b.indent += 1
         b.settle()
-        b.emit(f"if not {test}: break", BREAK)
+        b.emit(f"if not ({test}): break", BREAK)
     else:
         b.emit(f"while {test}:", LOOP)
         b.indent += 1

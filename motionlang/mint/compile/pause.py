@@ -23,13 +23,13 @@ def pause(b: Body, node: nodes.Pause) -> None:
     b.settle()
     b.gives_way()
     if calls:  # a condition that calls a sub is tested at every tick
-        b.emit(f"while not {test}: t, H = yield {b.whole.use('env', 'tick')}(t)")
+        b.emit(f"while not ({test}): t, H = yield {b.whole.use('env', 'tick')}(t)")
     else:
         why = f"until {shown(node.condition)}"
         axes = _at_rest(node.condition)
         arguments = f"t, lambda: {test}, {why!r}, {b.at}" + (f", {(*axes,)}" if axes else "")
         pause = f"{b.whole.use('env', 'pause')}({arguments})"
-        b.emit(f"if not {test}: t, H = {pause} or (yield E.wait)")
+        b.emit(f"if not ({test}): t, H = {pause} or (yield E.wait)")
     b.noted = True
     b.pending += 1
 

@@ -103,5 +103,40 @@ def test_a_comparison_in_a_condition_stays_as_it_is() -> None:
     from tests.mint.compile.test_range_analysis import text_of
 
     text = text_of("Dim n As Integer\nWhile n < 5 And Not n = 3\n  n = n + 1\nEnd While")
-    assert "while ((v_n < 5) and (not (v_n == 3))):" in text
+    assert "while v_n < 5 and not v_n == 3:" in text
     assert "1 if" not in text
+
+
+# The same condition in Mint and in Python, whose And, Or and Not bind alike.
+GROUPED = {
+    "a And (b Or c)": "a and (b or c)",
+    "(a Or b) And c": "(a or b) and c",
+    "a Or b And c": "a or b and c",
+    "Not (a And b) Or c": "not (a and b) or c",
+    "Not (a Or b) And Not c": "not (a or b) and not c",
+    "a And (b And Not (c Or a))": "a and b and not (c or a)",
+    "either And c": "(a or b) and c",
+    "Not either": "not (a or b)",
+    "Not both Or either And c": "not (a and b) or (a or b) and c",
+    "neither And c": "not (a or b) and c",
+}
+
+
+@pytest.mark.parametrize("mint", GROUPED)
+def test_conditions_are_grouped_as_they_are_written(mint: str) -> None:
+    text = f"""Dim a, b, c, turns As Integer
+Define either = a Or b
+Define both = a And b
+Define neither = Not either
+For a = 0 To 1 : For b = 0 To 1 : For c = 0 To 1
+  If {mint} Then Print "yes" Else Print "no"
+  turns = 1
+  While Not ({mint}) And turns < 2 : turns = turns + 1 : End While
+  Print turns; " "; ({mint}) + 0
+Next c : Next b : Next a
+"""
+    expected = []
+    for a, b, c in product((0, 1), repeat=3):
+        true = bool(eval(GROUPED[mint], {"a": a, "b": b, "c": c}))
+        expected += ["yes" if true else "no", f"{2 - true} {int(true)}"]
+    assert run(Source("t.mnt", text), until=1.0, cache=False).output == expected
