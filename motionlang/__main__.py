@@ -17,12 +17,17 @@ import sys
 # numpy's matrices are small here, and its other threads would only wait for them, which takes a core.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from motionlang.cli import main as command
+from motionlang.bytecode import install
 
 
 def main() -> int:
     """Run one command and leave; the exit status where somebody waits for the end of the process."""
+    finder = install()
+    from motionlang.cli import main as command
+
     status = command()
+    if finder is not None:
+        finder.keep()
     _leave(status)
     return status
 

@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 
+from motionlang import user_cache
 from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
@@ -185,10 +186,10 @@ def _cache_name(source: Source, language: Dialect, settings: dict[str, object]) 
     """The name under which the cache has a compiled program; "" where none is kept or its compiler cannot be told."""
     if not language.cached:
         return ""
+    if not user_cache.wanted():
+        return ""
     from motionlang.lang import cache
 
-    if not cache.wanted():
-        return ""
     package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
     compiler = cache.fingerprint(package)
     if not compiler:

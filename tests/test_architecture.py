@@ -39,6 +39,8 @@ LEVELS: dict[str, int] = {
     "lang": 4,
     "controller": 3,
     "profile": 2,
+    "bytecode": 3,
+    "user_cache": 2,
     "cores": 1,
     "errors": 1,
     "files": 1,

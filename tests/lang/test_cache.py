@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import execution
+from motionlang import execution, user_cache
 from motionlang.lang import cache
 from motionlang.source import Source
 
@@ -22,7 +22,7 @@ HELLO = Source("hello.mnt", 'PRINT "hello"\n')
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     place = tmp_path / "cache"
     monkeypatch.setenv("MOTIONLANG_CACHE", str(place))
-    monkeypatch.delenv(cache.OFF, raising=False)
+    monkeypatch.delenv(user_cache.OFF, raising=False)
     return place
 
 
@@ -73,13 +73,13 @@ def test_a_folder_that_cannot_be_made_is_no_error(tmp_path: Path, monkeypatch: p
 
 
 def test_the_environment_turns_it_off(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(cache.OFF, "1")
+    monkeypatch.setenv(user_cache.OFF, "1")
     cache.put(cache.key("a"), b"program")
     assert not folder.exists()
 
 
 def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cache, "ENTRIES", 4)
+    monkeypatch.setattr(user_cache, "ENTRIES", 4)
     for k in range(5):
         cache.put(cache.key(str(k)), b"program")
     assert len(list(folder.iterdir())) == 2
@@ -197,10 +197,10 @@ def test_what_is_not_kept_is_not_looked_for(folder: Path, monkeypatch: pytest.Mo
     monkeypatch.setattr(cache, "fingerprint", look)
     execution.run(Source("hello.mcl", "0"))
     execution.run(HELLO, cache=False)
-    monkeypatch.setenv(cache.OFF, "1")
+    monkeypatch.setenv(user_cache.OFF, "1")
     execution.run(HELLO)
     assert looked == []
-    monkeypatch.delenv(cache.OFF)
+    monkeypatch.delenv(user_cache.OFF)
     execution.run(HELLO)
     assert len(looked) == 1
 

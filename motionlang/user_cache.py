@@ -1,0 +1,105 @@
+"""The user's cache folder: where it is, and how an entry of it is opened and written.
+
+An entry is used only if it belongs to this user and nobody else may write it, nor anything beside it. No trouble with
+the cache is ever an error of a command.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+ENTRIES = 512
+OFF = "MOTIONLANG_NO_CACHE"
+
+
+def wanted() -> bool:
+    """Whether the environment leaves the cache on."""
+    return not os.environ.get(OFF)
+
+
+def folder() -> str:
+    """The user's cache folder for motionlang; `MOTIONLANG_CACHE` names another one."""
+    named = os.environ.get("MOTIONLANG_CACHE")
+    if named:
+        return named
+    home = os.path.expanduser("~")
+    if sys.platform == "win32":
+        root = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
+    elif sys.platform == "darwin":
+        root = os.path.join(home, "Library", "Caches")
+    else:
+        root = os.environ.get("XDG_CACHE_HOME") or os.path.join(home, ".cache")
+    return os.path.join(root, "motionlang")
+
+
+def opened(name: str) -> int | None:
+    """The descriptor of an entry's file, which the caller closes; None where there is none that can be trusted."""
+    if not wanted():
+        return None
+    place = folder()
+    try:
+        if not _private(os.stat(place)):
+            return None
+        file = os.open(os.path.join(place, name), os.O_RDONLY | getattr(os, "O_BINARY", 0))
+    except OSError:
+        return None
+    if _private(os.fstat(file)):
+        return file
+    os.close(file)
+    return None
+
+
+def writable() -> bool:
+    """Whether the folder is there and an entry may be written into it; it is made where it is not there yet."""
+    if not wanted():
+        return False
+    place = folder()
+    try:
+        os.makedirs(place, 0o700, exist_ok=True)
+        return _private(os.stat(place)) and os.access(place, os.W_OK)
+    except OSError:
+        return False
+
+
+def write(name: str, parts: Iterable[bytes]) -> None:
+    """Write an entry; no reader sees half of it, and the oldest entries make room."""
+    if not writable():
+        return
+    from motionlang.files import replacing
+
+    place = folder()
+    try:
+        with replacing(os.path.join(place, name), private=True) as file:
+            file.write(b"".join(parts))
+        _prune(place)
+    except OSError:
+        pass
+
+
+def _private(status: os.stat_result) -> bool:
+    """Whether a file or folder is this user's own and closed to writers; Windows folders are per user already."""
+    if not hasattr(os, "getuid"):
+        return True
+    return status.st_uid == os.getuid() and not status.st_mode & 0o022
+
+
+def _prune(place: str) -> None:
+    """Drop the oldest half once there are too many."""
+    entries = [entry for entry in os.scandir(place) if entry.is_file()]
+    if len(entries) <= ENTRIES:
+        return
+    entries.sort(key=lambda entry: entry.stat().st_mtime)
+    for entry in entries[: len(entries) - ENTRIES // 2]:
+        _remove(entry.path)
+
+
+def _remove(path: str) -> None:
+    try:
+        os.remove(path)
+    except OSError:
+        pass
