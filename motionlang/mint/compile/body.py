@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from motionlang.mint.resolve.problems import Problems
     from motionlang.mint.resolve.symbols import Type
 
+    # What an operation is bound to: an axis, several, each, or none.
+    Where = int | tuple[int, ...] | str | None
+
 Spec = tuple[object, ...]
 # In the place of an axis: whichever one the program names.
 EACH = "each"
@@ -128,7 +131,7 @@ class Whole:
         self.axis_texts: dict[float, str] = {axis: str(axis) for axis in axes}
         self.specs: list[Spec] = []
         self.spec_names: dict[Spec, str] = {}
-        self._operations: dict[tuple[str, Keyword, int | str | None], str] = {}
+        self._operations: dict[tuple[str, Keyword, Where], str] = {}
         # What loops that poll may write over and over.
         self.rewritten: set[Keyword] = set()
         self.parts = self.polls = 0  # how many parts there are, and watches on loops
@@ -154,23 +157,28 @@ class Whole:
                     self.specs[number] = (f"re{how}", *self.specs[number][1:])
         return self.specs
 
-    def operation(self, how: str, row: Keyword) -> str:
-        """The name of a keyword's operation: "read", "write", "load" or "do"."""
-        return self._operation(how, row, None)
-
     def called(self, how: str, row: Keyword, where: list[str]) -> tuple[str, list[str]]:
-        """What is called to read or write a keyword at `where`, as text, and what it is then given of that.
+        """What is called to "read", "write", "load" or "do" a keyword at `where`, as text, and what it is then given.
 
-        What is read or written of an axis is bound to it by its number, or by a text that finds it in the run.
+        What has to do with one axis is bound to it by its number; a reading and a writing also by a text that finds it
+        in the run.
         """
         if row.index not in ("axis", "axes") or not row.simulated:
             return self._operation(how, row, None), where
         axis, *rest = where
         if axis.isdecimal():
             return self._operation(how, row, int(axis)), rest
+        if how in ("load", "do"):
+            return self._operation(how, row, None), where
         return f"{self._operation(how, row, EACH)}[{axis}]", rest
 
-    def _operation(self, how: str, row: Keyword, axis: int | str | None) -> str:
+    def called_together(self, how: str, row: Keyword, axes: list[str]) -> tuple[str, list[str]]:
+        """The same of what loads or does something with several axes at once, bound to them where they are known."""
+        if row.simulated and all(map(str.isdecimal, axes)):
+            return self._operation(how, row, tuple(map(int, axes))), []
+        return self._operation(how, row, None), [f"({', '.join(axes)},)"]
+
+    def _operation(self, how: str, row: Keyword, axis: Where) -> str:
         name = self._operations.get((how, row, axis))
         if name is None:
             of = () if axis is None else (axis,)

@@ -369,26 +369,25 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
 
 def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
     if row.kind == "move":
-        load(b, row, [*where, text, str(b.whole.line(node.at))])
+        operation, where = b.whole.called("load", row, where)
+        load(b, operation, [*where, text, str(b.whole.line(node.at))])
         return
     line = (
         [str(b.whole.line(node.at))] if row.group == "motion" else unsimulated_use.place(b, node.target, row)
     )
-    _operate(b, "write" if "W" in row.access else "do", row, [*where, text, *line])
+    operation, where = b.whole.called("write" if "W" in row.access else "do", row, where)
+    _operate(b, operation, [*where, text, *line])
 
 
-def load(b: Body, row: Keyword, arguments: list[str]) -> None:
+def load(b: Body, operation: str, arguments: list[str]) -> None:
     """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
-    call = f"{b.whole.operation('load', row)}({', '.join(['t', 'H', *arguments])})"
+    call = f"{operation}({', '.join(['t', 'H', *arguments])})"
     b.gives_way()
     b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
 
 
-def _operate(b: Body, how: str, row: Keyword, arguments: list[str]) -> None:
+def _operate(b: Body, operation: str, arguments: list[str]) -> None:
     """Call an operation at the present time; it answers with the horizon, which it may have brought nearer."""
-    operation = b.whole.operation(how, row)
-    if how == "write":
-        operation, arguments = b.whole.called(how, row, arguments)
     b.emit(f"H = {operation}({', '.join(['t', 'H', *arguments])})")
 
 
@@ -411,16 +410,17 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     if _default_axes(b, target, row):
         default = f"{b.whole.use('env', 'default_axes')}()"
         where = [default if row.index == "axes" else f"{default}[0]"]
+        operation, where = b.whole.called("do", row, where)
+    elif row.index == "axes":
+        operation, where = b.whole.called_together("do", row, indices(b, target, row, single=False))
     else:
-        where = indices(b, target, row, single=False)
-        if row.index == "axes":
-            where = [f"({', '.join(where)},)"]
+        operation, where = b.whole.called("do", row, indices(b, target, row, single=False))
     _settle_for(b, row)
     if not row.simulated:
         where += unsimulated_use.place(b, target, row)
     elif row.index in ("axes", "axis") or row.group == "motion":
         where.append(str(b.whole.line(node.at)))
-    _operate(b, "do", row, where)
+    _operate(b, operation, where)
     b.pending += 1
 
 

@@ -19,14 +19,14 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
     """
     values = [keyword_use._value(b, each, row) for each in node.values]
     if keyword_use._default_axes(b, target, row):
-        axes = f"{b.whole.use('env', 'default_axes')}()"
+        operation, axes = b.whole.called("load", row, [f"{b.whole.use('env', 'default_axes')}()"])
     else:
         found = keyword_use.indices(b, target, row, single=False)
         _check(b, node, target, row, len(found))
-        axes = f"({', '.join(found)},)"
+        operation, axes = b.whole.called_together("load", row, found)
     keyword_use._settle_for(b, row)
     line = str(b.whole.line(node.at))
-    keyword_use.load(b, row, [axes, f"({', '.join(values)},)", line])
+    keyword_use.load(b, operation, [*axes, f"({', '.join(values)},)", line])
     b.pending += 1
 
 

@@ -91,7 +91,7 @@ class Environment(Waits):
         # The move for which there was no room.
         # What the machine file has settings be at power-up, where it speaks of any.
         self.power_up: PowerUp | None = None
-        self._refused: tuple[Callable[..., object], tuple[Any, ...]]
+        self._refused: tuple[Callable[..., object], tuple[Any, ...], Any]
         self._parts: dict[type, object] = {Environment: self}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -187,7 +187,15 @@ class Environment(Waits):
     def _on_axes(self, how: str, row: Row, axis: object, repeated: bool) -> object:
         """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
         from motionlang.mint.runtime import binding
+        from motionlang.mint.runtime.binding import with_first
 
+        if how == "load":
+            return self._loading(binding.bind(self, how, row), axis)
+        if isinstance(axis, tuple):
+            do = with_first(binding.bind(self, how, row), axis)
+            return (
+                self._repeated(do, with_first(binding.held(self, row), axis)) if repeated else self._timed(do)
+            )
         if how == "read":
             bound: Callable[[int], Callable[..., object]] = binding.bind_to_axis(self, "read", row)
         elif repeated:
@@ -231,15 +239,21 @@ class Environment(Waits):
 
         return at
 
-    def _loading(self, operation: Callable[..., object]) -> Callable[..., float | None]:
-        """The same for a move, which answers with nothing, and is refused, while there is no room for it."""
+    def _loading(self, operation: Callable[..., object], axes: object = None) -> Callable[..., float | None]:
+        """The same for a move, which answers with nothing, and is refused, while there is no room for it.
+
+        `axes`: the axis or the axes of all the moves that it loads, which it is then not given.
+        """
+        from motionlang.mint.runtime.binding import with_first
+
         clock, statements, cost = self.clock, self.statements, self.statements.cost
+        to_axes = operation if axes is None else with_first(operation, axes)
 
         def at(count: float, horizon: float, *arguments: object) -> float | None:
             clock.now = statements.base + count * cost
             self.acts += 1
-            if operation(*arguments):
-                self._refused = operation, arguments
+            if to_axes(*arguments):
+                self._refused = to_axes, arguments, arguments[0] if axes is None else axes
                 return None
             return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
 
@@ -247,21 +261,31 @@ class Environment(Waits):
         if plain is None:
             return at
         wraps = self.wraps
+        if axes is not None:
+            load = plain[axes]
 
-        def plainly(count: float, horizon: float, axis: int, value: float, line: int) -> float | None:
+            def plainly(count: float, horizon: float, value: float, line: int) -> float | None:
+                clock.now = statements.base + count * cost
+                if wraps or self.loaded is not None or not load(value, line):
+                    return at(count, horizon, value, line)
+                self.acts += 1
+                return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
+
+            return plainly
+
+        def each(count: float, horizon: float, axis: int, value: float, line: int) -> float | None:
             clock.now = statements.base + count * cost
             if wraps or self.loaded is not None or not plain[axis](value, line):
                 return at(count, horizon, axis, value, line)
             self.acts += 1
             return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
 
-        return plainly
+        return each
 
     def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
         """Wait until there is room for the move that was refused."""
         clock, statements = self.clock, self.statements
-        operation, arguments = self._refused
-        axes = arguments[0]
+        operation, arguments, axes = self._refused
         while True:
             t, horizon = yield self.room(t, axes if isinstance(axes, tuple) else (axes,))
             clock.now = statements.at(t)
