@@ -11,6 +11,8 @@ from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
+from motionlang.readings.questions import of_word
+from motionlang.views import readings
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
 from motionlang.views.terminal import PIPED_WIDTH, draws, is_terminal, plain, wants_colour, width_of
@@ -64,7 +66,11 @@ def keywords_command(name: str | None, dialect_name: str | None, as_json: bool) 
             ]
             return _unknown(name, nearest(name, words))
     if as_json:
-        rows = [as_dict(row, each) for each, rows in found.items() for row in rows]
+        rows = [
+            {**as_dict(row, each), "open": [readings.as_dict(open_one) for open_one in of_word(each, row)]}
+            for each, rows in found.items()
+            for row in rows
+        ]
         sys.stdout.write(json.dumps({"schema": SCHEMA, "keywords": rows}, indent=1) + "\n")
     else:
         _print(found, single)
@@ -85,13 +91,23 @@ def _print(found: dict[str, list[Keyword]], single: bool) -> None:
     seen = is_terminal(sys.stdout) or "COLUMNS" in os.environ
     width = width_of(sys.stdout) if seen else PIPED_WIDTH
     if single:
-        parts = [page(rows, each, width=width, colour=colour) for each, rows in found.items()]
+        parts = [_page(row, each, width, colour) for each, (row,) in found.items()]
     else:
         parts = [
             listing(rows, each, width=width, colour=colour, whole=not seen) for each, rows in found.items()
         ]
     text = "\n".join(parts)
     sys.stdout.write(text if draws(sys.stdout) else plain(text))
+
+
+def _page(row: Keyword, language: str, width: int, colour: bool) -> str:
+    """Everything that is known of a word, and what is left open."""
+    text = page([row], language, width=width, colour=colour)
+    questions = of_word(language, row)
+    if questions:
+        axis = dialect(language).first_axis
+        text += "\n" + readings.of_word(questions, axis, width=min(width, 88), colour=colour)
+    return text
 
 
 def _unknown(name: str, near: str | None) -> int:

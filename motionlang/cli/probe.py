@@ -14,18 +14,24 @@ from motionlang.cli.parser import add_command
 from motionlang.errors import nearest
 from motionlang.execution import dialect, dialects
 from motionlang.readings.answers import HOLDS, OTHER, UNKNOWN, counted, machine_text, read
-from motionlang.readings.probe import Motion, asked, written
+from motionlang.readings.probe import Motion, alone, asked, written
+from motionlang.readings.questions import of_word, questions
 from motionlang.source import STDIN, STDIN_NAME, name_of
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.readings.answers import Answers, Verdict
+    from motionlang.readings.reading import Probe, Reading
 
 EPILOG = """\
-The probe goes to standard output. It moves nothing and writes no setting, prints one answer a question, and can be
-stopped at any time. Run it on the controller after power-up, keep what the terminal shows, and let --answers read it:
-it says which readings hold and which do not, on standard error, and prints the [readings] of a machine file that make
-the virtual controller answer alike. A probe of Mint is for MintMT. docs/fidelity.md lists the readings.
+The probe goes to standard output. The one of a language moves nothing and writes no setting, prints one answer a
+question, and can be stopped at any time. Run it on the controller after power-up, keep what the terminal shows, and let
+--answers read it: it says which readings hold and which do not, on standard error, and prints the [readings] of a
+machine file that make the virtual controller answer alike. A probe of Mint is for MintMT.
+
+What would write settings or may end with an error is asked by name, in a program of its own, whose remarks say what to
+do first and what each answer means. --list names every question, or those about a word; docs/fidelity.md has the
+readings behind them.
 
 exit status: 0 all answers could be read; 1 some are missing, cut off or contradict one another; 2 the command line is
 wrong
@@ -34,6 +40,8 @@ examples:
   motionlang probe mint > probe.mnt                        questions that move nothing
   motionlang probe mint --motion 20 --axis 1 > probe.mnt   also those that move axis 1, within 20 user units
   motionlang probe --answers log.txt > cell.machine.toml   what the controller said
+  motionlang probe mint.integer-overflow > probe.mnt       one question
+  motionlang probe HOMESPEED --list                        what is open of a word
 """
 
 
@@ -42,12 +50,12 @@ def add_parser(commands: Commands, summary: str) -> None:
     parser = add_command(commands, "probe", summary, _probe, EPILOG)
     add = parser.add_argument
     add(
-        "language",
-        metavar="mint|mccl",
+        "what",
+        metavar="mint|mccl|NAME",
         nargs="?",
-        choices=dialects(),
-        help="the language that the controller speaks",
+        help="the language that the controller speaks, or the name of one question",
     )
+    add("--list", action="store_true", help="name the questions of a language or about a word, a line each")
     add("--answers", metavar="LOG", help="what the controller's terminal showed; - reads standard input")
     add(
         "--motion",
@@ -73,24 +81,89 @@ def _distance(text: str) -> float:
 
 def _probe(arguments: argparse.Namespace) -> int:
     parser: argparse.ArgumentParser = arguments.parser
+    what: str | None = arguments.what
     if arguments.answers is not None:
-        if arguments.motion is not None or arguments.axis is not None or arguments.without:
+        if arguments.motion is not None or arguments.axis is not None or arguments.without or arguments.list:
             parser.error("--answers reads what a probe was answered; the other options write one")
-        return _answers(arguments.answers, arguments.language or "")
-    if arguments.language is None:
+        if what is not None and what not in dialects():
+            parser.error(f"{what!r} is not one of {', '.join(dialects())}")
+        return _answers(arguments.answers, what or "")
+    if what is None and not arguments.list:
         parser.error("say which language the controller speaks, mint or mccl, or give --answers LOG")
-    axis = dialect(arguments.language).first_axis if arguments.axis is None else arguments.axis
+    if arguments.list:
+        return _list(parser, what)
+    assert what is not None
+    language = what if what in dialects() else _named(parser, what).language
+    axis = dialect(language).first_axis if arguments.axis is None else arguments.axis
     if not 0 <= axis < 100:
         parser.error(f"--axis {axis}: there is no such axis")
-    names = [each.name for each in asked(arguments.language, motion=True)]
+    motion = None if arguments.motion is None else Motion(axis, arguments.motion)
+    if what not in dialects():
+        if _named(parser, what).motion and motion is None:
+            parser.error(f"{what} is told by motion: say within which distance, such as --motion 20")
+        sys.stdout.write(alone(questions()[what], axis, motion))
+        return 0
+    names = [each.name for each in asked(language, motion=True)]
     for name in arguments.without:
         if name not in names:
             near = nearest(name, names)
             parser.error(
                 f"--without {name}: there is no such question" + (f"; did you mean {near}?" if near else "")
             )
-    motion = None if arguments.motion is None else Motion(axis, arguments.motion)
-    sys.stdout.write(written(arguments.language, axis, motion, arguments.without))
+    sys.stdout.write(written(language, axis, motion, arguments.without))
+    return 0
+
+
+def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
+    """How the question of a name is asked; the end where there is none, with what there is."""
+    found = questions().get(name)
+    if found is not None and found.probe is not None:
+        return found.probe
+    if found is not None:
+        others = "".join(f"; or: {each}" for each in found.alternatives)
+        problem = f"{name} is told by no program. {found.question}: {found.chosen}{others}"
+    elif _about(name):
+        problem = f"{name} is a word: motionlang probe {name} --list names the questions about it"
+    else:
+        near = nearest(name, (*dialects(), *questions()))
+        problem = f"{name!r} is not one of mint, mccl, nor a question" + (
+            f"; did you mean {near}?" if near else ""
+        )
+    return parser.error(problem)
+
+
+def _about(word: str) -> list[Reading]:
+    """What is open of a word, in whichever language has it."""
+    rows = ((each, dialect(each).table().get(word)) for each in dialects())
+    return [found for language, row in rows if row is not None for found in of_word(language, row)]
+
+
+def _list(parser: argparse.ArgumentParser, what: str | None) -> int:
+    """The questions that can be asked, a line each, with what each takes."""
+    if what is None or what in dialects():
+        known = [
+            each
+            for each in questions().values()
+            if what is None or (each.probe and each.probe.language == what)
+        ]
+    else:
+        known = _about(what) or [each for each in questions().values() if each.name == what]
+        if not known:
+            parser.error(f"{what} is no word, or nothing of it is open")
+    found = [each for each in known if each.probe is not None]
+    width = max((len(each.name) for each in found), default=0)
+    for each in found:
+        assert each.probe is not None
+        marks = (
+            ["motion"] * each.probe.motion + ["by name"] * each.probe.alone + ["can be set"] * bool(each.key)
+        )
+        end = f"  ({', '.join(marks)})" if marks else ""
+        sys.stdout.write(f"{each.name:<{width}}  {each.question}{end}\n")
+    if len(found) < len(known) and what not in dialects() and what is not None:
+        sys.stdout.write("told by no program:\n")
+        for each in known:
+            if each.probe is None:
+                sys.stdout.write(f"{each.name:<{width}}  {each.question}\n")
     return 0
 
 

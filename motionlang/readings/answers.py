@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
-from motionlang.readings.entries import readings
-from motionlang.readings.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, asked, mark
+from motionlang.readings.probe import BEGIN, END, FIRST_MARK, MARKS, NEXT, mark
+from motionlang.readings.questions import questions
+from motionlang.readings.reading import REFUSED
 
 if TYPE_CHECKING:
-    from motionlang.readings.entries import Probe, Reading
+    from motionlang.readings.reading import Probe, Reading
 
 NUMBER = r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 _ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x09\x0b\x0c\x0e-\x1f\x7f]")
@@ -100,14 +101,14 @@ def _told_by_mint(lines: list[str], found: Answers) -> dict[str, list[tuple[str,
                 continue
             if closed:
                 told.setdefault(name, []).append((_plain(answer), number))
-            elif name in readings():
+            elif name in questions():
                 found.complain(f"the answer to {name} is cut off", line=number)
     return told
 
 
 def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str, int]]]:
     """The answers by their names: what was told behind each mark, without the echo of what was asked."""
-    names = {mark(name): name for name in (*readings(), BEGIN, END, NEXT)}
+    names = {mark(name): name for name in (*questions(), BEGIN, END, NEXT)}
     told: dict[str, list[tuple[str, int]]] = {}
     name, begun = "", 0
     parts: list[str] = []
@@ -124,7 +125,7 @@ def _told_by_mccl(lines: list[str], found: Answers) -> dict[str, list[tuple[str,
             parts.append(said)
     if name == END:
         told[name] = [("", begun)]
-    elif name in readings():
+    elif name in questions():
         found.complain(f"the answer to {name} is cut off", line=begun)
     return told
 
@@ -133,7 +134,7 @@ def _is_echo(said: str, name: str) -> bool:
     """Whether a line without a prompt is what was sent, shown once more."""
     if _MARK.search(said) or said.startswith(";"):
         return True
-    reading = readings().get(name)
+    reading = questions().get(name)
     return (
         reading is not None
         and reading.probe is not None
@@ -151,20 +152,27 @@ def _plain(answer: str) -> str:
 
 def _judge(found: Answers, told: dict[str, list[tuple[str, int]]]) -> None:
     begin, end = told.pop(BEGIN, []), told.pop(END, [])
-    known = {each.name for each in asked(found.language, motion=True)}
+    known = {
+        name
+        for name, each in questions().items()
+        if each.probe is not None and each.probe.language == found.language
+    }
+    order = {name: place for place, name in enumerate(questions())}
     for name, answers in told.items():
         if name not in known:
-            other = "a reading of the other language" if name in readings() else "no reading"
+            other = "a reading of the other language" if name in questions() else "no reading"
             found.complain(f"{name} is {other}", "was the probe written by another version?", answers[0][1])
         elif len({answer for answer, _ in answers}) > 1:
             says = " and ".join(repr(answer) for answer, _ in answers[:2])
             found.complain(f"{name} is answered twice, by {says}", "keep one of them", answers[1][1])
         else:
             answer, line = answers[0]
-            _take(found, readings()[name], answer, line)
-    found.verdicts.sort(key=lambda each: list(readings()).index(each.reading.name))
+            _take(found, questions()[name], answer, line)
+    found.verdicts.sort(key=lambda each: order[each.reading.name])
     count = re.search(r"\d+", begin[0][0]) if begin else None
     got = sum(name in known for name in told)
+    if all(each.answer == REFUSED for each in found.verdicts) and found.verdicts:
+        return
     if not begin or not end:
         what = "beginning" if not begin else "end"
         found.complain(f"the {what} of the answers is missing: {got} were found", "what is here counts")

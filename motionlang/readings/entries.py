@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import switch
 from motionlang.mint.keywords.switchable import name_of, with_default
-from motionlang.readings.facts import STRENGTHS, of_word
+from motionlang.readings.facts import of_word
+from motionlang.readings.reading import Probe, Reading
+from motionlang.readings.rules import default_probe, other_defaults
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -35,77 +37,13 @@ FILES = (
 )
 # Behind so many of them stand Mint's settings at power-up.
 AFTER = 3
-# What a source prints is not open, nor what running code shows.
-SETTLED = ("manual", "code")
-PROBE_KEYS = ("before", "ask", "after", "answers", "form", "scale", "motion")
+PROBE_KEYS = (
+    *("before", "ask", "after", "answers", "form", "scale", "motion"),
+    *("alone", "behind", "error", "needs", "machine"),
+)
 DEFAULTS = """\
 A setting of an axis that no program has written yet. Each can be given another value in the machine file's
 `[readings]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
-
-
-class Probe:
-    """How the owner of a controller asks it.
-
-    `before`, `ask` and `after` are lines of the language, of Mint's `ask` what a PRINT shows; `{a}` is the axis and
-    `{d}` a distance, of a probe that needs `motion`. `answers` are what a controller says to it, that of the reading
-    chosen first, then those of the alternatives; a text that begins with `re:` is a pattern. Where a number is asked
-    for, `form` is the pattern around it, and `scale` what it is multiplied with.
-    """
-
-    __slots__ = ("after", "answers", "ask", "before", "form", "language", "motion", "scale")
-
-    def __init__(
-        self,
-        language: str,
-        ask: str,
-        *,
-        before: Sequence[str] = (),
-        after: Sequence[str] = (),
-        answers: Sequence[str] = (),
-        form: str = "",
-        scale: float = 1.0,
-        motion: bool = False,
-    ) -> None:
-        assert answers, ask
-        self.language, self.ask, self.before, self.after = language, ask, tuple(before), tuple(after)
-        self.answers, self.form, self.scale, self.motion = tuple(answers), form, scale, motion
-
-
-class Reading:
-    """One question that somebody had to answer, and the answer.
-
-    `name` is that of the machine file's `[readings]`, `alternatives` are the other answers, `why` the reason for the
-    one `chosen`, `strength` one of `facts.STRENGTHS`; `words` are those whose use makes a program depend on it,
-    in the spelling of the language, `@motor` for a machine with a simulated motor and `@always` for any. `probe` is how
-    a controller is asked, None where it cannot be; `key` is that of the machine file which sets the reading, "" where
-    it is no value that could be set.
-    """
-
-    __slots__ = ("alternatives", "chosen", "key", "name", "probe", "question", "strength", "why", "words")
-
-    def __init__(
-        self,
-        name: str,
-        question: str,
-        chosen: str,
-        *,
-        alternatives: Sequence[str] = (),
-        why: str = "",
-        strength: str,
-        words: str = "",
-        probe: Probe | None = None,
-        key: str = "",
-    ) -> None:
-        assert strength in STRENGTHS, (name, strength)
-        self.name, self.question, self.chosen = name, question, chosen
-        self.alternatives, self.why, self.strength = tuple(alternatives), why, strength
-        self.words = tuple(words.split())
-        self.probe, self.key = probe, key
-
-    @property
-    def is_open(self) -> bool:
-        """Whether another answer is as possible: no manual prints this one, and no code shows it."""
-        return self.strength not in SETTLED
 
 
 class Section:
@@ -175,15 +113,15 @@ def _defaults() -> Chapter:
 
 
 def _default(row: Keyword) -> Reading:
-    assert isinstance(row.default, (int, float))
     evidence = of_word("mint", row)["default"]
     return Reading(
         name_of(row),
         f"What {row.name} is until a program writes it",
         f"{row.default:.10g}",
+        alternatives=other_defaults(row),
         why=evidence.source,
         strength=evidence.strength,
         words=row.name,
-        probe=Probe("mint", f"{row.name}({{a}})", answers=(f"{row.default:.10g}",), form="{}"),
+        probe=default_probe(row),
         key=READINGS + name_of(row),
     )

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from motionlang.lang.keyword import Keyword, Table
-    from motionlang.readings.entries import Reading
+    from motionlang.readings.reading import Reading
 
 PLACE = Path(__file__).with_name("tables.py")
 HEAD = '''"""The open readings by the words that depend on them. Written by `indexing`; do not edit."""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.readings.entries import Chapter, Reading, Section, chapters
+from motionlang.readings.entries import Chapter, Section, chapters
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from motionlang.readings.reading import Reading
 
 HEAD = """\
 # Fidelity: what rests on memory, and the readings chosen

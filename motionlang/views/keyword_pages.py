@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from motionlang.readings.questions import of_word
 from motionlang.views.keywords import facts
 from motionlang.views.words import dialect_name
 
@@ -79,7 +80,17 @@ def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]
         if len(output) > MOST:
             output = [*output[:MOST], "…"]
         lines += ["", "shows", "", "```text", *output, "```"] if output else []
-    return lines
+    return lines + _open(row, dialect)
+
+
+def _open(row: Keyword, dialect: str) -> list[str]:
+    """What the sources leave open of a word, a question a line."""
+    lines: list[str] = []
+    for each in of_word(dialect, row):
+        others = f"; or: {'; or '.join(each.alternatives)}" if each.alternatives else ""
+        marked = f"`{each.name}`" if each.probe is None else f"`motionlang probe {each.name}`"
+        lines.append(f"* {each.question}: {each.chosen}{others} ({marked})")
+    return ["", "open", "", *lines] if lines else []
 
 
 def _cell(text: str) -> str:

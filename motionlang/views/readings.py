@@ -5,12 +5,13 @@ from __future__ import annotations
 import textwrap
 from typing import TYPE_CHECKING
 
+from motionlang.readings.probe import lines_of, meanings
 from motionlang.views.terminal import styled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from motionlang.readings.entries import Reading
+    from motionlang.readings.reading import Reading
 
 
 def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False) -> str:
@@ -26,14 +27,44 @@ def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False)
         lines.append("")
         name = styled(each.name, "word", colour)
         lines += [f"  {name}  {styled(each.strength, 'dim', colour)}"]
-        others = f"; or: {'; or '.join(each.alternatives)}" if each.alternatives else ""
-        lines += textwrap.wrap(
-            f"{each.question}: {each.chosen}{others}",
-            max(40, width - 4),
-            initial_indent="    ",
-            subsequent_indent="    ",
-        )
+        lines += _wrapped(_open(each), width)
     return "\n".join(lines) + "\n"
+
+
+def of_word(found: Sequence[Reading], axis: int, *, width: int = 100, colour: bool = False) -> str:
+    """What is open of a word: each question, what to type, and what each answer of a controller means."""
+    how = "left open by the sources; motionlang probe NAME writes the program that asks a controller"
+    lines = [styled(f"  {how}", "dim", colour)]
+    for each in found:
+        lines += ["", f"  {styled(each.name, 'word', colour)}"]
+        lines += _wrapped(_open(each), width) if each.probe is None else _asked(each, axis, width, colour)
+    return "\n".join(lines) + "\n"
+
+
+def _asked(reading: Reading, axis: int, width: int, colour: bool) -> list[str]:
+    """A question that a program asks: its lines, and its answers."""
+    probe = reading.probe
+    assert probe is not None
+    before, ask, _ = lines_of(probe, axis, 1.0)
+    typed = [*before, f"PRINT {ask}" if probe.language == "mint" else ask]
+    lines = [
+        *_wrapped(f"{reading.question}?", width),
+        *(f"      {styled(line, 'word', colour)}" for line in typed),
+    ]
+    lines += [f"    {line}" for line in meanings(reading, max(40, width - 4))[1:]]
+    beyond = [] if probe.form else reading.alternatives[len(probe.answers) - 1 :]
+    lines += [line for other in beyond for line in _wrapped(f"or, which it does not tell: {other}", width)]
+    return lines
+
+
+def _open(reading: Reading) -> str:
+    """A question, the answer taken and the others."""
+    others = f"; or: {'; or '.join(reading.alternatives)}" if reading.alternatives else ""
+    return f"{reading.question}: {reading.chosen}{others}"
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    return textwrap.wrap(text, max(40, width - 4), initial_indent="    ", subsequent_indent="    ")
 
 
 def as_dict(reading: Reading) -> dict[str, object]:
@@ -46,5 +77,6 @@ def as_dict(reading: Reading) -> dict[str, object]:
         "why": reading.why,
         "strength": reading.strength,
         "asked": reading.probe is not None,
+        "asked_by_name": reading.probe is not None and reading.probe.alone,
         "key": reading.key,
     }

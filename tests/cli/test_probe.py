@@ -53,6 +53,10 @@ def test_answers_of_which_some_are_missing_are_read_and_told(
     [
         ((), "say which language the controller speaks"),
         (("basic",), "'basic' is not one of mint, mccl"),
+        (("mint.truht",), "did you mean mint.truth?"),
+        (("HOMESPEED",), "motionlang probe HOMESPEED --list"),
+        (("mint.second-offset",), "say within which distance, such as --motion 20"),
+        (("NOTHING", "--list"), "NOTHING is no word, or nothing of it is open"),
         (("mint", "--motion", "none"), "'none' is no distance above 0"),
         (("mint", "--axis", "-1"), "there is no such axis"),
         (("mint", "--without", "mint.trut"), "did you mean mint.truth?"),
@@ -72,3 +76,58 @@ def test_answers_that_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixtu
     status, found, said = probe(tmp_path, capsys, "--answers", str(tmp_path / "none.txt"))
     assert (status, found) == (1, "")
     assert "cannot be read" in said
+
+
+def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    status, text, _ = probe(tmp_path, capsys, "mint.homespeed-scale", "--axis", "2")
+    assert status == 0
+    assert text.splitlines()[:5] == [
+        "' mint.homespeed-scale: Whether HOMESPEED goes by SCALEFACTOR",
+        "' First: switch the drive off; the setting is given other values, so start the controller anew afterwards.",
+        "' What it shows, and what that says of the controller:",
+        "'   2.5  yes: user units, kept in counts (chosen here)",
+        "'   5    no, or it is kept as written",
+    ]
+    assert "HOMESPEED(2) = 5" in text
+    program = tmp_path / "probe.mnt"
+    program.write_text(text, encoding="utf-8")
+    log = tmp_path / "log.txt"
+    log.write_text("\n".join(run(str(program), cache=False).output), encoding="utf-8")
+    status, _, said = probe(tmp_path, capsys, "--answers", str(log))
+    assert (status, said) == (0, "1 reading holds:\n  mint.homespeed-scale\n")
+
+
+def test_a_question_that_moves_says_how_far(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, text, _ = probe(tmp_path, capsys, "mint.second-offset", "--motion", "20")
+    assert status == 0
+    assert "It moves axis 0 within 20 user units of where it stands" in text
+
+
+def test_the_questions_about_a_word_are_listed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, text, _ = probe(tmp_path, capsys, "homespeed", "--list")
+    assert status == 0
+    assert text.splitlines()[0].split("  ") == [
+        "mint.homespeed-default",
+        "",
+        " What HOMESPEED is until a program writes it",
+        "(can be set)",
+    ]
+    assert "mint.homespeed-scale" in text
+    for language, one, other in (
+        ("mint", "mint.truth", "mccl.quotient"),
+        ("mccl", "mccl.quotient", "mint.truth"),
+    ):
+        _, text, _ = probe(tmp_path, capsys, language, "--list")
+        assert one in text
+        assert other not in text
+
+
+def test_a_question_that_no_program_tells_is_said_with_its_answers(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["probe", "motion.position-on-a-path"])
+    assert ended.value.code == 2
+    assert "motion.position-on-a-path is told by no program" in capsys.readouterr().err

@@ -27,11 +27,12 @@ def _word(
     example: str,
     low: float | None = None,
     high: float | None = None,
+    default: float = 0.0,
 ) -> Keyword:
     kind = "command" if access == "C" else "setting" if "W" in access else "reading"
-    default = None if access == "C" else "" if unit == "text" else 0.0
+    first = None if access == "C" else "" if unit == "text" else default
     where = verb if "." in verb else f"network.{verb}"
-    return Keyword(name, "", kind, access, index, unit, where, help, example, default=default, low=low, high=high,
+    return Keyword(name, "", kind, access, index, unit, where, help, example, default=first, low=low, high=high,
                    group="remote")  # fmt: skip
 
 
@@ -109,10 +110,10 @@ ROWS = (
           "REMOTEOUT(1, 2) = 3\nREMOTERESET(1, 2)\nPRINT REMOTEOUT(1, 2), BUSEVENT(1)"),
     _word("REMOTEINPUTACTIVELEVEL", "RW", "bus, node", "bits", "input_level",
           "Which of a node's inputs 0 to 31 are active high; all of them until it is set.",
-          "REMOTEINPUTACTIVELEVEL(1, 2) = ~1\nPRINT REMOTEINX(1, 2, 0)"),
+          "REMOTEINPUTACTIVELEVEL(1, 2) = ~1\nPRINT REMOTEINX(1, 2, 0)", default=-1),
     _word("REMOTEOUTPUTACTIVELEVEL", "RW", "bus, node", "bits", "output_level",
           "Which of a node's outputs 0 to 31 are active high; all of them until it is set.",
-          "REMOTEOUTPUTACTIVELEVEL(1, 2) = ~1\nPRINT REMOTEOUTPUTACTIVELEVEL(1, 2)"),
+          "REMOTEOUTPUTACTIVELEVEL(1, 2) = ~1\nPRINT REMOTEOUTPUTACTIVELEVEL(1, 2)", default=-1),
     _word("REMOTEPDOIN", "R", "bus, cobid, bank", "integer", "process_data",
           "The lower, bank 0, or upper 32 bits, bank 1, of process data that came last under an identifier.",
           "PRINT REMOTEPDOIN(1, 0x182, 0)"),
