@@ -10,7 +10,7 @@ from motionlang.controller import readers
 from motionlang.controller.axis_verbs import SETTINGS, AxisVerbs
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.faults import Refusal
-from motionlang.controller.readers import UNHEARD, Hearing
+from motionlang.controller.readers import UNHEARD
 from motionlang.controller.record.log import Log
 from motionlang.controller.record.moves import power_up
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from motionlang.controller.moves.entries import Make, Table
     from motionlang.controller.moves.geometry import Arc, Line
     from motionlang.controller.moves.guide import Guide
-    from motionlang.controller.readers import Loader, Reader, Writer
+    from motionlang.controller.readers import Hearing, Loader, Reader, Writer
     from motionlang.controller.record.trace import Trace
     from motionlang.controller.triggers.latch import Compare, Latch
     from motionlang.controller.triggers.limit import Limit
@@ -329,11 +329,11 @@ class Controller(AxisVerbs):
         load_points(self, self.movable(axis), make, again, command, line)
 
     def offset_remaining(self, axis: int) -> float:
-        """What the offset under way still has to do, counts."""
+        """What the offset of a slave, or the move of another axis, still has to do, counts."""
         from motionlang.controller.motion.follow import tie_of
 
         tie = tie_of(self.axes[axis])
-        return tie.offset_left()[0] if tie is not None else 0.0
+        return tie.offset_left()[0] if tie is not None else self.remaining(axis)
 
     def offset_crossing_time(self, axis: int, left: float) -> float:
         """When so much is still to go of the offset of a slave, or of the move of another axis."""

@@ -1,7 +1,7 @@
 """Readers and writers bound to an axis: made once, at the start of a program, and called over and over.
 
 A reader answers in the unit that it was made for. One of what changes by itself takes a `Hearing`: while anybody asks
-for what is read, it is told of each reading, with the level that the reading is compared with where the caller says so.
+for what is read, it is told of each reading, with what says when that passes the level that it is compared with.
 """
 
 from __future__ import annotations
@@ -28,38 +28,55 @@ if TYPE_CHECKING:
     Reader = Callable[..., Any]
     Writer = Callable[[Any], object]
     Loader = Callable[[float, int], bool]
+    # What a reading is compared with; `(level,)` where its sign is taken off, None where it is not known.
+    Level = float | tuple[float] | None
+    Until = Callable[..., float]
 
     class Asked(Protocol):
         """Whoever asks for what is read: `notes` is None while nobody does."""
 
         notes: list[Any] | None
 
+        def note(self, until: Until, *about: Any) -> None:
+            """Something has been read that may change at `until(*about)`."""
 
+    class Hearing(Protocol):
+        """Who hears of readings, and after what the places of axes wrap."""
+
+        @property
+        def attention(self) -> Asked: ...
+
+        wraps: dict[int, float]
+
+
+INFINITY = float("inf")
 # The unit of a place on the axis, which counts from its zero.
 PLACE = "place"
-
-
-class Hearing:
-    """Who hears of a reading while `asked.notes` is not None: `note(level)`; and where the reading wraps, by axis."""
-
-    __slots__ = ("asked", "note", "wraps")
-
-    def __init__(
-        self,
-        asked: Asked,
-        note: Callable[[float | None], object],
-        wraps: Mapping[int, float] | None = None,
-    ) -> None:
-        self.asked, self.note, self.wraps = asked, note, {} if wraps is None else wraps
+# What tells when a reading of an axis passes a level, in counts, or turns round where that is infinite.
+_CROSSINGS = {
+    "position": "crossing_time",
+    "demand": "demand_crossing_time",
+    "velocity": "velocity_crossing_time",
+    "demand_velocity": "demand_velocity_crossing_time",
+    "following_error": "error_crossing_time",
+    "remaining": "remaining_crossing_time",
+    "offset_remaining": "offset_crossing_time",
+}
 
 
 class _Nobody:
-    """Nobody asks."""
+    """Nobody asks, and nothing wraps."""
 
     notes: list[Any] | None = None
 
+    def __init__(self) -> None:
+        self.attention, self.wraps = self, dict[int, float]()
 
-UNHEARD = Hearing(_Nobody(), lambda level: None)
+    def note(self, until: Until, *about: Any) -> None:
+        """Nobody hears."""
+
+
+UNHEARD: Hearing = _Nobody()
 
 
 def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing: Hearing = UNHEARD) -> Reader:
@@ -67,11 +84,48 @@ def reader(controller: AxisVerbs, name: str, axis: int, unit: str = "", hearing:
     a = controller.axes[axis]
     if name in SETTINGS:
         return setting(attrgetter(name), a, unit)
+    until = passing(controller, name, a, unit, hearing.wraps)
     written_out = _WRITTEN_OUT.get((name, unit))
     if written_out is not None:
-        return written_out(controller, a, hearing)
+        return written_out(controller, a, hearing, until)
     verb = getattr(controller, name)
-    return converted(lambda: verb(axis), a.scale, unit, hearing)
+    return converted(lambda: verb(axis), a.scale, unit, hearing, until)
+
+
+def passing(controller: AxisVerbs, name: str, a: Axis, unit: str, wraps: Mapping[int, float]) -> Until:
+    """What tells when a reading of an axis passes a level in its unit, from the clock's moment on.
+
+    A reading that is compared with nothing, level None, changes for as long as the axis moves. One that is more than
+    ever before, INFINITY, is so until it turns round, and no second time where it stands.
+    """
+    clock, scale, axis = controller.clock, a.scale, a.index
+    crossing_time = getattr(controller, _CROSSINGS[name]) if name in _CROSSINGS else None
+
+    def until(level: Level = None) -> float:
+        wrap = wraps.get(axis) if unit == PLACE else None
+        if controller.is_still(axis):
+            return clock.now if level == INFINITY else INFINITY
+        if crossing_time is None or level is None or (wrap and level == INFINITY):
+            return clock.now
+        if isinstance(level, tuple):
+            return min(until(level[0]), until(-level[0]))
+        if unit != PLACE:
+            return float(crossing_time(axis, scale.to_counts(level, unit)))
+        here = scale.position_to_user(getattr(controller, name)(axis)) if wrap else 0.0
+        return passing_within(
+            wrap, here, level, lambda place: crossing_time(axis, scale.position_to_counts(place))
+        )
+
+    return until
+
+
+def passing_within(wrap: float | None, here: float, level: float, passing: Callable[[float], float]) -> float:
+    """When what is `here` now passes a level, as `passing` tells; what wraps, also when it begins again."""
+    if not wrap:
+        return passing(level)
+    turn = here // wrap * wrap
+    places = [turn + each + offset for each in (-wrap, 0.0, wrap) for offset in (0.0, level % wrap)]
+    return min(map(passing, places))
 
 
 def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
@@ -88,16 +142,18 @@ def setting(get: Callable[[Any], Any], of: object, unit: str) -> Reader:
     return read
 
 
-def converted(read: Callable[[], Any], scale: Scale, unit: str, hearing: Hearing) -> Reader:
+def converted(
+    read: Callable[[], Any], scale: Scale, unit: str, hearing: Hearing, until: Until = float
+) -> Reader:
     """Any reading, in `unit`; with no unit, as it is."""
     if not unit and hearing is UNHEARD:
         return read
     power, factors = POWERS.get(unit), scale.factors
-    asked, note = hearing.asked, hearing.note
+    asked, note = hearing.attention, hearing.attention.note
 
-    def heard(level: float | None = None) -> Any:
+    def heard(level: Level = None) -> Any:
         if asked.notes is not None:
-            note(level)
+            note(until, level)
         if power is None:
             return float(read()) if unit else read()
         rate, per_unit = factors[power]
@@ -164,18 +220,20 @@ def loader(controller: AxisVerbs, axis: int, relative: bool, command: str) -> Lo
     return load
 
 
-def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = True) -> Reader:
+def _position(
+    controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until, actual: bool = True
+) -> Reader:
     """The position; the piece of the profile that the axis is on is kept, as loops that poll ask for nothing else."""
     clock, scale = controller.clock, a.scale
-    asked, note, wraps, axis = hearing.asked, hearing.note, hearing.wraps, a.index
+    asked, note, wraps, axis = hearing.attention, hearing.attention.note, hearing.wraps, a.index
     begun = since = c0 = c1 = c2 = c3 = 0.0
     still, until = False, -1.0
     profile: Profile | None = None
 
-    def read(level: float | None = None) -> float:
+    def read(level: Level = None) -> float:
         nonlocal begun, since, until, profile, still, c0, c1, c2, c3
         if asked.notes is not None:
-            note(level)
+            note(until_passed, level)
         if actual and a.feedback is not None:
             found = a.feedback.position
         else:
@@ -200,18 +258,20 @@ def _position(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = T
     return read
 
 
-def _velocity(controller: AxisVerbs, a: Axis, hearing: Hearing, actual: bool = True) -> Reader:
+def _velocity(
+    controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until, actual: bool = True
+) -> Reader:
     """The velocity, from the piece of the profile that is kept."""
     clock, factors = controller.clock, a.scale.factors
-    asked, note = hearing.asked, hearing.note
+    asked, note = hearing.attention, hearing.attention.note
     begun = since = c1 = twice_c2 = thrice_c3 = 0.0
     until = -1.0
     profile: Profile | None = None
 
-    def read(level: float | None = None) -> float:
+    def read(level: Level = None) -> float:
         nonlocal begun, since, until, profile, c1, twice_c2, thrice_c3
         if asked.notes is not None:
-            note(level)
+            note(until_passed, level)
         if actual and a.feedback is not None:
             found = a.feedback.velocity
         else:
@@ -238,14 +298,16 @@ def _piece(a: Axis, now: float) -> tuple[Profile, float, float, float, tuple[flo
     return profile, begun, *(profile.cubic(now - begun) or (0.0, -1.0, (0.0, 0.0, 0.0, 0.0)))
 
 
-def _is_idle(controller: AxisVerbs, a: Axis, hearing: Hearing) -> Reader:
+def _is_idle(controller: AxisVerbs, a: Axis, hearing: Hearing, until_passed: Until) -> Reader:
     return lambda: not a.under_way and a._move is None
 
 
 _WRITTEN_OUT: dict[tuple[str, str], Callable[..., Reader]] = {
     ("position", PLACE): _position,
-    ("demand", PLACE): lambda controller, a, hearing: _position(controller, a, hearing, False),
+    ("demand", PLACE): lambda controller, a, hearing, until: _position(controller, a, hearing, until, False),
     ("velocity", "uu/s"): _velocity,
-    ("demand_velocity", "uu/s"): lambda controller, a, hearing: _velocity(controller, a, hearing, False),
+    ("demand_velocity", "uu/s"): lambda controller, a, hearing, until: _velocity(
+        controller, a, hearing, until, False
+    ),
     ("is_idle", ""): _is_idle,
 }

@@ -9,14 +9,14 @@ from motionlang.controller import readers
 from motionlang.controller.axis import Axis
 from motionlang.controller.axis_verbs import SETTINGS
 from motionlang.controller.clock import Clock
-from motionlang.controller.readers import UNHEARD, Hearing
+from motionlang.controller.readers import UNHEARD
 from motionlang.controller.triggers.limit import Limit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from motionlang.controller.readers import Loader, Reader, Writer
+    from motionlang.controller.readers import Hearing, Loader, Reader, Writer
     from motionlang.controller.triggers.limit import Limit
 
 # verb -> what it does. Every verb is a method of `Controller`; the dialects call no other.
@@ -121,7 +121,7 @@ VERBS: dict[str, str] = {
     "load_offset": "Put an offset on top of following into the move buffer.",
     "load_points": "Put points with velocities and times into the move buffer, for once or again and again.",
     "offset": "Add a distance on top of following a master.",
-    "offset_remaining": "What the offset under way still has to do.",
+    "offset_remaining": "What the offset of a slave, or the move of another axis, still has to do.",
     "offset_status": "How the last offset went.",
     "master_of": "The axis or encoder channel that an axis follows.",
     "drive_encoder": "Let the world turn an encoder channel.",
@@ -196,7 +196,8 @@ class Recorder:
             return readers.setting(lambda _: self.setting(axis, name), a, unit)
         if unit == readers.PLACE:
             return lambda *level: a.scale.position_to_user(getattr(self, name)(axis))
-        return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, hearing)
+        until = readers.passing(self, name, a, unit, hearing.wraps)  # type: ignore[arg-type]
+        return readers.converted(lambda: getattr(self, name)(axis), a.scale, unit, hearing, until)
 
     def writer(self, name: str, axis: int, unit: str = "") -> Writer:
         """Every setting is written down, in counts."""

@@ -25,6 +25,7 @@ MOST = 500
 TICK = 1e-3
 # How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
 _AFTER = (0.0, 1e-12, 1e-10, 1e-8)
+_NOBODY_ASKS = (-INFINITY,)
 
 
 class Attention:
@@ -37,9 +38,12 @@ class Attention:
         self.notes: list[Note] | None = None
 
     def note(self, until: Callable[..., float], *about: object) -> None:
-        """Something has been read that may change at `until(*about)`, no event telling."""
+        """Something has been read that may change at `until(*about)`, no event telling.
+
+        What is compared with -INFINITY is only kept, and nobody asks what it is.
+        """
         notes = self.notes
-        if notes is not None:
+        if notes is not None and about[-1:] != _NOBODY_ASKS:
             notes.append((until, about))
             if len(notes) > MOST:
                 self.notes = None  # whoever asks finds other notes than those he began with
@@ -66,7 +70,7 @@ class Attention:
         """
         return self.until(since - CLOSE, notes[first:]) - CLOSE if self.notes is notes else -INFINITY
 
-    def at_once(self) -> float:
+    def at_once(self, *about: object) -> float:
         """What may change at any moment."""
         return self.clock.now
 

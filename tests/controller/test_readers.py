@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from math import inf
+
 import pytest
 
 from motionlang.controller.controller import Controller
-from motionlang.controller.readers import PLACE, Hearing
+from motionlang.controller.readers import PLACE
 from motionlang.controller.verbs import Recorder
 
 
@@ -80,24 +83,52 @@ def test_a_rate_that_is_written_ends_the_time_for_it_and_acts_on_a_move() -> Non
     assert controller.velocity(0) == 4.0
 
 
+class Hearing:
+    """Who hears of readings by `note` while `notes` is not None."""
+
+    def __init__(self) -> None:
+        self.attention, self.wraps = self, dict[int, float]()
+        self.notes: list[object] | None = None
+        self.heard: list[tuple[Callable[..., float], object]] = []
+
+    def note(self, until: Callable[..., float], level: object) -> None:
+        self.heard.append((until, level))
+
+
 def test_who_asks_hears_of_readings_and_of_what_they_are_compared_with() -> None:
-    controller = scaled()
-
-    class Asked:
-        notes: list[object] | None = None
-
-    asked, heard = Asked(), list[object]()
-    wraps = dict[int, float]()
-    place = controller.reader("position", 0, PLACE, Hearing(asked, heard.append, wraps))
-    speed = controller.reader("velocity", 0, "uu/s", Hearing(asked, heard.append))
+    controller, hearing = scaled(), Hearing()
+    place = controller.reader("position", 0, PLACE, hearing)
+    speed = controller.reader("velocity", 0, "uu/s", hearing)
     controller.define_position(0, 70.0)
     assert place() == 7.0
-    assert heard == []
-    asked.notes = []
-    wraps[0] = 5.0
+    assert hearing.heard == []
+    hearing.notes = []
+    hearing.wraps[0] = 5.0
     assert place(6.5) == 2.0
     assert speed() == 0.0
-    assert heard == [6.5, None]
+    assert [level for _, level in hearing.heard] == [6.5, None]
+
+
+def test_what_hears_of_a_reading_is_told_when_it_passes_a_level() -> None:
+    """8 counts/s at 16 counts/s2 and 10 counts a unit: 2 counts in half a second, 16 in two, and 2 in the last half."""
+    controller, hearing = scaled(), Hearing()
+    hearing.notes = []
+    controller.reader("position", 0, PLACE, hearing)()
+    controller.reader("velocity", 0, "uu/s", hearing)()
+    place, speed = (until for until, _ in hearing.heard)
+    assert place(0.5) == place() == inf
+    assert place(inf) == 0.0  # at rest it is no second time more than ever before
+    controller.move_by(0, 20.0)
+    assert place() == 0.0  # it may change at any moment
+    assert place(0.6) == place((-0.6,)) == pytest.approx(0.5 + 4.0 / 8.0)
+    assert place(2.5) == inf
+    assert speed(0.4) == pytest.approx(0.25)
+    controller.clock.advance(0.6)
+    assert place(inf) == pytest.approx(3.0)  # it turns round, or stands
+    hearing.wraps[0] = 0.4
+    assert place(0.3) == pytest.approx(0.5 + 1.0 / 8.0)
+    assert place(0.1) == pytest.approx(0.5 + 2.0 / 8.0)  # as it wraps
+    assert place(inf) == 0.6
 
 
 def test_a_recorder_writes_every_reading_and_every_setting_down() -> None:

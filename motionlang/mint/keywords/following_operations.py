@@ -5,8 +5,8 @@ from __future__ import annotations
 from motionlang.mint.keywords.buffer_operations import loads
 from motionlang.mint.keywords.following_masters import Masters, distance
 from motionlang.mint.keywords.motion_operations import finite
-from motionlang.mint.runtime.binding import of, of_word, scale_of
-from motionlang.mint.runtime.changes import Changes, repeatable
+from motionlang.mint.runtime.binding import by_axis, of, of_word, scale_of
+from motionlang.mint.runtime.changes import repeatable
 from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
@@ -71,17 +71,10 @@ def put_offset(masters: Masters, row: Row, axis: int, value: float, line: int) -
     masters.controller.load_offset(axis, counts, mode, over, row.name, line)
 
 
-def read_offset(environment: Environment, row: Row) -> Operation:
+@by_axis
+def read_offset(environment: Environment, row: Row, axis: int) -> Operation:
     """What is still to go: of the offset of a slave, of the move of another axis."""
-    controller = environment.controller
-
-    def read(axis: int, level: object = None) -> float:
-        scale = scale_of(environment, axis)
-        slave = controller.master_of(axis) is not None
-        return scale.to_user(controller.offset_remaining(axis) if slave else controller.remaining(axis))
-
-    changes = environment.part(Changes)
-    return changes.heard(read, changes.passing("following.offset"))
+    return environment.controller.reader("offset_remaining", axis, row.unit, environment)
 
 
 OPERATIONS = {

@@ -6,11 +6,12 @@ from math import floor
 
 from motionlang.controller.faults import Refusal
 from motionlang.controller.moves import buffer
+from motionlang.controller.readers import passing_within
 from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.defaults import IDLE
 from motionlang.mint.runtime.binding import of, of_word, scale_of, unchecked
-from motionlang.mint.runtime.changes import Changes, always, moving, passing_within, repeatable
+from motionlang.mint.runtime.changes import always, end_of_motion, heard, moving, repeatable
 from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
@@ -137,7 +138,7 @@ class Encoders:
 
     def __init__(self, environment: Environment) -> None:
         self._environment, self._controller = environment, environment.controller
-        self.changes = environment.part(Changes)
+        self._end_of_motion = end_of_motion(environment)
         self._settings: dict[tuple[str, int], float] = {}
         # What the motors do on top of what POS shows, where the program compensates.
         self.compensation: Compensation | None = None
@@ -161,9 +162,9 @@ class Encoders:
         """When what an encoder of the machine file shows passes a level; one of an axis may at any time."""
         track = self.track(channel)
         if level == INFINITY:
-            return self.changes.at_once()
+            return self._controller.clock.now
         if level is None or track not in self._controller.encoders:
-            return self.changes.moving()
+            return self._end_of_motion()
         zero, per_unit = self.setting("zero", channel), self.per_unit(channel)
         crossing_time = self._controller.encoder_crossing_time
         return passing_within(
@@ -219,9 +220,8 @@ def compared(kind: type[Encoders]) -> Maker:
 
     def made(environment: Environment, row: Row) -> Operation:
         encoders = environment.part(kind)
-        return encoders.changes.heard(
-            lambda channel, level=None: encoders.read(encoders.checked(channel)), encoders.until
-        )
+        read = lambda channel, level=None: encoders.read(encoders.checked(channel))  # noqa: E731
+        return heard(environment, read, encoders.until)
 
     return made
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.mint.runtime.binding import by_axis, of_word, scale_of
-from motionlang.mint.runtime.changes import Changes
 from motionlang.mint.runtime.environment import Environment
 
 TYPE_CHECKING = False
@@ -23,9 +22,7 @@ def place(name: str) -> Maker:
     """What reads POS or POSDEMAND, within the turn where the axis has one."""
 
     def read(environment: Environment, row: Row, axis: int) -> Operation:
-        changes = environment.part(Changes)
-        hearing = changes.hearing(axis, changes.passing(name), environment.wraps)
-        return environment.controller.reader(name, axis, "place", hearing)
+        return environment.controller.reader(name, axis, "place", environment)
 
     return by_axis(read)
 

@@ -17,7 +17,7 @@ from motionlang.controller.controller import SETTINGS
 from motionlang.controller.faults import Refusal
 from motionlang.lang.task import INFINITY
 from motionlang.mint.keywords.operations_index import VERBS
-from motionlang.mint.runtime.changes import Changes, repeatable
+from motionlang.mint.runtime.changes import repeatable
 
 try:  # what functools adds to it is not needed, and every run would wait for it
     from _functools import partial  # type: ignore[import-not-found]
@@ -314,6 +314,4 @@ def _reading(environment: Environment, row: Row, axis: int) -> Operation:
     if row.unit in _WHOLE:
         verb = environment.controller.reader(row.verb, axis)
         return lambda: int(verb())
-    changes = environment.part(Changes)
-    hearing = changes.hearing(axis, changes.passing(row.verb))
-    return environment.controller.reader(row.verb, axis, row.unit, hearing)
+    return environment.controller.reader(row.verb, axis, row.unit, environment)
