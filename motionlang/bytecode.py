@@ -6,19 +6,20 @@ always.
 
 A module is taken from the file only where its source is what it was: size, time of the text and time of the last
 change, of which Python itself asks the first two. Whatever else there is (a new module, another Python, a damaged file)
-is left to Python, and put into the file when the command ends, unless no bytecode is to be written.
+is left to Python, and put into the file when the command ends, unless no bytecode is to be written. So is what else a
+start needs and this Python always makes alike (`kept`, `remember`).
 """
 
 from __future__ import annotations
 
 import _frozen_importlib as bootstrap
 import _frozen_importlib_external as external
-import _imp
 import os
 import sys
 from marshal import dumps, loads
 
 from motionlang import user_cache
+from motionlang.kept_file import KeptFile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,81 +29,72 @@ if TYPE_CHECKING:
 
     # Size, time of the text and time of the last change.
     State = tuple[int, int, int]
-    # Source, where the bytecode would be, state of the source, where the code begins and ends, and its digest.
-    Entry = tuple[str, str | None, State, int, int, bytes]
-    # The same with the code itself.
-    Compiled = tuple[str, str | None, State, bytes]
+    # Source, where the bytecode would be, and the state of the source: what stands beside a module's code.
+    Note = tuple[str, str | None, State]
 
 PACKAGE = "motionlang."
-# What digests are made with: another number where the layout of the file changes.
-LAYOUT = 1
-# How long the numbers are at the beginning of the file: the length of the index, and its digest.
-NUMBER = 8
-
-
-def install() -> Finder | None:
-    """Find the package's modules in the file from now on; None where it is not to be used.
-
-    That is where there is no cache, and where somebody looks on who may want to see each module as it is read.
-    """
-    if sys.implementation.name != "cpython" or not hasattr(os, "pread"):
-        return None
-    if type(user_cache.__loader__) is not external.SourceFileLoader or sys.gettrace() or sys.getprofile():
-        return None
-    if not user_cache.wanted() or "--no-cache" in sys.argv:
-        return None
-    finder = Finder(os.path.dirname(__file__))
-    sys.meta_path.insert(0, finder)
-    return finder
 
 
 class Finder:
     """Finds modules of the package in the file, and knows which it did not find there."""
 
-    __slots__ = ("_begin", "_entries", "_file", "_name", "missed")
+    __slots__ = ("_file", "_made", "missed")
+
+    # The one that `install` made; None in every process that is no command.
+    of_the_command: Finder | None = None
 
     def __init__(self, folder: str) -> None:
-        whose = (folder, sys.version, external.MAGIC_NUMBER, sys.flags.optimize, sys.pycache_prefix)
-        self._name = f"bytecode-{_digest(repr(whose).encode('utf-8', 'backslashreplace')).hex()}"
-        self._file, self._begin, self._entries = _opened(self._name)
+        self._file = KeptFile(
+            "bytecode", (folder, external.MAGIC_NUMBER, sys.flags.optimize, sys.pycache_prefix)
+        )
         self.missed: list[str] = []
+        self._made: dict[str, bytes] = {}
 
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
         """As every finder of `sys.meta_path` has it; None leaves the module to the next one."""
-        entry = self._entries.get(name)
-        if entry is None or _state(entry[0]) != entry[2]:
+        note: Note | None = self._file.note(name)
+        if note is None or not _holds(note):
             if name.startswith(PACKAGE):
                 self.missed.append(name)
             return None
-        source = entry[0]
+        source = note[0]
         spec: ModuleSpec = bootstrap.ModuleSpec(name, Loader(name, source, self), origin=source)
         spec.has_location = True
-        spec.cached = entry[1]
+        spec.cached = note[1]
         if source.endswith("__init__.py"):
             spec.submodule_search_locations = [os.path.dirname(source)]
         return spec
 
     def code(self, name: str) -> CodeType | None:
         """The code of a module that was found; None where the file is damaged."""
-        _, _, _, begin, end, digest = self._entries[name]
-        assert self._file is not None
-        data = os.pread(self._file, end - begin, self._begin + begin)
-        if _digest(data) != digest:
+        part = self._file.part(name)
+        if part is None:
             self.missed.append(name)
             return None
-        code: CodeType = loads(data)
+        code: CodeType = loads(part)
         return code
+
+    def kept(self, name: str) -> bytes | None:
+        """What `remember` was told under a name that is none of a module, here or in an earlier command."""
+        return self._file.part(name)
+
+    def remember(self, name: str, part: bytes) -> None:
+        """Keep what depends on nothing but this Python and its own name."""
+        self._made[name] = part
 
     def keep(self) -> None:
         """Put what was missed into the file, beside what stands there and still holds."""
-        if not self.missed or sys.dont_write_bytecode or not user_cache.writable():
+        if not (self.missed or self._made) or sys.dont_write_bytecode or not user_cache.writable():
             return
-        new = {name: each for name in self.missed if (each := _compiled(sys.modules.get(name))) is not None}
+        new: dict[str, tuple[Note | None, bytes]] = {name: (None, part) for name, part in self._made.items()}
+        for name in self.missed:
+            compiled = _compiled(sys.modules.get(name))
+            if compiled is not None:
+                new[name] = compiled
         if new:
-            everything = _still_valid(self._name) | new
-            user_cache.write(self._name, _parts(everything))
+            self._file.add(new, _holds)
 
 
 class Loader(external.SourceFileLoader):
@@ -117,48 +109,23 @@ class Loader(external.SourceFileLoader):
         return self._finder.code(fullname) or super().get_code(fullname)
 
 
-def _opened(name: str) -> tuple[int | None, int, dict[str, Entry]]:
-    """The file's descriptor, where codes begin in it, and its index; nothing of a file that cannot be trusted."""
-    file = user_cache.opened(name)
-    if file is None:
-        return None, 0, {}
-    length = int.from_bytes(os.read(file, NUMBER), "little")
-    if NUMBER < length < os.fstat(file).st_size:
-        data = os.read(file, length)
-        if _digest(data[NUMBER:]) == data[:NUMBER]:
-            return file, NUMBER + length, loads(data[NUMBER:])
-    os.close(file)
-    return None, 0, {}
+def install() -> Finder | None:
+    """Find the package's modules in the file from now on; None where it is not to be used.
+
+    That is where there is no cache, and where somebody looks on who may want to see each module as it is read.
+    """
+    if sys.implementation.name != "cpython" or not hasattr(os, "pread"):
+        return None
+    if type(user_cache.__loader__) is not external.SourceFileLoader or sys.gettrace() or sys.getprofile():
+        return None
+    if not user_cache.wanted() or "--no-cache" in sys.argv:
+        return None
+    finder = Finder.of_the_command = Finder(os.path.dirname(__file__))
+    sys.meta_path.insert(0, finder)
+    return finder
 
 
-def _still_valid(name: str) -> dict[str, Compiled]:
-    """What stands in the file now, as another process may have written it, without sources that are another by now."""
-    file, begin, entries = _opened(name)
-    if file is None:
-        return {}
-    with open(file, "rb") as whole:
-        whole.seek(begin)
-        data = whole.read()
-    return {
-        name: (source, cached, state, code)
-        for name, (source, cached, state, begin, end, digest) in entries.items()
-        if _state(source) == state and _digest(code := data[begin:end]) == digest
-    }
-
-
-def _parts(everything: dict[str, Compiled]) -> list[bytes]:
-    """The file, piece by piece."""
-    index: dict[str, Entry] = {}
-    begin = 0
-    for name, (source, cached, state, code) in everything.items():
-        index[name] = source, cached, state, begin, begin + len(code), _digest(code)
-        begin += len(code)
-    head = dumps(index)
-    length = (NUMBER + len(head)).to_bytes(NUMBER, "little")
-    return [length, _digest(head), head, *(code for _, _, _, code in everything.values())]
-
-
-def _compiled(module: ModuleType | None) -> Compiled | None:
+def _compiled(module: ModuleType | None) -> tuple[Note, bytes] | None:
     """A module's source and code; None for one that Python did not load from a source."""
     spec = getattr(module, "__spec__", None)
     if spec is None or spec.origin is None or not isinstance(spec.loader, external.SourceFileLoader):
@@ -170,7 +137,12 @@ def _compiled(module: ModuleType | None) -> Compiled | None:
         return None
     if before is None or _state(spec.origin) != before:
         return None
-    return spec.origin, spec.cached, before, dumps(code)
+    return (spec.origin, spec.cached, before), dumps(code)
+
+
+def _holds(note: Note | None) -> bool:
+    """Whether the source beside which a code was noted is what it was; a part without a source always holds."""
+    return note is None or _state(note[0]) == note[2]
 
 
 def _state(source: str) -> State | None:
@@ -179,8 +151,3 @@ def _state(source: str) -> State | None:
     except OSError:
         return None
     return status.st_size, status.st_mtime_ns, status.st_ctime_ns
-
-
-def _digest(data: bytes) -> bytes:
-    """Python's own digest of sources: it is there already, and takes a twentieth of the time of SHA-256."""
-    return _imp.source_hash(LAYOUT, data)

@@ -14,10 +14,12 @@ still decides everything: which states there are, what they shift and what they 
 from __future__ import annotations
 
 import gc
-import re
+
+from motionlang.lang.parsing.patterns import compiled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import re
     from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
@@ -27,6 +29,12 @@ if TYPE_CHECKING:
 
 END = "$END"  # Lark's name for the end of the text
 BAD = "BAD"  # the kind of a token that no grammar knows
+CONTINUING = (
+    "_ ",
+    "_\t",
+    "_\n",
+    "_'",
+)  # what the end of a line that goes on may begin with, besides a backslash
 new = object.__new__  # for the reducers, which fill in what they make
 
 
@@ -129,7 +137,7 @@ class Kinds(dict[str, str]):
 
     def __init__(self, literals: dict[str, str], classes: dict[str, str]) -> None:
         self._literals = literals
-        self._classes = [(name, re.compile(pattern, re.ASCII)) for name, pattern in classes.items()]
+        self._classes = [(name, compiled(pattern)) for name, pattern in classes.items()]
         self.limit = 50_000
 
     def __missing__(self, text: str) -> str:
@@ -174,15 +182,23 @@ class Tables(Automaton):
     ) -> None:
         super().__init__({*literals.values(), *classes}, rules, rows, finish)
         self.token, self.continued = token, continued
+        self._token: re.Pattern[str] | None = None
+        self._continued: re.Pattern[str] | None = None
         self.kind_of = Kinds(literals, classes)
 
     def continues(self, text: str) -> bool:
         """May the text have lines that go on in the next one? The pattern that knows of them is slower."""
-        return "\\" in text or text.endswith("_") or re.search("_[ \t\n']", text) is not None
+        return "\\" in text or text.endswith("_") or any(sign in text for sign in CONTINUING)
 
     def pattern(self, text: str) -> re.Pattern[str]:
         """What cuts up a text."""
-        return re.compile(self.continued if self.continues(text) else self.token, re.ASCII)
+        if self.continues(text):
+            if self._continued is None:
+                self._continued = compiled(self.continued)
+            return self._continued
+        if self._token is None:
+            self._token = compiled(self.token)
+        return self._token
 
     def end(self, text: str) -> str:
         """What ends the last line of a text, even if that would go on in a next one."""
