@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from importlib.machinery import ModuleSpec
     from types import CodeType, ModuleType
 
-    # Size, time of the text and time of the last change.
-    State = tuple[int, int, int]
+    from motionlang.user_cache import State
+
     # Source, where the bytecode would be, and the state of the source: what stands beside a module's code.
     Note = tuple[str, str | None, State]
 
@@ -130,24 +130,16 @@ def _compiled(module: ModuleType | None) -> tuple[Note, bytes] | None:
     spec = getattr(module, "__spec__", None)
     if spec is None or spec.origin is None or not isinstance(spec.loader, external.SourceFileLoader):
         return None
-    before = _state(spec.origin)
+    before = user_cache.state(spec.origin)
     try:
         code = external.SourceFileLoader.get_code(spec.loader, spec.name)
     except (OSError, SyntaxError):  # the source is another one by now
         return None
-    if before is None or _state(spec.origin) != before:
+    if before is None or user_cache.state(spec.origin) != before:
         return None
     return (spec.origin, spec.cached, before), dumps(code)
 
 
 def _holds(note: Note | None) -> bool:
     """Whether the source beside which a code was noted is what it was; a part without a source always holds."""
-    return note is None or _state(note[0]) == note[2]
-
-
-def _state(source: str) -> State | None:
-    try:
-        status = os.stat(source)
-    except OSError:
-        return None
-    return status.st_size, status.st_mtime_ns, status.st_ctime_ns
+    return note is None or user_cache.state(note[0]) == note[2]

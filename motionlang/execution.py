@@ -18,6 +18,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
+    from motionlang.lang.cache import Entry
     from motionlang.lang.dialect import Dialect
     from motionlang.lang.program import Program
     from motionlang.lang.scheduler import Outside
@@ -91,9 +92,9 @@ def run(
         language,
         Machine(settings, first_axis=language.first_axis, show=show, overrides=overrides),
     )
-    name = _cache_name(source, language, settings) if cache and compiled is None else ""
+    entry = _entry(source, language, settings) if cache and compiled is None else None
     if compiled is None:
-        compiled = _compile(source, language, settings, result, name)
+        compiled = _compile(source, language, settings, result, entry)
     result.program = compiled
     if log_size is not None:
         result.machine.log.store.disk = int(log_size * 1e9)
@@ -132,7 +133,7 @@ def run(
 
             save_kept(result)
         if compiled.size > size:
-            _keep(compiled, name)
+            _keep(compiled, entry)
     if result.machine.nv is not None:
         result.machine.nv.close()
     result.machine.close_terminals()
@@ -182,31 +183,25 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
     return found
 
 
-def _cache_name(source: Source, language: Dialect, settings: dict[str, object]) -> str:
-    """The name under which the cache has a compiled program; "" where none is kept or its compiler cannot be told."""
-    if not language.cached:
-        return ""
-    if not user_cache.wanted():
-        return ""
-    from motionlang.lang import cache
-
+def _entry(source: Source, language: Dialect, settings: dict[str, object]) -> Entry | None:
+    """The place of a compiled program in the cache; None where none is kept."""
+    if not language.cached or not user_cache.wanted():
+        return None
     package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
-    compiler = cache.fingerprint(package)
-    if not compiler:
-        return ""
-    return cache.key(language.name, compiler, repr(sorted(settings.items())), source.name, source.text)
+    if not package:
+        return None
+    from motionlang.lang.cache import Entry
+
+    return Entry(package, language.name, repr(sorted(settings.items())), source.name, source.text)
 
 
 def _compile(
-    source: Source, language: Dialect, settings: dict[str, object], result: Run, name: str
+    source: Source, language: Dialect, settings: dict[str, object], result: Run, entry: Entry | None
 ) -> Program | None:
-    """The compiled program, from the cache where it has one of that name."""
-    if name:
-        from motionlang.lang import cache
-
-        payload = cache.get(name)
-        if payload is not None:
-            return language.load(payload)
+    """The compiled program, from the cache where that has it."""
+    payload = entry.get() if entry is not None else None
+    if payload is not None:
+        return language.load(payload)
     try:
         compiled = language.compile(source, settings)
     except (KeyboardInterrupt, Terminated) as error:
@@ -228,17 +223,15 @@ def _compile(
         if [each.code for each in found] == ["language"]:
             result.diagnostics, result.status = found, "fault"
             return None
-    _keep(compiled, name)
+    _keep(compiled, entry)
     return compiled
 
 
-def _keep(compiled: Program, name: str) -> None:
-    """Put a program into the cache under a name; again when more of it has been compiled."""
-    payload = compiled.payload() if name else None
-    if payload is not None:
-        from motionlang.lang import cache
-
-        cache.put(name, payload)
+def _keep(compiled: Program, entry: Entry | None) -> None:
+    """Put a program into the cache; again when more of it has been compiled."""
+    payload = compiled.payload() if entry is not None else None
+    if entry is not None and payload is not None:
+        entry.put(payload)
 
 
 def _execute(

@@ -13,6 +13,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    # Size, time of the text and time of the last change.
+    State = tuple[int, int, int]
+
 ENTRIES = 512
 OFF = "MOTIONLANG_NO_CACHE"
 
@@ -79,6 +82,18 @@ def write(name: str, parts: Iterable[bytes]) -> None:
         _prune(place)
     except OSError:
         pass
+
+
+def state(place: str) -> State | None:
+    """By what a file can be told from what it was; None where there is none.
+
+    Nobody can set the time of the last change: an installer may give all files the same time, of all versions.
+    """
+    try:
+        status = os.stat(place)
+    except OSError:
+        return None
+    return status.st_size, status.st_mtime_ns, status.st_ctime_ns
 
 
 def _private(status: os.stat_result) -> bool:

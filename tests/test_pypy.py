@@ -11,9 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from motionlang import user_cache
 from motionlang.cli import main
 from motionlang.execution import run
-from motionlang.lang import cache
+from motionlang.lang.cache import Entry
 from motionlang.report import text
 from motionlang.source import Source
 
@@ -61,12 +62,16 @@ def test_what_is_left_when_a_command_ends_is_not_looked_through(
             gc.unfreeze()
 
 
-def test_the_cache_of_one_python_is_not_that_of_another(monkeypatch: pytest.MonkeyPatch) -> None:
-    here = cache.key("program")
+def test_the_cache_of_one_python_is_not_that_of_another(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
+    monkeypatch.delenv(user_cache.OFF, raising=False)
+    Entry(str(ROOT / "motionlang" / "mint"), "program").put(b"code")
     monkeypatch.setattr(
         sys, "version", f"{sys.version.partition(' ')[0]} (0000) [PyPy 7.3.19 with GCC 10.2.1]"
     )
-    assert cache.key("program") != here
+    assert Entry(str(ROOT / "motionlang" / "mint"), "program").get() is None
 
 
 def test_nothing_asks_for_what_only_cpython_tells() -> None:

@@ -1,90 +1,97 @@
 """Compiled programs, kept between runs as Python keeps its .pyc files.
 
-An entry is a file of the user's cache folder, named after the digest of everything that went into it (text, dialect,
-settings, the compiler, the version of Python). It is used only if its own digest fits: a damaged or foreign entry is
-ignored, never executed.
+An entry is a file of the user's cache folder, named after what is compiled: text, dialect, settings, the version of
+Python. It holds all of that, and the state of every file of the compiler that was loaded when it was made: one that
+belongs to something else, or to files that are others by now, is ignored, and so is a damaged one.
 """
 
 from __future__ import annotations
 
 import os
 import sys
+from marshal import dumps, loads
 
 from motionlang import user_cache
+from motionlang.kept_file import digest
 
-try:  # hashlib's front costs more to import than a whole cached run
-    from _sha2 import sha256  # type: ignore[import-not-found,unused-ignore]
-except ImportError:
-    try:
-        from _sha256 import sha256  # type: ignore[import-not-found,unused-ignore]
-    except ImportError:
-        from hashlib import sha256
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.user_cache import State
 
 # What compiling takes besides a language's own package; a test holds it to what a compilation imports.
-SHARED = ("lang", "errors.py", "source.py", "controller/faults.py")
-# What of that package no compilation takes: the operations of keywords, and what looks programs over.
-RUN, ASIDE = "_operations.py", ("__pycache__", "lint")
+SHARED = ("lang" + os.sep, "errors.py", "source.py", os.path.join("controller", "faults.py"))
+# What of that package no compilation takes: the operations of keywords, what looks programs over, what rows rest on.
+RUN, ASIDE = "_operations.py", ("lint", "evidence")
+# How long the digest at the beginning of an entry is.
+DIGEST = 8
 
 
-def key(*parts: str) -> str:
-    """The name of an entry: the digest of everything that its content depends on."""
-    digest = sha256(sys.version.encode())
-    for part in parts:
-        digest.update(b"\0")
-        digest.update(part.encode("utf-8", "surrogatepass"))
-    return str(digest.hexdigest())
+class Entry:
+    """The place in the cache of one program, compiled by the language whose folder is `package`."""
+
+    __slots__ = ("_compiler", "_name", "_package", "_whose")
+
+    def __init__(self, package: str, *parts: str) -> None:
+        self._package = package
+        self._whose = (sys.version, package, *parts)
+        text = "\0".join(self._whose)
+        self._name = f"program-{digest(text.encode('utf-8', 'surrogatepass')).hex()}"
+        self._compiler: list[tuple[str, State]] | None = None
+
+    def get(self) -> bytes | None:
+        """The program; None where there is none that this compiler would make."""
+        file = user_cache.opened(self._name)
+        if file is None:
+            return None
+        try:
+            with open(file, "rb") as entry:
+                data = entry.read()
+        except OSError:
+            return None
+        if digest(data[DIGEST:]) != data[:DIGEST]:
+            return None
+        whose, compiler, payload = loads(data[DIGEST:])
+        if whose != self._whose or any(user_cache.state(place) != state for place, state in compiler):
+            return None
+        self._compiler = compiler
+        found: bytes = payload
+        return found
+
+    def put(self, payload: bytes) -> None:
+        """Keep a program that has just been compiled, or more of one that was kept; no reader sees half of it.
+
+        Nothing is kept where there are no files to look at, as in a zip archive.
+        """
+        if self._compiler is None:
+            try:
+                self._compiler = _compiler(self._package)
+            except OSError:
+                return
+        data = dumps((self._whose, self._compiler, payload))
+        user_cache.write(self._name, (digest(data), data))
 
 
-def fingerprint(package: str) -> str:
-    """The state of a compiler's source files and data, so that a changed one never meets what an older one made.
-
-    `package` is the folder of the language. Empty where there are no such files to look at, as in a zip archive.
-    """
-    root = os.path.dirname(package)
-    found: list[str] = []
-    try:
-        _note_all(package, found)
-        for name in SHARED:
-            place = os.path.join(root, name)
-            if name.endswith(".py"):
-                _note(place, os.stat(place), found)
-            else:
-                _note_all(place, found)
-    except OSError:
-        return ""
-    return ",".join(sorted(found))
-
-
-def _note_all(place: str, found: list[str]) -> None:
-    with os.scandir(place) as entries:
-        for entry in entries:
-            name = entry.name
-            if name.endswith((".py", ".txt")):
-                if not name.endswith(RUN):
-                    _note(entry.path, entry.stat(), found)
-            elif name not in ASIDE and entry.is_dir():
-                _note_all(entry.path, found)
+def _compiler(package: str) -> list[tuple[str, State]]:
+    """The files of a compiler, as far as it is loaded, and their state; OSError where one is not there."""
+    root = os.path.dirname(package) + os.sep
+    whole = (package + os.sep, *(root + name for name in SHARED))
+    places = [
+        place
+        for module in [*sys.modules.values()]
+        if (place := getattr(module, "__file__", None)) is not None and place.startswith(whole)
+        if not place.endswith(RUN) and not any(f"{os.sep}{name}{os.sep}" in place for name in ASIDE)
+    ]
+    for folder, _, files in os.walk(package, onerror=_refuse):
+        if os.path.basename(folder) not in ASIDE:
+            places += [os.path.join(folder, name) for name in files if name.endswith(".txt")]
+    found = []
+    for place in places:
+        state = user_cache.state(place)
+        if state is None:
+            raise FileNotFoundError(place)
+        found.append((place, state))
+    return found
 
 
-def _note(place: str, status: os.stat_result, found: list[str]) -> None:
-    """Note one file: the time of its last change, unlike that of its text, cannot be set by whoever installs it."""
-    found.append(f"{place} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns}")
-
-
-def get(name: str) -> bytes | None:
-    """The payload of an entry, None where there is none that can be trusted."""
-    file = user_cache.opened(name)
-    if file is None:
-        return None
-    try:
-        with open(file, "rb") as entry:
-            data: bytes = entry.read()
-    except OSError:
-        return None
-    digest, payload = data[:32], data[32:]
-    return payload if sha256(name.encode() + payload).digest() == digest else None
-
-
-def put(name: str, payload: bytes) -> None:
-    """Keep a payload; no reader sees half of it."""
-    user_cache.write(name, (sha256(name.encode() + payload).digest(), payload))
+def _refuse(error: OSError) -> None:
+    raise error

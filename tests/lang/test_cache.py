@@ -6,12 +6,14 @@ import os
 import shutil
 import subprocess
 import sys
+from marshal import loads
 from pathlib import Path
 
 import pytest
 
 from motionlang import execution, user_cache
 from motionlang.lang import cache
+from motionlang.lang.cache import Entry
 from motionlang.source import Source
 
 PACKAGE = Path(execution.__file__).parent
@@ -26,134 +28,169 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return place
 
 
+def entry(*parts: str) -> Entry:
+    """The place of a program in the cache, as every process has its own."""
+    return Entry(str(PACKAGE / "mint"), *(parts or ("a",)))
+
+
+def the_file(folder: Path) -> Path:
+    (found,) = folder.iterdir()
+    return found
+
+
 def test_what_was_put_comes_back() -> None:
-    cache.put(cache.key("a"), b"program")
-    assert cache.get(cache.key("a")) == b"program"
-    assert cache.get(cache.key("b")) is None
+    entry("a").put(b"program")
+    assert entry("a").get() == b"program"
+    assert entry("b").get() is None
 
 
-def test_every_part_of_the_key_counts() -> None:
-    assert len({cache.key("a", "b"), cache.key("ab", ""), cache.key("a"), cache.key("b", "a")}) == 4
+def test_every_part_counts() -> None:
+    entry("a", "b").put(b"program")
+    assert [entry(*parts).get() for parts in (("ab", ""), ("a",), ("b", "a"))] == [None] * 3
+    assert entry("a", "b").get() == b"program"
+    assert Entry(str(PACKAGE / "mccl"), "a", "b").get() is None
 
 
 def test_a_damaged_entry_is_ignored(folder: Path) -> None:
-    name = cache.key("a")
-    cache.put(name, b"program")
-    data = (folder / name).read_bytes()
-    for damaged in (data[:-1], data + b"x", data[:33], b"", b"\0" * len(data)):
-        (folder / name).write_bytes(damaged)
-        assert cache.get(name) is None
+    entry().put(b"program")
+    file = the_file(folder)
+    data = file.read_bytes()
+    turned = [data[:k] + bytes((data[k] ^ 0x55,)) + data[k + 1 :] for k in range(0, len(data), 7)]
+    for damaged in (data[:-1], data + b"x", data[:33], b"", b"\0" * len(data), *turned):
+        file.write_bytes(damaged)
+        assert entry().get() is None
 
 
 def test_an_entry_under_another_name_is_ignored(folder: Path) -> None:
-    cache.put(cache.key("a"), b"program")
-    os.rename(folder / cache.key("a"), folder / cache.key("b"))
-    assert cache.get(cache.key("b")) is None
+    entry("b").put(b"program")
+    name = the_file(folder).name
+    the_file(folder).unlink()
+    entry("a").put(b"program")
+    the_file(folder).rename(folder / name)
+    assert entry("b").get() is None
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX permissions")
 def test_what_others_may_write_is_ignored(folder: Path) -> None:
-    name = cache.key("a")
-    cache.put(name, b"program")
-    assert (folder / name).stat().st_mode & 0o077 == 0
+    entry().put(b"program")
+    assert the_file(folder).stat().st_mode & 0o077 == 0
     assert folder.stat().st_mode & 0o077 == 0
-    (folder / name).chmod(0o666)
-    assert cache.get(name) is None
-    (folder / name).chmod(0o600)
+    the_file(folder).chmod(0o666)
+    assert entry().get() is None
+    the_file(folder).chmod(0o600)
     folder.chmod(0o777)
-    assert cache.get(name) is None
+    assert entry().get() is None
 
 
 def test_a_folder_that_cannot_be_made_is_no_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").write_text("in the way")
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / "file"))
-    cache.put(cache.key("a"), b"program")
-    assert cache.get(cache.key("a")) is None
+    entry().put(b"program")
+    assert entry().get() is None
     assert execution.run(HELLO).output == ["hello"]
 
 
 def test_the_environment_turns_it_off(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(user_cache.OFF, "1")
-    cache.put(cache.key("a"), b"program")
+    entry().put(b"program")
     assert not folder.exists()
 
 
 def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(user_cache, "ENTRIES", 4)
     for k in range(5):
-        cache.put(cache.key(str(k)), b"program")
+        entry(str(k)).put(b"program")
     assert len(list(folder.iterdir())) == 2
 
 
-def compiler_modules() -> list[str]:
-    """The files, from the package's root, of every module that compiling the gallery imports."""
-    script = (
-        "import sys\n"
-        "from pathlib import Path\n"
-        "from motionlang.mint import DIALECT\n"
-        "from motionlang.source import Source\n"
-        "for path in sorted(Path(sys.argv[1]).rglob('*.mnt')):\n"
-        "    DIALECT.compile(Source.read(path), {})\n"
-        "print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')), sep='\\n')\n"
-    )
-    command = [sys.executable, "-c", script, str(PACKAGE.parent / "scripts" / "mint")]
-    ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=PACKAGE.parent)
-    found = [Path(line).relative_to(PACKAGE) for line in ran.stdout.splitlines()]
-    # The first line of a package that holds nothing else decides nothing.
-    return sorted(str(path) for path in found if len((PACKAGE / path).read_text().splitlines()) > 4)
+COMPILES = """
+import sys
+from pathlib import Path
+from motionlang.lang.cache import Entry
+from motionlang.mint import DIALECT
+from motionlang.source import Source
+for path in sorted(Path(sys.argv[1]).rglob('*.mnt')):
+    DIALECT.compile(Source.read(path), {})
+import motionlang
+Entry(str(Path(motionlang.__file__).parent / "mint"), "a").put(b"program")
+print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')), sep='\\n')
+"""
 
 
-def installed(place: Path) -> str:
-    """A copy of the package, as an installation makes one; the folder of Mint in it."""
+def installed(place: Path) -> Path:
+    """A copy of the package, as an installation makes one."""
     shutil.copytree(PACKAGE, place / "motionlang", ignore=shutil.ignore_patterns("__pycache__"))
-    return str(place / "motionlang" / "mint")
+    return place / "motionlang"
 
 
-def test_a_change_in_any_module_of_the_compiler_is_another_key(tmp_path: Path) -> None:
-    mint = installed(tmp_path)
-    modules = compiler_modules()
+def compiled(root: Path) -> list[str]:
+    """Compile the gallery with a copy of the package and keep something; the files that were imported."""
+    command = [sys.executable, "-c", COMPILES, str(PACKAGE.parent / "scripts" / "mint")]
+    ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=root.parent)
+    found = [Path(line).relative_to(root) for line in ran.stdout.splitlines()]
+    # The first line of a package that holds nothing else decides nothing.
+    return sorted(path.as_posix() for path in found if len((root / path).read_text().splitlines()) > 4)
+
+
+def holds(root: Path) -> bool:
+    return Entry(str(root / "mint"), "a").get() == b"program"
+
+
+def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, folder: Path) -> None:
+    root = installed(tmp_path)
+    modules = set(compiled(root))
     assert {
         "mint/compile/compiler.py",
         "mint/keywords/axis.py",
         "lang/parsing/parser.py",
         "errors.py",
-    } <= set(modules)
-    seen = {cache.fingerprint(mint)}
-    for name in modules:
-        with open(tmp_path / "motionlang" / name, "a", encoding="utf-8") as file:
-            file.write("# changed\n")
-        seen.add(cache.fingerprint(mint))
-    # What __init__.py of the package says of versions is not compiled in, and what is kept is what is compiled anew.
-    apart = {"__init__.py", "bytecode.py", "kept_file.py", "user_cache.py"}
-    assert len(seen) == len([name for name in modules if name not in apart]) + 1
+    } <= modules
+    _, compiler, _ = loads(the_file(folder).read_bytes()[cache.DIGEST :])
+    beside = {Path(place).relative_to(root).as_posix() for place, _ in compiler}
+    # What __init__.py of the package says of versions is not compiled in, and what keeps files keeps any.
+    assert modules - beside == {"__init__.py", "bytecode.py", "files.py", "kept_file.py", "user_cache.py"}
+
+
+def test_a_change_in_a_module_of_the_compiler_makes_an_entry_void(tmp_path: Path) -> None:
+    root = installed(tmp_path)
+    compiled(root)
+    with open(root / "mint" / "lint" / "names.py", "a", encoding="utf-8") as file:
+        file.write("# no compilation takes this\n")
+    assert holds(root)
+    with open(root / "mint" / "compile" / "loops.py", "a", encoding="utf-8") as file:
+        file.write("# changed\n")
+    assert not holds(root)
+
+
+def test_a_module_of_the_compiler_that_is_gone_makes_an_entry_void(tmp_path: Path) -> None:
+    root = installed(tmp_path)
+    compiled(root)
+    (root / "mint" / "compile" / "loops.py").unlink()
+    assert not holds(root)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows keeps no time of the last change of a file")
-def test_a_module_of_the_same_size_and_time_is_another_key(tmp_path: Path) -> None:
-    mint = installed(tmp_path)
-    module = tmp_path / "motionlang" / "mint" / "compile" / "compiler.py"
-    before, status, text = cache.fingerprint(mint), module.stat(), module.read_text()
+def test_a_module_of_the_same_size_and_time_makes_an_entry_void(tmp_path: Path) -> None:
+    root = installed(tmp_path)
+    compiled(root)
+    module = root / "mint" / "compile" / "compiler.py"
+    assert holds(root)
+    status, text = module.stat(), module.read_text()
     while module.stat().st_ctime_ns == status.st_ctime_ns:  # the clock of a file system ticks slowly
         module.write_text(text.replace("e", "a", 1))
         os.utime(module, ns=(status.st_atime_ns, status.st_mtime_ns))
     changed = module.stat()
     assert (changed.st_size, changed.st_mtime_ns) == (status.st_size, status.st_mtime_ns)
-    assert cache.fingerprint(mint) != before
+    assert not holds(root)
 
 
-def test_a_new_module_of_the_compiler_is_another_key(tmp_path: Path) -> None:
-    mint = installed(tmp_path)
-    before = cache.fingerprint(mint)
-    (tmp_path / "motionlang" / "mint" / "keywords" / "lasers.py").write_text("ROWS = ()\n")
-    assert cache.fingerprint(mint) != before
-
-
-def test_a_change_in_the_data_of_the_compiler_is_another_key(tmp_path: Path) -> None:
-    mint = installed(tmp_path)
-    before = cache.fingerprint(mint)
-    words = tmp_path / "motionlang" / "mint" / "keywords" / "type_library" / "values.txt"
+def test_a_change_in_the_data_of_the_compiler_makes_an_entry_void(tmp_path: Path) -> None:
+    root = installed(tmp_path)
+    compiled(root)
+    assert holds(root)
+    words = root / "mint" / "keywords" / "type_library" / "values.txt"
     words.write_text(words.read_text(encoding="utf-8").replace("|value|", "|kept|"), encoding="utf-8")
-    assert cache.fingerprint(mint) != before
+    assert not holds(root)
 
 
 def test_a_program_compiled_by_another_compiler_is_compiled_anew(tmp_path: Path) -> None:
@@ -185,17 +222,15 @@ def test_without_files_to_look_at_nothing_is_cached(tmp_path: Path, folder: Path
     )
     assert (ran.stdout, ran.stderr) == ("hello\n", "")
     assert not folder.exists()
-    assert cache.fingerprint(os.path.join(archive, "motionlang", "mint")) == ""
 
 
 def test_what_is_not_kept_is_not_looked_for(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    looked: list[str] = []
+    looked: list[Entry] = []
 
-    def look(package: str) -> str:
-        looked.append(package)
-        return "state"
+    def look(entry: Entry) -> None:
+        looked.append(entry)
 
-    monkeypatch.setattr(cache, "fingerprint", look)
+    monkeypatch.setattr(Entry, "get", look)
     execution.run(Source("hello.mcl", "0"))
     execution.run(HELLO, cache=False)
     monkeypatch.setenv(user_cache.OFF, "1")

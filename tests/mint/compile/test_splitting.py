@@ -6,6 +6,7 @@ reports are the same to the last digit of every time.
 
 from __future__ import annotations
 
+from marshal import loads
 from pathlib import Path
 from types import CodeType
 
@@ -13,6 +14,7 @@ import pytest
 
 from motionlang import run
 from motionlang.errors import ProgramError
+from motionlang.lang.cache import DIGEST
 from motionlang.lang.machine.file import read_machine
 from motionlang.mint import DIALECT
 from motionlang.mint.compile import assembly, loops, splitting
@@ -103,7 +105,8 @@ def test_the_cache_keeps_what_a_run_has_compiled(tmp_path: Path, monkeypatch: py
     text = f"{STATEMENTS}\nIf x < 0 Then Never()\nSub Never()\n{STATEMENTS}\nEnd Sub\n"
     first = run(Source("long.mnt", text))
     (entry,) = tmp_path.iterdir()
-    kept = load(entry.read_bytes()[32:])
+    _, _, payload = loads(entry.read_bytes()[DIGEST:])
+    kept = load(payload)
     assert 1 < kept.size < len(kept.code.units)
     assert run(Source("long.mnt", text)).report == first.report
 
