@@ -75,60 +75,58 @@ class Attention:
         return self.clock.now
 
 
-class Condition:
+class Condition(Wait):
     """A wait for a condition: at the solved moment, at events, or at every tick of what cannot be solved."""
 
     __slots__ = ("_attention", "_looked", "_notes", "_solved", "_test")
 
-    def __init__(self, attention: Attention, test: Callable[[], object]) -> None:
-        self._attention, self._test = attention, test
+    cause = "condition"
+    what = ()
+    ends = None
+
+    def __init__(self, attention: Attention, test: Callable[[], object], since: float, why: str) -> None:
+        self._attention, self._test, self.since, self.why = attention, test, since, why
         self._notes: list[Note] = []
         # When the notes were made, after how many events, and the moment for which they were last solved.
         self._looked, self._solved = (-1.0, -1), -1.0
 
-    def wait(self, since: float, why: str) -> Wait:
-        """The wait as the scheduler takes it."""
-        return Wait(since, self._ready, self._due, why)
-
-    def _look(self) -> bool:
-        """Ask the condition, and keep what it read."""
-        attention = self._attention
-        before, attention.notes = attention.notes, []
-        notes = attention.notes
-        try:
-            return bool(self._test())
-        finally:
-            self._notes, attention.notes = notes, before
-            if len(notes) > MOST:
-                self._notes = [(attention.at_once, ())]
-
-    def _ready(self) -> bool:
+    def ready(self) -> bool:
         """Whether the condition is true now, or from this very moment on."""
         clock = self._attention.clock
         now = clock.now
         self._looked = now, clock.fired
+        looks = _AFTER if now == self._solved else _AFTER[:1]
         try:
-            for after in _AFTER if now == self._solved else (0.0,):
-                clock.now = now + after * max(1.0, now)
-                if self._look():
-                    return True
+            return any(self._look(now + after * max(1.0, now)) for after in looks)
         finally:
             clock.now = now
-        return False
 
-    def _due(self) -> float:
+    def due(self) -> float:
         """The next moment at which the condition may change by itself."""
         clock = self._attention.clock
         now = clock.now
         if self._looked != (now, clock.fired):
-            self._ready()  # others have run since
+            self.ready()  # others have run since
         # Past what was just looked at.
         begin = now + 1e-7 * max(1.0, now) if now == self._solved else now
         moments = [self._attention.until(begin, [each]) for each in set(self._notes)]
-        moment = min((each if each > begin else _next_tick(now) for each in moments), default=INFINITY)
+        moment = min((each if each > begin else next_tick(now) for each in moments), default=INFINITY)
         self._solved = moment if moment > now else now + TICK
         return self._solved
 
+    def _look(self, moment: float) -> bool:
+        """Ask the condition as if it were a moment, and keep what it read."""
+        attention = self._attention
+        notes: list[Note] = []
+        before, attention.notes = attention.notes, notes
+        attention.clock.now = moment
+        try:
+            return bool(self._test())
+        finally:
+            self._notes = notes if attention.notes is notes else [(attention.at_once, ())]
+            attention.notes = before
 
-def _next_tick(now: float) -> float:
+
+def next_tick(now: float) -> float:
+    """The first tick of the profiler after a moment."""
     return (int(now / TICK + 1e-6) + 1) * TICK

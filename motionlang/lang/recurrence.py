@@ -44,7 +44,8 @@ class Recurrence:
     ) -> None:
         """After a turn: go on over as many whole periods as fit before anything can change, if they are known."""
         acts = {task.look[0] for task in tasks if task.look is not None}
-        if len(acts) > 1 or any(task.wait is None and task.look is None for task in tasks):
+        unknown = any(task.wait is None and task.look is None for task in tasks)
+        if len(acts) > 1 or unknown or self._statements.reached != self._clock.now:
             return  # one has done something, or runs and nobody knows what it does
         if self._key != (self._clock.fired, acts):
             self._key, self._met = (self._clock.fired, acts), {}
@@ -55,15 +56,20 @@ class Recurrence:
         for most in (longest, LONGER * shortest)[: 1 + (longest > LONGER * shortest)]:
             inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
-            if found := self._periods(inner, others, (turn, most), until):
-                self._go_on(inner, *found, pace)
+            if self._skips(inner, others, (turn, most), until, pace):
                 return
 
-    def _periods(
-        self, tasks: list[Task], others: list[Wait], signature: tuple[object, ...], until: float
-    ) -> tuple[Met, int] | None:
-        """When some `tasks` stood as they do now, and how often that period fits, while the `others` wait."""
-        now, statements = self._clock.now, self._statements
+    def _skips(
+        self,
+        tasks: list[Task],
+        others: list[Wait],
+        signature: tuple[object, ...],
+        until: float,
+        pace: Callable[[float], None] | None,
+    ) -> bool:
+        """Whether the clock went on over whole periods of some `tasks`, which stand as they once did; `others` wait."""
+        clock, statements = self._clock, self._statements
+        now = clock.now
         for task in tasks:
             left = 0.0 if task.wait is None else task.wait.due() - now
             signature += (task.look[1], round(task.into * _NANOSECONDS), round(left * _NANOSECONDS))  # type: ignore[index]
@@ -73,10 +79,10 @@ class Recurrence:
         before = self._met.get(signature)
         if before is None or before[3] <= now:  # what passes a level sees another world from then on
             self._met[signature] = now, statements.base, statements.count, level
-            return None
+            return False
         if any(wait.ready() for wait in others):
-            return None
-        limit = min(level, self._clock.next_time(), *dues)
+            return False
+        limit = min(level, clock.next_time(), *dues)
         if limit == INFINITY:
             for task in tasks:
                 if task.in_vain is None and task.look and task.look[2] and _lasts(task.wait) <= WATCH:
@@ -84,18 +90,10 @@ class Recurrence:
         if limit == until == INFINITY:
             raise Refusal("never", "the loops look for something that can no longer happen", "")
         count = int((min(limit, until) - CLOSE - now) / (now - before[0]))
-        return (before, count) if count > 0 else None
-
-    def _go_on(
-        self, tasks: list[Task], before: Met, count: int, pace: Callable[[float], None] | None
-    ) -> None:
-        """So many periods later, the `tasks` stand as they do now."""
-        clock, statements = self._clock, self._statements
-        now = clock.now
-        time = now + count * (now - before[0])
-        if statements.reached == now:
-            statements.repeat(before[1], before[2], count)
-            time = statements.reached
+        if count <= 0:
+            return False
+        statements.repeat(before[1], before[2], count)
+        time = statements.reached
         if pace is not None:
             pace(time)
         for task in tasks:
@@ -103,6 +101,7 @@ class Recurrence:
                 task.wait.move(units(task.wait.due() + (time - now)) / UNITS)
         clock.leaps += 1
         clock.now = time
+        return True
 
 
 def _lasts(wait: Wait | None) -> float:

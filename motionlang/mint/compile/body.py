@@ -105,7 +105,6 @@ class Whole:
         "line",
         "names",
         "parts",
-        "polls",
         "problems",
         "rewritten",
         "spec_names",
@@ -134,7 +133,7 @@ class Whole:
         self._operations: dict[tuple[str, Keyword, Where], str] = {}
         # What loops that poll may write over and over.
         self.rewritten: set[Keyword] = set()
-        self.parts = self.polls = 0  # how many parts there are, and watches on loops
+        self.parts = 0  # how many there are
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.
         self.guarded = handles(names, "onerror")

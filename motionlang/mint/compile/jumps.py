@@ -92,14 +92,14 @@ def jump(b: Body, node: nodes.Jump) -> None:
     poll = None
     if node.kind != "gosub" and number <= b.stretch and not leaves_loops:
         if b.turn is None and len(labels) <= MOST_STRETCHES:
-            b.turn = polling.left_behind(b, b.function.body) or ()
+            b.turn = polling.left_behind(b, list(polling.reached(b, b.function.body))) or ()
         poll = polling.Poll(b, *b.turn) if b.turn else None
     if poll is None:
         if node.kind != "exit":
             b.horizon()
     else:
         b.polls.append(poll)
-        polling.turn(b, poll)
+        poll.turn(b)
     unless = _unless(b, node)
     if node.kind == "gosub":
         b.gives_way()

@@ -35,7 +35,7 @@ def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
         b.horizon()
     else:
         b.flush()
-        polling.turn(b, poll)
+        poll.turn(b)
         b.watching -= 1
 
 

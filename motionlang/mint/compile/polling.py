@@ -4,13 +4,12 @@ A turn that did nothing (`E.acts` counts what a program does) and left every var
 as it was until something happens. `motionlang.mint.runtime.loop_skipping` pays for all those turns at once, to the
 exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does.
 
-    if w2: w2 -= 1
-    elif w3: w3 -= 1; w2 = 255
-    else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,)); w3, w2 = divmod(w2, 256)
+    if w2: w2 -= 1.0
+    else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,))
     if t >= H: t, H = yield t; w1 = None
 
-`w1` is what the turn began with; nobody looks for `w2` turns and `w3` times 256. What decides nothing (`idle`) is no
-part of the state; counters are given beside it, and come back as they are when turns have been skipped.
+`w1` is what the turn began with; nobody looks for `w2` turns. What decides nothing (`idle`) is no part of the state;
+counters are given beside it, and come back as they are when turns have been skipped.
 """
 
 from __future__ import annotations
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
 
 # A loop that names more variables is not looked at turn by turn.
 MOST_VARIABLES = 100
-# So many turns are counted down at a time: of small numbers Python has one object each.
-STRETCH = 256
 # Types whose values do not change by themselves.
 PLAIN = NUMERIC | {STRING}
 # What stands for a level, in generated text, until the reading turns round, and whatever it does.
@@ -39,9 +36,9 @@ COUNTER = "counter"
 
 
 class Poll:
-    """One loop that is watched, and the names of what its turn began with and for how many turns nobody looks."""
+    """One loop that is watched: what stands before its `first` turn, and the end of each."""
 
-    __slots__ = ("alone", "counters", "look", "named", "site", "state", "stretches")
+    __slots__ = ("_alone", "_look", "_named", "_turn", "first")
 
     def __init__(
         self,
@@ -51,31 +48,32 @@ class Poll:
         counters: Sequence[str] = (),
         mere: Collection[str] = (),
     ) -> None:
-        self.site = b.whole.use("loop", asks, b.whole.polls, bool(mere))
-        b.whole.polls += 1
-        self.look, self.alone, self.stretches = b.temp(), b.temp(), b.temp()
-        self.named = state.values()
-        self.counters = f"({', '.join(counters)},)" if counters else "z"
-        self.state = f"({', '.join(['E.acts', *sorted(state.keys() - mere)])},)"
-        if counters:
-            self.state += f", {self.counters}"
+        site = b.whole.use("loop", asks, bool(mere), len(b.whole.specs))
+        self._look, self._alone, self._named = b.temp(), b.temp(), state.values()
+        counted = f"({', '.join(counters)},)" if counters else "()"
+        compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
+        self.first = f"{self._look} = None; {self._alone} = {site}.left"
+        self._turn = f"{counted} = {site}.turn(t, H, {self._look}, ({compared},), {counted})"
 
-    @property
-    def first(self) -> str:
-        """What stands before the first turn."""
-        return f"{self.look} = None; {self.stretches}, {self.alone} = divmod({self.site}.left, {STRETCH})"
+    def turn(self, b: Body) -> None:
+        """The end of a turn, `t` being up to date."""
+        b.emit(f"if {self._alone}: {self._alone} -= 1.0")
+        for each in self._named:
+            b.spelt(each)
+        b.emit(f"else: t, H, {self._look}, {self._alone}, {self._turn}")
+        b.horizon(then=f"; {self._look} = None")
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:
     """The watch on a loop, None where it would never find anything to skip."""
-    turn = [*body, *conditions]
-    left = None if any(_plainly_acts(node) for node in body) else left_behind(b, turn)
+    if any(map(_plainly_acts, body)):
+        return None
+    turn = list(reached(b, [*body, *conditions]))
+    left = left_behind(b, turn)
     if left is None:
         return None
-    counters, mere, levels = idle(b, reached(b, turn))
-    poll = Poll(b, *left, counters, mere)
+    poll = Poll(b, *left, *idle(b, turn))
     b.emit(poll.first)
-    b.levels.update(levels)
     b.watching += 1
     return poll
 
@@ -83,39 +81,31 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
 def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol], bool] | None:
     """The variables, as text, that turns of a loop are compared by, and whether these look at what others can change.
 
-    They are all that the loop and what it calls name. None where there are too many, or where the loop just computes.
+    They are all that is named in what the turn reaches. None where there are too many, or where the loop just computes.
     """
-    state: dict[str, Symbol] = {}
-    rewritten: set[Keyword] = set()
-    reads = computes = False
-    for node in reached(b, turn):
-        if isinstance(node, nodes.Assign):
-            computes = computes or any(not isinstance(each, nodes.Number) for each in node.values)
-        if not isinstance(node, (nodes.Name, nodes.Variable)):
-            continue
-        symbol, row = node.symbol, node.row
-        if row is not None:
-            reads = reads or row.kind in ("reading", "setting")
-            rewritten.update([row] if is_repeated(row) else ())
-        if symbol is None:
-            continue
-        reads = reads or symbol.shared or symbol.by_ref or symbol.type.name == TIME
-        if symbol.kind == "sub":
-            symbol = symbol.home.result or symbol
-        if symbol.kind in ("variable", "parameter") and _outlasts(b, symbol):
-            state[_text(b, symbol)] = symbol
-    if len(state) > MOST_VARIABLES or (computes and not reads):
+    names = [node for node in turn if isinstance(node, (nodes.Name, nodes.Variable))]
+    rows = {node.row for node in names if node.row is not None}
+    symbols = list(dict.fromkeys(node.symbol for node in names if node.symbol is not None))
+    reads = any(row.kind in ("reading", "setting") for row in rows) or any(
+        symbol.shared or symbol.by_ref or symbol.type.name == TIME for symbol in symbols
+    )
+    values = [value for node in turn if isinstance(node, nodes.Assign) for value in node.values]
+    if not reads and not all(isinstance(value, nodes.Number) for value in values):
         return None  # with nothing but its own variables it computes
-    b.whole.rewritten |= rewritten
+    held = [symbol.home.result or symbol if symbol.kind == "sub" else symbol for symbol in symbols]
+    state = {_text(b, symbol): symbol for symbol in held if _outlasts(b, symbol)}
+    if len(state) > MOST_VARIABLES:
+        return None
+    b.whole.rewritten.update(filter(is_repeated, rows))
     return state, reads
 
 
-def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict[int, str]]:
+def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str]]:
     """The variables to which a loop gives other values turn by turn and which decide nothing, of all that it reaches.
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
 
-    Counters, all of them, by their spelling, and the levels of the readings they are given. Turns that are alike but
+    Counters, and all of them, by their spelling; what they are given is read with its level. Turns that are alike but
     for these can be skipped, all but the last one: it gives the copy and the extremum the values that they would have,
     and a counter has counted on by as many turns. The condition of an extremum is the same again until the reading
     turns round, which the copy is asked for instead of a level; of a mere copy nobody asks anything.
@@ -124,8 +114,9 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict
     # How each is given its values: one that is so in several ways decides something after all.
     ways: dict[Symbol, set[object]] = {}
     levels: dict[int, tuple[Symbol, str]] = {}
-    alone = b.function.kind != "sub" and not b.function.jumps and not b.watching
-    for node in turn if alone else ():
+    if b.function.kind == "sub" or b.function.jumps or b.watching:
+        return [], set()
+    for node in turn:
         own = _own(b, node)
         uses[own] = uses.get(own, 0) + 1
         given = node.body[0] if isinstance(node, nodes.If) and len(node.body) == 1 else node
@@ -149,22 +140,8 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str], dict
             ways.setdefault(own, set()).add(id(value) if id(value) in levels else WHATEVER)
             levels.setdefault(id(value), (own, WHATEVER))
     mere = {own for own, found in ways.items() if not uses[own] and len(found) == 1}
-    kept = {number: text for number, (own, text) in levels.items() if own in mere}
-    return sorted(own.python for own in mere if COUNTER in ways[own]), {own.python for own in mere}, kept
-
-
-def turn(b: Body, poll: Poll) -> None:
-    """The end of a turn, `t` being up to date."""
-    look, alone, stretches = poll.look, poll.alone, poll.stretches
-    b.emit(f"if {alone}: {alone} -= 1")
-    b.emit(f"elif {stretches}: {stretches} -= 1; {alone} = {STRETCH - 1}")
-    for each in poll.named:
-        b.spelt(each)
-    split = f"{stretches}, {alone} = divmod({alone}, {STRETCH})"
-    b.emit(
-        f"else: t, H, {look}, {alone}, {poll.counters} = {poll.site}.turn(t, H, {look}, {poll.state}); {split}"
-    )
-    b.horizon(then=f"; {look} = None")
+    b.levels.update({number: text for number, (own, text) in levels.items() if own in mere})
+    return sorted(own.python for own in mere if COUNTER in ways[own]), {own.python for own in mere}
 
 
 def is_repeated(row: Keyword) -> bool:
@@ -199,8 +176,9 @@ def reached(b: Body, turn: Sequence[object]) -> Iterator[nodes.Node]:
 
 
 def _outlasts(b: Body, symbol: Symbol) -> bool:
-    """Whether a variable is there from turn to turn: not one of a sub that is called in it."""
-    return symbol.home is b.function or symbol.home.kind != "sub"
+    """Whether it is a variable that is there from turn to turn: not one of a sub that is called in it."""
+    is_variable = symbol.kind in ("variable", "parameter")
+    return is_variable and (symbol.home is b.function or symbol.home.kind != "sub")
 
 
 def _text(b: Body, symbol: Symbol) -> str:

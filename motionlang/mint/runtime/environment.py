@@ -152,7 +152,7 @@ class Environment(Waits):
         if how == "loop":
             from motionlang.mint.runtime.loop_skipping import Site
 
-            return Site(self, bool(details[0]), bool(details[2]))
+            return Site(self, bool(details[0]), bool(details[1]))
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "fn":

@@ -27,8 +27,9 @@ if TYPE_CHECKING:
     Look = tuple[State | None, tuple[float, ...], float, float, float, int, list[Note], int]
 
 LARGEST = 2147483647  # Integer
-# So many turns pass unlooked at, and more where arrays are to be compared.
-MOST_ALONE = 4096
+# So many turns pass unlooked at, and more where arrays are to be compared. They are counted in floats, as Python has
+# no whole number of that size ready.
+MOST_ALONE = 4096.0
 
 
 class Site:
@@ -41,7 +42,7 @@ class Site:
 
     def __init__(self, environment: Environment, asks: bool, carries: bool) -> None:
         self._environment, self.asks, self.carries = environment, asks, carries
-        self.left = 0
+        self.left = 0.0
 
     def turn(
         self,
@@ -49,8 +50,8 @@ class Site:
         horizon: float,
         look: Look | None,
         state: State,
-        counters: tuple[float, ...] = (),
-    ) -> tuple[float, float, Look | None, int, tuple[float, ...]]:
+        counters: tuple[float, ...],
+    ) -> tuple[float, float, Look | None, float, tuple[float, ...]]:
         """The end of a turn: the end of the last one that can be no different, and how many pass unlooked at.
 
         Both ends and the horizon are numbers of statements; `state` is what every turn leaves behind, after the count
@@ -62,15 +63,15 @@ class Site:
             if found is None:
                 self._environment.task.look = None
                 elements = sum([len(each) for each in state if isinstance(each, tuple)])
-                left, self.left = self.left, min(2 * self.left or 1, MOST_ALONE + 4 * elements)
+                left, self.left = self.left, min(2.0 * self.left or 1.0, MOST_ALONE + 4 * elements)
                 if left:
                     attention.notes = None
                     return t, horizon, None, left, counters
             else:
-                self.left = 0
+                self.left = 0.0
                 t, horizon, counters = found
         since = t, statements.base, statements.at(t), self._environment.resumed
-        return t, horizon, (state, counters, *since, *attention.begin()), 0, counters
+        return t, horizon, (state, counters, *since, *attention.begin()), 0.0, counters
 
     def skip(
         self, t: float, horizon: float, look: Look, state: State, counters: tuple[float, ...]

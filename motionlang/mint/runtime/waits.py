@@ -5,7 +5,7 @@ from __future__ import annotations
 from sys import _getframe
 
 from motionlang.controller.faults import Refusal
-from motionlang.lang.attention import TICK, Condition
+from motionlang.lang.attention import Condition, next_tick
 from motionlang.lang.task import Delay, Wait
 
 TYPE_CHECKING = False
@@ -78,7 +78,7 @@ class Waits:
         """Wait for the next tick of the profiler."""
         self.acts += 1
         now = self.statements.leave(t)
-        return Delay(self.clock, now, (int(now / TICK + 1e-6) + 1) * TICK)
+        return Delay(self.clock, now, next_tick(now))
 
     def room(self, t: float, axes: tuple[int, ...]) -> Wait:
         """A move waits for room in the buffers of all its axes."""
@@ -119,7 +119,7 @@ class Waits:
             self.task = task  # whose TIME the condition may read
             return ready()
 
-        wait = self.wait = Condition(self.attention, test).wait(since, why)
+        wait = self.wait = Condition(self.attention, test, since, why)
         if noted:
             return None  # what goes wrong meanwhile is not this statement's
         if scheduler is None or not scheduler.passes(wait):
@@ -183,5 +183,5 @@ class Rest(Wait):
 
     def _condition(self) -> Wait:
         if self._asked is None:
-            self._asked = Condition(self._environment.attention, self._test).wait(self.since, self.why)
+            self._asked = Condition(self._environment.attention, self._test, self.since, self.why)
         return self._asked
