@@ -36,7 +36,8 @@ class Entry:
         self._whose = (sys.version, package, *parts)
         text = "\0".join(self._whose)
         self._name = f"program-{digest(text.encode('utf-8', 'surrogatepass')).hex()}"
-        self._compiler: list[tuple[str, State]] | None = None
+        # What made the parts of the program that were kept already.
+        self._compiler: dict[str, State] = {}
 
     def get(self) -> bytes | None:
         """The program; None where there is none that this compiler would make."""
@@ -53,7 +54,7 @@ class Entry:
         whose, compiler, payload = loads(data[DIGEST:])
         if whose != self._whose or any(user_cache.state(place) != state for place, state in compiler):
             return None
-        self._compiler = compiler
+        self._compiler = dict(compiler)
         found: bytes = payload
         return found
 
@@ -62,16 +63,19 @@ class Entry:
 
         Nothing is kept where there are no files to look at, as in a zip archive.
         """
-        if self._compiler is None:
-            try:
-                self._compiler = _compiler(self._package)
-            except OSError:
-                return
-        data = dumps((self._whose, self._compiler, payload))
+        try:
+            loaded = _compiler(self._package)
+        except OSError:
+            return
+        compiler = {**self._compiler, **loaded}
+        if any(compiler[place] != state for place, state in self._compiler.items()):
+            return  # what was kept is of another compiler than what has been added
+        self._compiler = compiler
+        data = dumps((self._whose, [*compiler.items()], payload))
         user_cache.write(self._name, (digest(data), data))
 
 
-def _compiler(package: str) -> list[tuple[str, State]]:
+def _compiler(package: str) -> dict[str, State]:
     """The files of a compiler, as far as it is loaded, and their state; OSError where one is not there."""
     root = os.path.dirname(package) + os.sep
     whole = (package + os.sep, *(root + name for name in SHARED))
@@ -84,12 +88,12 @@ def _compiler(package: str) -> list[tuple[str, State]]:
     for folder, _, files in os.walk(package, onerror=_refuse):
         if os.path.basename(folder) not in ASIDE:
             places += [os.path.join(folder, name) for name in files if name.endswith(".txt")]
-    found = []
+    found = {}
     for place in places:
         state = user_cache.state(place)
         if state is None:
             raise FileNotFoundError(place)
-        found.append((place, state))
+        found[place] = state
     return found
 
 

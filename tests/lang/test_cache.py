@@ -8,6 +8,7 @@ import subprocess
 import sys
 from marshal import loads
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -160,6 +161,34 @@ def test_a_change_in_a_module_of_the_compiler_makes_an_entry_void(tmp_path: Path
     with open(root / "mint" / "compile" / "loops.py", "a", encoding="utf-8") as file:
         file.write("# changed\n")
     assert not holds(root)
+
+
+def test_what_compiles_more_of_a_program_later_stands_beside_it_too(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = (str(PACKAGE / "mint" / "compile" / name) for name in ("compiler.py", "loops.py"))
+    modules = {"a": SimpleNamespace(__file__=first)}
+    monkeypatch.setattr(cache, "sys", SimpleNamespace(modules=modules, version=sys.version))
+    entry().put(b"program")
+    modules["a"] = SimpleNamespace(__file__=second)
+    later = entry()
+    assert later.get() == b"program"
+    later.put(b"more of it")
+    _, compiler, payload = loads(the_file(folder).read_bytes()[cache.DIGEST :])
+    assert ({first, second} <= dict(compiler).keys(), payload) == (True, b"more of it")
+
+
+def test_what_was_kept_by_a_compiler_that_has_changed_meanwhile_gets_no_more_parts(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    entry().put(b"program")
+    later = entry()
+    assert later.get() == b"program"
+    as_it_was = user_cache.state
+    monkeypatch.setattr(user_cache, "state", lambda place: (0, 0, 0))
+    later.put(b"more of it")
+    monkeypatch.setattr(user_cache, "state", as_it_was)
+    assert entry().get() == b"program"
 
 
 def test_a_module_of_the_compiler_that_is_gone_makes_an_entry_void(tmp_path: Path) -> None:
