@@ -143,7 +143,7 @@ class MintProgram(Program):
         namespace.update(S=statements, dt=statements.cost)
         if values:
             namespace.update({given_name(name): value for name, value in values.items()})
-        code.link(namespace)
+        environment.time_cells = code.link(namespace)
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()

@@ -110,7 +110,7 @@ class _Units:
     """
 
     def __init__(self, shared: Sequence[str]) -> None:
-        self.shared = frozenset(shared)
+        self.shared = frozenset((*TIME, *shared))
         self.made: list[Unit] = []
         self.risky: set[Unit] = set()
         self.places = [0]
@@ -221,9 +221,8 @@ def _own(function: Function) -> list[Symbol]:
 def _head(whole: Whole, b: Body) -> list[Line]:
     """The line `def …` and what must be done on entry."""
     function = b.function
-    # A sub runs on its caller's time, which therefore lives in cells that all functions share.
     is_unit = bool(b.parts) and function.kind != "sub"
-    shared_time = function.kind == "sub" or bool(function.calls) or function.jumps or is_unit
+    shared_time = function.shares_time or is_unit
     outside = set() if function.jumps else set(b.outside)
     if function.kind in ("task", "event") or is_unit:
         outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))

@@ -199,6 +199,7 @@ class Body:
         "facts",
         "function",
         "indent",
+        "is_told",
         "levels",
         "lines",
         "loops",
@@ -229,6 +230,8 @@ class Body:
         self.at = function.at
         self.pending = 0
         self.temps = 0
+        # Whether its time lives in cells that all functions share: who lets it go on writes it there.
+        self.is_told = function.shares_time and not whole.typed
         # Names of outer functions that this one assigns to.
         self.outside: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
@@ -299,9 +302,11 @@ class Body:
             now, self.pending = f"(t := t + {self.pending}.0)", 0
         if self.names:
             names, self.names = [*self.names, YIELDS], []
-        self.lines.append(
-            Line(self.indent, f"if {now} >= H: t, H = yield {answer}{then}", self.at, PLAIN, names)
-        )
+        if not self.is_told:
+            give_way = f"t, H = yield {answer}"
+        else:
+            give_way = "yield" if answer == "t" else f"yield {answer}"
+        self.lines.append(Line(self.indent, f"if {now} >= H: {give_way}{then}", self.at, PLAIN, names))
 
     def settle(self, tell: bool = True) -> None:
         """Before a statement that takes note of time: let everything happen that is due until then.

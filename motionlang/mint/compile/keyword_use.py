@@ -383,7 +383,10 @@ def load(b: Body, operation: str, arguments: list[str]) -> None:
     """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
     call = f"{operation}({', '.join(['t', 'H', *arguments])})"
     b.gives_way()
-    b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
+    if b.is_told:
+        b.emit(f"H = {call} or (yield from {b.whole.use('env', 'refused')})")
+    else:
+        b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
 
 
 def _operate(b: Body, operation: str, arguments: list[str]) -> None:

@@ -46,7 +46,8 @@ class Part:
     def written(self, shared: Iterable[str], indent: int) -> list[Line]:
         """The whole function; `shared` are the names that are not its own."""
         at = self.lines[0].at
-        head = [Line(1, f"def {self.name}():", at), Line(2, f"nonlocal {', '.join(sorted(shared))}", at)]
+        names = sorted(shared)
+        head = [Line(1, f"def {self.name}():", at), Line(2, f"nonlocal {', '.join(names)}", at, names=names)]
         end = [Line(2, "if 0: yield", at)] if self.waits else []  # a generator wherever its yields are
         return moved([*head, *self.lines, *end], indent)
 

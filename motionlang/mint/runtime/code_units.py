@@ -1,7 +1,7 @@
 """The code of a program in units: functions that are compiled together, at the latest when one of them is called.
 
-What functions share lives in cells, made once when the program starts: the time `t`, the horizon `H` and the variables
-that more than one function uses. A unit is compiled within a function that has those
+What functions share lives in cells, made once when the program starts: the variables that more than one uses and, where
+subs are called, the time `t` and the horizon `H`. A unit is compiled within a function that has those
 names, and the functions found in it are put together with the cells:
 
     def _(t, H, v_x):
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 # The file name of generated code, by which tracebacks are told from our own.
 FILE = "<mint>"
-# What functions always share.
+# The time, which subs share with who calls them.
 TIME = ("t", "H")
 
 
@@ -50,7 +50,7 @@ class Unit:
     """Functions by their `names`, as text until somebody wants their code.
 
     The text begins with the third line of what is compiled; line n of that is line `before` + n of the whole program.
-    `cells` are the shared variables in it. One from the cache has its code `packed` until then.
+    `cells` are what it shares with others. One from the cache has its code `packed` until then.
     """
 
     __slots__ = ("before", "cells", "codes", "names", "packed", "text")
@@ -76,7 +76,7 @@ class Unit:
         if not self.codes and self.packed:
             self.codes = loads(self.packed)
         elif not self.codes:
-            head = f"def _({', '.join([*TIME, *self.cells])}):\n global {', '.join(self.names)}"
+            head = f"def _({', '.join(self.cells)}):\n global {', '.join(self.names)}"
             text = f"{head}\n{self.text}"
             module = compile(text, FILE, "exec")
             around = next(each for each in module.co_consts if each.__class__ is _CODE)
@@ -143,8 +143,11 @@ class Code:
         places = array("q", self.places).tobytes()
         return units, self.first, self.shared, self.specs, self.blocks, places
 
-    def link(self, namespace: dict[str, object]) -> None:
-        """Put the functions, or their stand-ins, into a namespace that has everything else."""
+    def link(self, namespace: dict[str, object]) -> tuple[CellType, CellType] | None:
+        """Put the functions, or their stand-ins, into a namespace that has everything else.
+
+        The cells of the time, where functions share it: whoever lets them go on writes it there.
+        """
         values: dict[str, object] = dict.fromkeys(TIME, 0.0)
         if self.first is not None:
             exec(self.first, values)
@@ -155,6 +158,8 @@ class Code:
             else:
                 for name in unit.names:
                     namespace[name] = _StandIn(name, unit, namespace, cells)
+        shared = any(TIME[0] in unit.cells for unit in self.units)
+        return (cells[TIME[0]], cells[TIME[1]]) if shared else None
 
 
 def loaded(payload: tuple[object, ...]) -> Code:

@@ -8,11 +8,12 @@ from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import Attention
 from motionlang.lang.task import Wait
 from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
-from motionlang.mint.runtime.waits import Waits
+from motionlang.mint.runtime.waits import Refused, Waits
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Sequence
+    from types import CellType
     from typing import Any, TypeVar
 
     from motionlang.controller.controller import Controller
@@ -74,6 +75,8 @@ class Environment(Waits):
         # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
         self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
+        # What subs and their callers count in, where there are any.
+        self.time_cells: tuple[CellType, CellType] | None = None
         # When its statements are, and what it notes of its readings.
         self.statements = machine.statements
         self.attention = Attention(machine.clock)
@@ -91,7 +94,7 @@ class Environment(Waits):
         # The move for which there was no room.
         # What the machine file has settings be at power-up, where it speaks of any.
         self.power_up: PowerUp | None = None
-        self._refused: tuple[Callable[..., object], tuple[Any, ...], Any]
+        self._refused: tuple[Callable[..., object], tuple[Any, ...], Any] | None = None
         self._parts: dict[type, object] = {Environment: self}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -285,12 +288,19 @@ class Environment(Waits):
     def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
         """Wait until there is room for the move that was refused."""
         clock, statements = self.clock, self.statements
+        assert self._refused is not None
         operation, arguments, axes = self._refused
+        self._refused = None
         while True:
             t, horizon = yield self.room(t, axes if isinstance(axes, tuple) else (axes,))
             clock.now = statements.at(t)
             if not operation(*arguments):
                 return t, horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
+
+    @property
+    def refused(self) -> Refused:
+        """The same where the time is shared."""
+        return Refused(self)
 
     # ---------------------------------------------------------------------------------------------- time
 

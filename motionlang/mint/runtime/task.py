@@ -59,7 +59,10 @@ class MintTask(GeneratorTask):
         attention.notes = self.notes
         self.busy = 0.0
         place, generator = statements.go_on(now, horizon), self._generator
+        cells = environment.time_cells
         out: Any
+        if cells is not None:
+            cells[0].cell_contents, cells[1].cell_contents = place
         try:
             if generator is None:
                 self._generator = generator = self._make(*place)
@@ -78,7 +81,9 @@ class MintTask(GeneratorTask):
             with_number(refusal)
             raise
         else:
-            if out.__class__ is float:
+            if out is None:
+                time, wait = statements.leave(cells[0].cell_contents), None  # type: ignore[index]
+            elif out.__class__ is float:
                 time, wait = statements.leave(out), None
             elif out.__class__ is tuple:
                 count, busy = out
