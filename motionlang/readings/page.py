@@ -22,7 +22,9 @@ Behind each reading stands what it rests on: a *manual*, running *code*, a *sibl
 or in the same style, whose rule is printed), *memory* (high, medium or low confidence) or a *choice*, where there was
 nothing to go by. All but the first two are open. What is marked *set* is a value, which the machine file's `[readings]`
 can set to another one; what is marked *asked* is a question of `motionlang probe`, which the owner of a controller puts
-to it.
+to it, and what is marked *asked by name* has a program of its own (`motionlang probe NAME`), as it writes settings or
+may end with an error. Alternatives are what the sources leave possible, each a guess. What is marked *own* is this
+program's own matter: no controller has another answer.
 """
 TABLE = "| question | reading | rests on | name |\n|---|---|---|---|\n"
 
@@ -62,7 +64,9 @@ def _section(section: Section) -> Iterator[str]:
 
 def _row(reading: Reading) -> str:
     others = f"; open: {'; or '.join(reading.alternatives)}" if reading.alternatives else ""
-    marks = " · set" * bool(reading.key) + " · asked" * (reading.probe is not None)
+    marks = " · set" * bool(reading.key) + " · own" * reading.own
+    if reading.probe is not None:
+        marks += " · asked by name" if reading.probe.alone else " · asked"
     row = (reading.question, reading.chosen + others, rests_on(reading), f"`{reading.name}`{marks}")
     return f"| {' | '.join(map(_cell, row))} |\n"
 

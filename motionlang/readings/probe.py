@@ -90,7 +90,8 @@ def alone(reading: Reading, axis: int, motion: Motion | None = None) -> str:
     """The text of a probe that asks one question, and says above it what each answer means."""
     assert reading.probe is not None
     maker, sign = (_mint, "'") if reading.probe.language == "mint" else (_mccl, ";")
-    first = [f"First: {reading.probe.needs}."] if reading.probe.needs else []
+    needs = reading.probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
+    first = [f"First: {needs}."] if needs else []
     if motion is not None and reading.probe.motion:
         first.append(_promise(reading.probe.language, motion))
     above = [f"{reading.name}: {reading.question}", *first, *meanings(reading)]
@@ -146,7 +147,8 @@ def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list
     """What is done before a question, the question, and what is done after it."""
 
     def filled(text: str) -> str:
-        return text.replace("{a}", str(axis)).replace("{2d}", f"{2 * step:g}").replace("{d}", f"{step:g}")
+        text = text.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
+        return text.replace("{2d}", f"{2 * step:g}").replace("{d}", f"{step:g}")
 
     return [filled(each) for each in probe.before], filled(probe.ask), [filled(each) for each in probe.after]
 
@@ -208,8 +210,9 @@ def _behind(reading: Reading, axis: int) -> Iterator[str]:
     for line in reading.probe.behind:
         yield line.replace("{a}", str(axis))
     if reading.probe.error:
+        said = reading.probe.error.replace("{a}", str(axis))
         yield "Event ONERROR"
-        yield f'  PRINT "<{reading.name}|"; {reading.probe.error}; ">"'
+        yield f'  PRINT "<{reading.name}|"; {said}; ">"'
         yield f'  PRINT "<{END}|mint 1>"'
         yield "  End"
         yield "End Event"

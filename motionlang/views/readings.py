@@ -76,6 +76,7 @@ def as_dict(reading: Reading) -> dict[str, object]:
         "alternatives": list(reading.alternatives),
         "why": reading.why,
         "strength": reading.strength,
+        "own": reading.own,
         "asked": reading.probe is not None,
         "asked_by_name": reading.probe is not None and reading.probe.alone,
         "key": reading.key,
