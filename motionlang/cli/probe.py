@@ -19,6 +19,8 @@ from motionlang.readings.questions import of_word, questions
 from motionlang.source import STDIN, STDIN_NAME, name_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from motionlang.cli.parser import Commands
     from motionlang.readings.answers import Answers, Verdict
     from motionlang.readings.reading import Probe, Reading
@@ -43,6 +45,10 @@ examples:
   motionlang probe mint.integer-overflow > probe.mnt       one question
   motionlang probe HOMESPEED --list                        what is open of a word
 """
+
+
+# The end of the names of readings about power-up, and how many of them are named.
+DEFAULT, SHOWN = "-default", 6
 
 
 def add_parser(commands: Commands, summary: str) -> None:
@@ -99,6 +105,8 @@ def _probe(arguments: argparse.Namespace) -> int:
         parser.error(f"--axis {axis}: there is no such axis")
     motion = None if arguments.motion is None else Motion(axis, arguments.motion)
     if what not in dialects():
+        if arguments.without:
+            parser.error(f"--without leaves a question out of many, and {what} is one")
         if _named(parser, what).motion and motion is None:
             parser.error(f"{what} is told by motion: say within which distance, such as --motion 20")
         sys.stdout.write(alone(questions()[what], axis, motion))
@@ -190,7 +198,7 @@ def _told(found: Answers) -> str:
         for status in (HOLDS, OTHER, UNKNOWN)
     }
     if by_status[HOLDS]:
-        names = ", ".join(each.reading.name for each in by_status[HOLDS])
+        names = ", ".join(_names(each.reading for each in by_status[HOLDS]))
         lines += [f"{counted(len(by_status[HOLDS]), 'reading holds', 'readings hold')}:"]
         lines += textwrap.wrap(names, 98, initial_indent="  ", subsequent_indent="  ", break_on_hyphens=False)
     if by_status[OTHER]:
@@ -199,6 +207,14 @@ def _told(found: Answers) -> str:
         lines += ["answered as nothing that is known would, so that nothing is set:"]
         lines += [f"  {each.reading.name}: {each.answer!r}" for each in by_status[UNKNOWN]]
     return "\n".join(lines) + "\n"
+
+
+def _names(found: Iterable[Reading]) -> list[str]:
+    """The names of readings, those of what settings are at power-up only counted where they are many."""
+    names = [each.name for each in found]
+    rest = [name for name in names if not name.endswith(DEFAULT)]
+    many = len(names) - len(rest)
+    return [*rest, f"and what {many} settings are at power-up"] if many > SHOWN else names
 
 
 def _other(verdict: Verdict) -> str:

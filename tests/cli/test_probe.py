@@ -128,6 +128,6 @@ def test_a_question_that_no_program_tells_is_said_with_its_answers(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as ended:
-        main(["probe", "motion.position-on-a-path"])
+        main(["probe", "motion.contourmode"])
     assert ended.value.code == 2
-    assert "motion.position-on-a-path is told by no program" in capsys.readouterr().err
+    assert "motion.contourmode is told by no program" in capsys.readouterr().err

@@ -9,6 +9,7 @@ import pytest
 
 from motionlang import run
 from motionlang.lang.machine.file import read_machine
+from motionlang.lang.machine.switch import switch
 from motionlang.readings.answers import HOLDS, OTHER, is_answer, read
 from motionlang.readings.entries import readings
 from motionlang.readings.probe import Motion, alone
@@ -84,6 +85,25 @@ def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: R
     found = read("\n".join(result.output))
     assert [problem.message for problem in found.problems] == []
     assert {verdict.answer: verdict.status for verdict in found.verdicts} == {found.verdicts[0].answer: HOLDS}
+
+
+def switched() -> list[tuple[Reading, object]]:
+    """The readings that a program of their own asks about and the machine file can set, with each other value."""
+    return [
+        (each, choice)
+        for each in by_name()
+        if each.key and (found := switch(each.name)) is not None
+        for choice in found.choices[1:]
+    ]
+
+
+@pytest.mark.parametrize(("each", "choice"), switched(), ids=lambda each: getattr(each, "name", each))
+def test_a_controller_that_has_it_otherwise_is_found_out_and_can_be_had(
+    each: Reading, choice: object
+) -> None:
+    machine = machine_of(each) | {each.key: choice}
+    (verdict,) = read("\n".join(run(text_of(each), machine=machine, cache=False).output)).verdicts
+    assert (verdict.status, verdict.value) == (OTHER, choice)
 
 
 @pytest.mark.parametrize("each", by_name(), ids=lambda each: each.name)

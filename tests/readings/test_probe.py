@@ -19,6 +19,8 @@ from motionlang.readings.probe import BEGIN, END, NEXT, Motion, asked, mark, wri
 from motionlang.source import Source
 from tests.cases import cases
 
+# What a program of its own asks.
+BY_NAME = {each.name for each in readings().values() if each.probe is not None and each.probe.alone}
 LANGUAGES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
 # Readings without a switch, which other keys of the machine file set, and values that a probe can tell apart.
 OTHER_KEYS = {"mint": {"controller.instruction_time": [2e-5, 5e-5, 1e-4]}, "mccl": {}}
@@ -65,7 +67,7 @@ def test_what_a_controller_has_otherwise_is_found(language: str, seed: int) -> N
     settings: dict[str, object] = {
         f"readings.{name}": another(name, switch, draw)
         for name, switch in dialect(language).switches().items()
-        if draw.random() < 0.5
+        if draw.random() < 0.5 and name not in BY_NAME
     }
     for key in IMPOSSIBLE:
         settings.pop(key, None)

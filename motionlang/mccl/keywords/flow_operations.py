@@ -30,6 +30,8 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
             "range",
         )
     here = task.here
+    if count == 0 and task.board.readings.get("mccl.repeat-for-ever") == "once":
+        count = 1
     if count == 0:
         return task.jump(0)
     left = task.repeats.get(here, count)

@@ -101,7 +101,10 @@ def abort(task: CommandTask, command: Command) -> None:
     for axis in task.axes(command):
         axis.running = False
         task.board.release(axis)
-        task.board.controller.abort(axis.number)
+        if task.board.readings.get("mccl.abort-rate") == "DS":
+            task.board.controller.stop(axis.number)
+        else:
+            task.board.controller.abort(axis.number)
 
 
 def direction(task: CommandTask, command: Command) -> None:

@@ -14,6 +14,8 @@ SWITCHES = {
     "mccl.skipped": Switch(2, 1, 3),
     "mccl.jump-base": Switch(0, 1),
     "mccl.jump-relative": Switch("itself", "next"),
+    "mccl.repeat-for-ever": Switch("for ever", "once"),
+    "mccl.abort-rate": Switch("at once", "DS"),
     "mccl.quotient": Switch("cut", "real"),
     "mccl.overflow": Switch("wraps", "stays"),
     "mccl.shift-right": Switch("sign", "zeros"),

@@ -66,6 +66,8 @@ def put_arc(
     """CIRCLEA, CIRCLER, HELIXA and HELIXR: the centre in user units, the angle in degrees."""
     relative, counts = row.name.endswith("R"), []
     x, y, angle, *rest = values
+    if environment.machine.readings.get("mint.circle-sense") == "clockwise":
+        angle = -angle
     for axis, value in zip(axes, (x, y, *rest), strict=True):
         scale = scale_of(environment, axis)
         counts.append(scale.to_counts(value) if relative else scale.position_to_counts(value))

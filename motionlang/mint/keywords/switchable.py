@@ -18,6 +18,9 @@ OTHERS = {
     "mint.float-decimals": Switch(low=0, high=9, whole=True),
     "mint.float-zeros": Switch("kept", "dropped"),
     "mint.float-exponent": Switch("e+12", "e+012", "E+12", "E+012"),
+    "mint.timerevent": Switch("a period", "at once", "once"),
+    "mint.event-queue": Switch("once", "forgotten", "each"),
+    "mint.circle-sense": Switch("anticlockwise", "clockwise"),
 }
 WHOLE = ("integer", "bool", "bits", "ms")
 # Settings whose value decides what others read: these are found by the others.

@@ -46,7 +46,9 @@ class Events:
         if not self.handles(kind, number):
             return
         entry = (KINDS.index(kind), number)
-        if entry not in self.pending:
+        queued = self.environment.machine.readings.get("mint.event-queue")
+        known = entry in self.pending or (queued == "forgotten" and entry in self.active)
+        if not known or queued == "each":
             self.pending.append(entry)
             self.pending.sort(key=lambda each: each[0])
         clock = self.environment.clock
@@ -95,15 +97,16 @@ class Events:
             self._timer_event.cancel()
             self._timer_event = None
         if milliseconds > 0:
-            clock = self.environment.clock
-            self._next_tick(clock.now, 1)
+            at_once = self.environment.machine.readings.get("mint.timerevent") == "at once"
+            self._next_tick(self.environment.clock.now, 0 if at_once else 1)
 
     def _next_tick(self, start: float, count: int) -> None:
         """The n-th tick comes n periods after the start: no rounding adds up."""
         period = self.timer / 1000.0
 
         def tick() -> None:
-            self._next_tick(start, count + 1)
+            if self.environment.machine.readings.get("mint.timerevent") != "once":
+                self._next_tick(start, count + 1)
             self.raise_("timer")
 
         self._timer_event = self.environment.clock.at(start + count * period, tick)
