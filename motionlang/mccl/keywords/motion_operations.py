@@ -98,6 +98,7 @@ def stop(task: CommandTask, command: Command) -> None:
 
 
 def abort(task: CommandTask, command: Command) -> None:
+    """AB: axes stand at once, or where the board has it so slow down at their DS."""
     for axis in task.axes(command):
         axis.running = False
         task.board.release(axis)
