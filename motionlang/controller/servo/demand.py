@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
     from motionlang.profile import Profile
 
+    # The demand over trajectory cycles: the coefficients of 1, c, c² and c³, counts.
+    Cubic = tuple[float, float, float, float]
+
 SHORT = 200
 """Below this many points plain floats are quicker than making a table of the pieces."""
 ONE_PROFILE = 1000
@@ -127,12 +130,13 @@ class Generator:
 
             return np.concatenate((known, self.table(cycle, count)))
         if not is_one:
-            return [*known, *(self._point(i) for i in range(cycle, cycle + count))]
+            return [*known, *(self.point(i) for i in range(cycle, cycle + count))]
         period, start, offset = self.period, self.track.starts[k], self.offset(k)
         times = [i * period - start for i in range(cycle + 1, cycle + count + 1)]
         return [*known, *(place + offset for place in self.track.profiles[k].positions(times))]
 
-    def _point(self, cycle: int) -> float:
+    def point(self, cycle: int) -> float:
+        """The point for the end of a cycle."""
         k = self.in_force(cycle)
         time = (cycle + 1) * self.period - self.track.starts[k]
         return self.track.profiles[k].position(time) + self.offset(k)
@@ -165,5 +169,5 @@ class Generator:
             np.concatenate((np.floor(begun + _AT_ONCE), near - 2.0, near - 1.0, near, near + 1.0))
         )
         for i in redone[(redone >= 0.0) & (redone < count)].astype(int).tolist():
-            made[i] = self._point(cycle + i)
+            made[i] = self.point(cycle + i)
         return made

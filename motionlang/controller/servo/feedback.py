@@ -3,7 +3,7 @@
 The servo is run ahead of the clock in blocks. A reading is a look into the block; whatever waits for the motor (a
 switch on its way, the following-error limit, a window to settle in) is found in the block and happens as an event, at
 the time of its servo sample, though nobody reads. A new profile or gain throws away what lies behind the present
-sample. Blocks grow from SHORT samples to LONG seconds while nothing interferes.
+sample. Blocks grow from `Ahead.short` samples to LONG seconds while nothing interferes.
 
 Until the axis is first commanded to move nothing is computed: the motor rests at its demand.
 """
@@ -16,6 +16,7 @@ import numpy as np
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
+from motionlang.controller.servo.ahead import Ahead, seen_of
 from motionlang.controller.servo.axis_loop import axis_loop
 from motionlang.controller.servo.lookahead import (
     REST_ERROR,
@@ -29,9 +30,8 @@ from motionlang.controller.servo.lookahead import (
     seen,
 )
 from motionlang.controller.servo.replay import apply, run_to, sample_at, stands
-from motionlang.controller.servo.servo import Servo
 from motionlang.controller.servo.settings import make_plant
-from motionlang.controller.servo.standstill import Stillness
+from motionlang.controller.servo.standstill import Stillness, extent
 from motionlang.controller.triggers.watch import margin, place
 from motionlang.profile import hold
 
@@ -41,14 +41,14 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Clock, Event
     from motionlang.controller.core import Core
+    from motionlang.controller.servo.ahead import Mark
     from motionlang.controller.servo.axis_loop import Chosen
     from motionlang.controller.servo.gains import Gains
     from motionlang.controller.servo.loop import Loop
     from motionlang.controller.servo.replay import Change
-    from motionlang.controller.servo.servo import Mark
     from motionlang.controller.triggers.watch import Watch
 
-SHORT, LONG = 64, 0.5
+LONG = 0.5
 _NEVER = 1 << 62
 # Counts: an error below this is none.
 _ROUNDING = 1e-9
@@ -108,10 +108,10 @@ class Feedback:
             "program": Window(error=0.5, announced=False),
         }
         self._gains: Gains = {}
-        self._servo: Servo | None = None
+        self._servo: Ahead | None = None
         self._sight: Sight | None = None
         self._mark: Mark | None = None
-        self._size = self._long = SHORT
+        self._size = self._long = 0
         # When something is looked at next: the event, and its sample.
         self._event: Event | None = None
         self._due = _NEVER
@@ -149,7 +149,8 @@ class Feedback:
     @property
     def torque(self) -> float:
         """Motor torque, N m."""
-        return self._read("torque")
+        constant: float = getattr(self.plant, "torque_constant", 0.0)
+        return self._read("current") * constant
 
     @property
     def current(self) -> float:
@@ -345,7 +346,7 @@ class Feedback:
             return
         self.chosen = self._choose()
         self.first_loop = self.chosen.loop
-        servo = Servo(self.first_loop, self.plant, self._axis, columns=seen(self.plant), ahead=True)
+        servo = Ahead(self.first_loop, self.plant, self._axis, columns=seen(self.plant))
         self._servo = servo
         last = None
         for change in self.changes:
@@ -353,8 +354,9 @@ class Feedback:
             apply(servo, change)
         last = run_to(servo, self._now) or last
         assert last is not None
-        self._mark, self._long = servo.mark(), max(round(LONG * self._rate), SHORT)
-        self._sight = Sight(servo.sample - len(last), last)
+        self._size = servo.short
+        self._mark, self._long = servo.mark(), max(round(LONG * self._rate), self._size)
+        self._sight = Sight(servo.sample - len(last), seen_of(last))
         self._sight.keep(self._now, servo.sample)
         self.scanned = self._now
 
@@ -387,7 +389,7 @@ class Feedback:
             window.pass_by(sight, self._target, first + 1)
         sight.keep(first, sight.end)
         self._mark = servo.mark()
-        sight.extend(servo.run(self._size))
+        sight.extend(servo.look(self._size))
         if self._size == self._long:
             self._judge(sight, now)
         self._size = min(4 * self._size, self._long)
@@ -399,8 +401,7 @@ class Feedback:
         assert self._mark is not None
         new = None
         if stands(servo, self._long, servo.sample):
-            place, output = sight.encoder[-self._long :], sight.output[-self._long :]
-            new = (-float(place.min()), float(place.max()), -float(output.min()), float(output.max()))
+            new = extent(sight.encoder[-self._long :], sight.output[-self._long :])
         self._stillness.judge(new, LONG)
         if self.calm and now > servo.sample and servo.state == self._mark[0]:
             sight.keep(sight.end - 1, sight.end)
@@ -420,9 +421,9 @@ class Feedback:
         if until < sight.end:
             servo.back(self._mark)
             if until > servo.sample:
-                servo.run(until - servo.sample)
+                servo.look(until - servo.sample)
             sight.keep(sight.first, until)
-        self._size = SHORT
+        self._size = servo.short
         self.look_again()
 
     # ------------------------------------------------------------------------------------------------- events

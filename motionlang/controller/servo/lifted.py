@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.controller.servo.discrete import discretise
+from motionlang.controller.servo.linear import Probe, kept_places
 from motionlang.controller.servo.steps import MEMORY, empty_columns, stepper
 
 if TYPE_CHECKING:
@@ -63,19 +64,19 @@ class Lifted:
         self.ratio, self.has_feed = loop.ratio, loop.has_feed_forward
         names = discretise(plant, loop.period).names
         self.size = len(names) + len(MEMORY)
-        self.kept = _kept(loop, names)
+        self.kept = kept_places(loop, names)
         self.shifting = np.array([i in (0, len(names) + MEMORY.index("last_position")) for i in self.kept])
         self.checks = _checks(loop)
         wanted = tuple(dict.fromkeys((*columns, *self.checks)))
         # A loop that grows beyond all numbers within one block breaks its limits: its blocks are never used.
         with np.errstate(over="ignore", invalid="ignore"):
-            self._lift(_Probe(loop, plant, wanted, integrating, self.kept, self.size), wanted, loop)
+            self._lift(Probe(loop, plant, wanted, integrating, self.kept, self.size), wanted, loop)
         # No column of a block is larger than the sizes of its start and inputs times these: a cheap first check.
         self.bounds = {name: np.abs(self.outputs[name]).max(axis=1) for name in self.checks}
 
     # -- making the matrices
 
-    def _lift(self, probe: _Probe, wanted: tuple[str, ...], loop: Loop) -> None:
+    def _lift(self, probe: Probe, wanted: tuple[str, ...], loop: Loop) -> None:
         nz, nc = len(self.kept), self.cycles
         width = nz + nc * (2 if self.has_feed else 1) + 1
         z = np.eye(nz, width)
@@ -204,12 +205,6 @@ class Lifted:
         return states[:n], last if n == groups * GROUP else states[n]
 
 
-def linear_step(loop: Loop, plant: Motor | Drive, columns: tuple[str, ...]) -> tuple[Array, Array]:
-    """One step without limits, and the columns at its beginning, over (state, demand, feed-forward, 1)."""
-    names = discretise(plant, loop.period).names
-    return _Probe(loop, plant, columns, True, _kept(loop, names), len(names) + len(MEMORY)).sampled
-
-
 class _Level:
     """GROUP steps of z' = F z + g as one: `free` from the first state, `driven` from the inputs, to all states."""
 
@@ -227,60 +222,12 @@ class _Level:
                 self.driven[j * nz : (j + 1) * nz, m * nz : (m + 1) * nz] = powers[m - 1 - j].T
 
 
-class _Probe:
-    """One step as a matrix over (state, demand, feed-forward, 1), found by trying unit values on the step itself."""
-
-    def __init__(
-        self,
-        loop: Loop,
-        plant: Motor | Drive,
-        columns: tuple[str, ...],
-        integrating: bool,
-        kept: list[int],
-        size: int,
-    ) -> None:
-        run = stepper(loop, plant, columns, integrating, limited=False)
-        wait = size - len(MEMORY) + MEMORY.index("derivative_wait")
-
-        def tried(values: Array, held: bool) -> tuple[Array, Array]:
-            state = [0.0] * size
-            for i, value in zip(kept, values.tolist(), strict=False):
-                state[i] = value
-            state[wait] = float(held)
-            made = empty_columns(columns)
-            after = run([float(values[-3])], [float(values[-2])], tuple(state), made)
-            return np.array([after[i] for i in kept]), np.array([column[0] for column in made])
-
-        self.sampled = _affine(tried, len(kept), False)
-        self.held = _affine(tried, len(kept), True)
-
-
 def interpolated(points: Array, ratio: int) -> Array:
     """The demand at the servo rate between trajectory points, the last point left out."""
     made = np.multiply.outer(np.diff(points), np.arange(ratio) / ratio)
     made += points[:-1, None]
     flat: Array = made.reshape(-1)
     return flat
-
-
-def _affine(tried: object, nz: int, held: bool) -> tuple[Array, Array]:
-    assert callable(tried)
-    zero = tried(np.zeros(nz + 3), held)
-    found = [tried(unit, held) for unit in np.eye(nz + 3)[:-1]]
-    after = np.array([each[0] - zero[0] for each in found] + [zero[0]]).T
-    outputs = np.array([each[1] - zero[1] for each in found] + [zero[1]]).T
-    return after, outputs
-
-
-def _kept(loop: Loop, names: tuple[str, ...]) -> list[int]:
-    """Places in the state of what the linear system remembers."""
-    memory = {
-        "total": loop.has_integral,
-        "last_error": bool(loop.derivative),
-        "change": bool(loop.derivative) and loop.derivative_every > 1,
-        "last_position": bool(loop.velocity_feedback),
-    }
-    return [*range(len(names)), *(len(names) + MEMORY.index(name) for name, used in memory.items() if used)]
 
 
 def _checks(loop: Loop) -> dict[str, float]:

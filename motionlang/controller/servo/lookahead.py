@@ -14,11 +14,9 @@ if TYPE_CHECKING:
 
     from motionlang.controller.servo.demand import Demanded
     from motionlang.controller.servo.plant import Drive, Motor
-    from motionlang.controller.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
 
-COLUMNS = ("encoder", "velocity", "error", "output", "torque", "current")
 # Seconds: a profile that ends this much later has ended.
 _AT_ONCE = 1e-9
 # Counts within which a motor stands on a position.
@@ -49,45 +47,62 @@ def rests_as_seen(track: Demanded) -> bool:
 
 
 class Sight:
-    """Columns of samples that follow one another, `first` being the number of the first one.
+    """Samples that follow one another, `first` being the number of the first one, and a row for each of `SEEN`.
 
     `encoder` is the measured position in the motor's own coordinates, counts; velocity counts/s, error counts, output
-    volts, torque N m, current A.
+    volts, current A.
     """
 
-    __slots__ = (*COLUMNS, "first")
+    __slots__ = ("first", "rows")
 
-    encoder: Array
-    velocity: Array
-    error: Array
-    output: Array
-    torque: Array
-    current: Array
-
-    def __init__(self, first: int, made: ServoTrace) -> None:
-        self.first = first
-        for name in COLUMNS:
-            setattr(self, name, getattr(made, name))
+    def __init__(self, first: int, rows: Array) -> None:
+        self.first, self.rows = first, rows
 
     def __len__(self) -> int:
-        return len(self.encoder)
+        return int(self.rows.shape[1])
 
     @property
     def end(self) -> int:
         """The number of the first sample that is not seen any more."""
         return self.first + len(self)
 
+    @property
+    def encoder(self) -> Array:
+        """Measured positions."""
+        return self._row(0)
+
+    @property
+    def velocity(self) -> Array:
+        """Velocities."""
+        return self._row(1)
+
+    @property
+    def error(self) -> Array:
+        """Following errors."""
+        return self._row(2)
+
+    @property
+    def output(self) -> Array:
+        """What the controller put out."""
+        return self._row(3)
+
+    @property
+    def current(self) -> Array:
+        """Currents."""
+        return self._row(4)
+
+    def _row(self, number: int) -> Array:
+        row: Array = self.rows[number]
+        return row
+
     def keep(self, first: int, until: int) -> None:
         """Keep the samples from `first` to `until`, not included."""
-        here = slice(max(first - self.first, 0), until - self.first)
-        for name in COLUMNS:
-            setattr(self, name, getattr(self, name)[here])
+        self.rows = self.rows[:, max(first - self.first, 0) : until - self.first]
         self.first = max(first, self.first)
 
-    def extend(self, made: ServoTrace) -> None:
+    def extend(self, made: Array) -> None:
         """See further samples."""
-        for name in COLUMNS:
-            setattr(self, name, np.concatenate((getattr(self, name), getattr(made, name))))
+        self.rows = np.concatenate((self.rows, made), axis=1)
 
 
 class Window:

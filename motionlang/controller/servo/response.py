@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.controller.servo.discrete import discretise
-from motionlang.controller.servo.lifted import linear_step
+from motionlang.controller.servo.linear import linear_step
 from motionlang.controller.servo.steps import COLUMNS, initial_state
 from motionlang.controller.servo.stretch import run_stretch
 from motionlang.controller.servo.trace import joined

@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import floor, inf
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.demand import ONE_PROFILE, SHORT, Generator
+from motionlang.controller.servo.demand import SHORT, Generator
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.steps import COLUMNS, initial_state
 from motionlang.controller.servo.stretch import Stretch, run_stretch
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.steps import State
     from motionlang.controller.servo.trace import ServoTrace
 
-if TYPE_CHECKING:
-    Mark = tuple[State, int, list[float], dict[str, float]]
-
 SPAN = 1 << 18
 """Samples that are run in one go: what bounds the memory of a servo that writes nothing down."""
 WATCH = 4096
@@ -36,8 +33,10 @@ class Servo:
     """One axis under servo, from its track's position at time 0.
 
     The readings are those of the last sample, of `columns` alone; `record` keeps those of all of them for `trace`.
-    `ahead` is for one that is run in many short blocks.
     """
+
+    few = SHORT
+    """Points of one profile up to which they are made one by one."""
 
     def __init__(
         self,
@@ -47,7 +46,6 @@ class Servo:
         *,
         record: bool = False,
         columns: tuple[str, ...] = COLUMNS,
-        ahead: bool = False,
     ) -> None:
         for name in columns:
             if name not in COLUMNS:
@@ -55,7 +53,7 @@ class Servo:
         self.loop, self.plant = loop, plant
         self.peak_error = 0.0
         self._columns = columns
-        self._generator = Generator(track, 1.0 / loop.trajectory_rate, ONE_PROFILE if ahead else SHORT)
+        self._generator = Generator(track, 1.0 / loop.trajectory_rate, self.few)
         self._open_output: float | None = None
         self._sample = 0
         self._kept: list[Stretch] | None = [] if record else None
@@ -64,7 +62,7 @@ class Servo:
         self._points = [start, start, start]
         self._state: State = initial_state(discretise(plant, loop.period), start)
         self._row = dict.fromkeys(COLUMNS, 0.0) | {"position": start, "demand": start}
-        self._offset = self._generator.offsets[0]
+        self._row["measured"] = self._measured()
 
     # -- readings of the last sample
 
@@ -81,12 +79,12 @@ class Servo:
     @property
     def position(self) -> float:
         """Measured position, counts, in the program's coordinates."""
-        return self._measured() - self._offset
+        return self._row["measured"] - self._offset
 
     @property
     def error(self) -> float:
         """Following error: demand minus measured position, counts."""
-        return self._row["demand"] - self._measured()
+        return self._row["demand"] - self._row["measured"]
 
     @property
     def velocity(self) -> float:
@@ -160,7 +158,7 @@ class Servo:
         The track must already say so: where it is now is taken to be where the motor is. `profile` is the number of
         the profile in force, for a track that goes on after this moment.
         """
-        place = self._measured()
+        place = self._row["measured"]
         self._generator.rebase(-(-self._sample // self.loop.ratio), place, profile)
         self._points = [place, place, place]
         fresh = initial_state(discretise(self.plant, self.loop.period), place)
@@ -175,7 +173,7 @@ class Servo:
                 raise ValueError(f"the {name.replace('_', ' ')} cannot change while the loop runs")
         self.loop = loop
 
-    # -- looking ahead
+    # -- from block to block
 
     @property
     def sample(self) -> int:
@@ -197,15 +195,6 @@ class Servo:
         """Counts that lie between the motor's own coordinates and those of the program, as the track is now."""
         return self._generator.offset(len(self._generator.track.starts) - 1)
 
-    def mark(self) -> Mark:
-        """What `back` needs to return here."""
-        return self._state, self._sample, list(self._points), self._row
-
-    def back(self, mark: Mark) -> None:
-        """Forget what was run since `mark` was made; gains and the track are as they are now."""
-        self._state, self._sample, self._points, self._row = mark
-        self._points = list(self._points)
-
     def run(self, count: int) -> ServoTrace:
         """Run `count` samples and give what they were, in the motor's own coordinates but for `demand`, `position`."""
         from motionlang.controller.servo.trace import joined
@@ -220,6 +209,11 @@ class Servo:
 
     # -- inside
 
+    @property
+    def _offset(self) -> float:
+        """That of the program at the last sample."""
+        return self._generator.shifts(self._sample - 1, self._sample, self.loop.servo_rate)[-1][1]
+
     def _run(self, until: int) -> None:
         """Run to sample `until` (not included); the points of a cycle are made as it begins."""
         ratio, first = self.loop.ratio, self._sample
@@ -227,12 +221,10 @@ class Servo:
         cycles = -(-until // ratio) - cycle
         known = 3 if part else 2
         points = self._generator.points(cycle + known - 2, cycles + 2 - known, self._points[:known])
-        loop = self.loop if self.is_closed else self._open_loop()
         self._stretch, self._state = run_stretch(
-            loop, self.plant, self._columns, points, part, until - first, self._state
+            self._in_charge, self.plant, self._columns, points, part, until - first, self._state
         )
-        self._stretch.shifts = self._generator.shifts(first, until, loop.servo_rate)
-        self._offset = self._stretch.shifts[-1][1]
+        self._stretch.shifts = self._generator.shifts(first, until, self.loop.servo_rate)
         final = [float(point) for point in points[-3:]]
         self._points = [*final[1:], final[2]] if until % ratio == 0 else final
         self._sample = until
@@ -243,6 +235,7 @@ class Servo:
             name: float(column[-1]) for name, column in zip(self._columns, stretch.columns, strict=True)
         }
         self._row["demand"] = stretch.last_demand(len(stretch.columns[0]))
+        self._row["measured"] = self._measured()
         if self._kept is not None:
             self._kept.append(stretch)
 
@@ -257,9 +250,11 @@ class Servo:
         seen = joined(self.loop, self.plant, self._columns, [self._stretch])
         return round(seen.first_beyond(limit) * self.loop.servo_rate)
 
-    def _open_loop(self) -> Loop:
-        """The loop with no gains: only an offset, past the limits and the DAC."""
-        assert self._open_output is not None
+    @property
+    def _in_charge(self) -> Loop:
+        """The loop, or where it is open one with no gains: only an offset, past the limits and the DAC."""
+        if self._open_output is None:
+            return self.loop
         names = ("proportional", "integral", "derivative", "velocity_feedback")
         none = dict.fromkeys((*names, "velocity_ff", "accel_ff", "decel_ff", "output_deadband"), 0.0)
         bare = replace(self.loop, arithmetic="real", override=None, reversed=False, **none)  # type: ignore[arg-type]

@@ -11,7 +11,15 @@ _SLACK = (1e-6, 1e-6, 1e-9, 1e-9)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     Extent = tuple[float, ...]
+
+
+def extent(place: NDArray[np.float64], output: NDArray[np.float64]) -> Extent:
+    """How far samples of the motor's position and of its output went, each way."""
+    return -float(place.min()), float(place.max()), -float(output.min()), float(output.max())
 
 
 class Stillness:

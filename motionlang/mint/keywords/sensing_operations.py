@@ -100,8 +100,8 @@ class IdleWindows(Settings):
             return False
         if mode & AT_SPEED and abs(controller.velocity(axis)) > self.setting("IDLEVEL", axis):
             return False
-        rest = controller.clock.now - self._since.get(axis, -1e300)
-        return rest >= self.setting("IDLETIME", axis) / 1000.0
+        # The sum by which it is looked again: a difference would be less than the whole by its rounding.
+        return controller.clock.now >= self._since.get(axis, -1e300) + self.setting("IDLETIME", axis) / 1000.0
 
     def settling_time(self, axis: int) -> int:
         """Milliseconds from the end of the move to IDLE: IDLETIME, and what a simulated motor needed before it."""

@@ -14,12 +14,13 @@ import motionlang
 from motionlang.controller.controller import Controller
 from motionlang.controller.record.history import servo_trace
 from motionlang.controller.servo import Drive, Motor, Servo, feedback, lookahead, simulate
+from motionlang.controller.servo.ahead import Ahead
 from motionlang.controller.servo.feedback import Feedback
 from motionlang.result import Run
 from motionlang.source import Source
 
 if TYPE_CHECKING:
-    from motionlang.controller.servo.servo import Mark
+    from motionlang.controller.servo.ahead import Mark
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
 ROUGH: dict[str, object] = {**MOTOR, "coulomb": 0.003, "quantised": True}
@@ -300,13 +301,13 @@ def test_the_rest_behind_a_move_is_what_was_seen_of_it(
         + 'PAUSE IDLE(0)\nPRINT TIME, " ", POS(0), " ", VEL(0)\nWAIT = 30 * n\nPRINT POS(0), " ", FOLERROR(0)\nNext\n'
     )
     thrown: list[float] = []
-    back = Servo.back
+    back = Ahead.back
 
-    def counted(servo: Servo, mark: Mark) -> None:
+    def counted(servo: Ahead, mark: Mark) -> None:
         thrown.append(servo.time)
         back(servo, mark)
 
-    monkeypatch.setattr(Servo, "back", counted)
+    monkeypatch.setattr(Ahead, "back", counted)
     seen, few = printed(text, plant, servo=GAINS), len(thrown)
     monkeypatch.setattr(feedback, "rests_as_seen", lambda track: False)
     assert printed(text, plant, servo=GAINS) == seen

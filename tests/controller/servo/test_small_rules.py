@@ -3,28 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
 
+from motionlang.controller.servo.closed_form import SEEN
 from motionlang.controller.servo.demand import SHORT, Generator, Track
 from motionlang.controller.servo.discrete import discretise
-from motionlang.controller.servo.lookahead import COLUMNS, Sight, Window, next_other_side, next_side
+from motionlang.controller.servo.lookahead import Sight, Window, next_other_side, next_side
 from motionlang.controller.servo.plant import Motor
 from motionlang.controller.servo.response import _first_fall
 from motionlang.controller.servo.settings import make_loop
 from motionlang.controller.servo.slip import _slid
 from motionlang.profile import hold
-
-
-class Made:
-    """Samples of which only the following error is told."""
-
-    def __init__(self, error: list[float]) -> None:
-        for name in COLUMNS:
-            setattr(self, name, np.zeros(len(error)))
-        self.error = np.array(error)
 
 
 @pytest.mark.parametrize(
@@ -33,9 +24,10 @@ class Made:
 def test_a_window_is_kept_since_the_sample_after_the_last_one_outside(
     error: list[float], since: float
 ) -> None:
-    made: Any = Made(error)
+    rows = np.zeros((len(SEEN), len(error)))
+    rows[SEEN.index("error")] = error
     window = Window(error=1.0)
-    window.pass_by(Sight(100, made), 0.0, 100 + len(error))
+    window.pass_by(Sight(100, rows), 0.0, 100 + len(error))
     assert window.since == since
 
 

@@ -28,6 +28,9 @@ WORDS: dict[str, tuple[str, list[str], dict[str, object]]] = {
         ["00", "200"], {}),
     "a motor that has not moved has no time to settle but what IDLETIME says": (
         "IDLEMODE(0) = 1 : IDLETIME(0) = 10 : PRINT IDLESETTLINGTIME(0)", ["10"], PLANT),
+    "IDLETIME behind the move the axis is idle, whatever the sum of the two is rounded to": (
+        "Dim n As Integer\nIDLEMODE(0) = 1 : IDLEPOS(0) = 5 : IDLETIME(0) = 5\n"
+        "For n = 1 To 30\n  MOVER(0) = n * 7 : GO(0) : PAUSE IDLE(0)\nNext\nPRINT IDLE(0)", ["1"], {}),
     "DEFAULT forgets the following error that warns": (
         "FOLERRORWARNING(0) = 50 : DEFAULT(0) : KPROP(0) = 0.05\n"
         "SPEED(0) = 20000 : ACCEL(0) = 40000 : DECEL(0) = 40000\n"

@@ -1,0 +1,221 @@
+"""The linear loop behind a demand that is a cubic: all samples of a stretch from its beginning, in one expression.
+
+Between its limits loop and plant are one linear system, and a ramp of the demand is four numbers. So a sample depends
+on the state and the demand at the beginning of its stretch by factors that are the same wherever that is: a table of
+them, made once for a loop and a plant by doubling. Products are added term by term, which no library of matrices
+promises: a sample is the same to the last bit whatever the processor and however long the stretch.
+
+The points of the demand are on the cubic from the end of the first cycle on. That at its beginning and the one before
+it were given already, and what they are off by is given too.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import inf, lcm
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from motionlang.controller.servo.discrete import discretise
+from motionlang.controller.servo.linear import Probe, kept_places
+from motionlang.controller.servo.steps import MEMORY
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from motionlang.controller.servo.demand import Cubic
+    from motionlang.controller.servo.loop import Loop
+    from motionlang.controller.servo.plant import Drive, Motor
+    from motionlang.controller.servo.steps import State
+
+    Array = NDArray[np.float64]
+
+SEEN = ("encoder", "velocity", "error", "output", "current")
+"""What is seen of a sample: measured position (counts, the motor's own), counts/s, counts, V, A."""
+LONGEST = 512
+"""Samples from which on a table is long enough."""
+_MOST_UNIT = 64
+_OUTPUT = SEEN.index("output")
+# What is left of a motion when it is less than this, whatever its unit, is nothing.
+_NOTHING = 1e-30
+# Beyond this a loop that runs away without an end is left to the plain steps.
+_FAR = 1e250
+_WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
+
+
+@lru_cache(maxsize=32)
+def closed_form(loop: Loop, plant: Motor | Drive) -> ClosedForm | None:
+    """The closed form of a loop and a plant; None where more than their state decides what acts."""
+    unit = lcm(loop.ratio, loop.derivative_every if loop.derivative else 1)
+    if not (loop.is_linear and plant.is_linear) or unit > _MOST_UNIT:
+        return None
+    if loop.accel_ff != loop.decel_ff or (loop.has_integral and loop.integral_mode != "always"):
+        return None
+    return ClosedForm(loop, plant, unit)
+
+
+class ClosedForm:
+    """The table of one loop and one plant. Positions in it are counted from the demand at which a stretch begins.
+
+    A stretch begins with a trajectory cycle, and with a sample of the derivative. `longest` is the number of samples
+    that it may have.
+    """
+
+    def __init__(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
+        made = discretise(plant, loop.period)
+        self.ratio, self.unit, self._every = loop.ratio, unit, loop.derivative_every if loop.derivative else 1
+        self._kept = kept_places(loop, made.names)
+        memory = len(made.names) + MEMORY.index("last_position")
+        self._width = len(self._kept) + 6
+        self._places = [i for i, place in enumerate(self._kept) if place in (0, memory)]
+        self._bounds = [(_OUTPUT, min(loop.output_limit, _FAR))]
+        if loop.has_integral and loop.integral_limit < inf:
+            self._bounds.append((len(SEEN), loop.integral_limit))
+        # A loop that grows beyond all numbers within a stretch breaks its limits before that.
+        with np.errstate(all="ignore"):
+            self._begin(loop, plant, unit)
+            while self.longest < LONGEST:
+                self._double()
+        self._has = [
+            bool(rows.any() or states.any()) for rows, states in zip(self._rows, self._states, strict=True)
+        ]
+
+    @property
+    def longest(self) -> int:
+        """Samples that a stretch may have."""
+        return int(self._rows.shape[2])
+
+    # -- the table: over (state, 1, three coefficients of the demand, what the two points before are off by)
+
+    def _begin(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
+        """The first samples, one by one."""
+        made = discretise(plant, loop.period)
+        columns = ["position", "velocity", "output", "current", "integral", *["twist"] * made.load_encoder]
+        probe = Probe(loop, plant, tuple(columns), True, self._kept, len(made.names) + len(MEMORY))
+        nz, width = len(self._kept), self._width
+        state, rows, states = np.eye(nz, width), [], []
+        for k in range(2 * unit):  # what those two points are off by is over then
+            demand, feed = self._demand(k), self._feed(loop, k // self.ratio)
+            step, outputs = probe.held if k % self._every else probe.sampled
+            given = np.vstack((state, demand, feed, np.eye(width)[nz]))
+            seen = dict(zip(columns, _product(outputs, given), strict=True))
+            encoder = seen["position"] - seen["twist"] if made.load_encoder else seen["position"]
+            every = (
+                encoder,
+                seen["velocity"],
+                demand - encoder,
+                seen["output"],
+                seen["current"],
+                seen["integral"],
+            )
+            rows.append(every[: len(SEEN) + len(self._bounds) - 1])
+            states.append(state)
+            state = _product(step, given)
+        # Factor by what is seen of which sample.
+        self._rows = np.ascontiguousarray(np.array(rows).transpose(2, 1, 0))
+        self._states = np.ascontiguousarray(np.array([*states, state]).transpose(2, 1, 0))
+
+    def _point(self, cycle: int) -> Array:
+        """The point at the beginning of a cycle."""
+        made = np.zeros(self._width)
+        made[-5:-2] = cycle, cycle**2, cycle**3
+        if -1 <= cycle <= 0:
+            made[cycle - 1] = 1.0
+        return made
+
+    def _demand(self, sample: int) -> Array:
+        """The demand at a sample; from point to point it is a straight line."""
+        cycle, part = divmod(sample, self.ratio)
+        here, there = self._point(cycle), self._point(cycle + 1)
+        made: Array = here + (part / self.ratio) * (there - here)
+        return made
+
+    def _feed(self, loop: Loop, cycle: int) -> Array:
+        """Feed-forward in a cycle: `stretch.py` has the rule."""
+        before, here, there = (self._point(cycle + k) for k in (-1, 0, 1))
+        rate = loop.trajectory_rate
+        made: Array = loop.velocity_ff * rate * (there - here)
+        made += loop.accel_ff * rate * rate * ((there - here) - (here - before))
+        return made
+
+    def _double(self) -> None:
+        """As many samples again: those of a stretch that begins where this one ends."""
+        count, nz = self.longest, len(self._kept)
+        cycles = count // self.ratio
+        moved = self._point(cycles)
+        onward = np.zeros((self._width, self._width))
+        onward[:nz] = self._states[:, :, -1].T
+        onward[self._places] -= moved
+        onward[nz, nz] = 1.0
+        onward[nz + 1, nz + 1 : nz + 4] = 1.0, 2.0 * cycles, 3.0 * cycles * cycles
+        onward[nz + 2, nz + 2 : nz + 4] = 1.0, 3.0 * cycles
+        onward[nz + 3, nz + 3] = 1.0
+        rows, states = (_after(onward, factors) for factors in (self._rows, self._states[:, :, 1:]))
+        rows[:, 0] += moved[:, None]
+        states[:, self._places] += moved[:, None, None]
+        self._rows = np.concatenate((self._rows, rows), axis=2)
+        self._states = np.concatenate((self._states, states), axis=2)
+
+    # -- running
+
+    def run(self, state: State, cubic: Cubic, off: tuple[float, float], out: Array) -> tuple[int, State]:
+        """Fill `out`, a row for each of `SEEN`, as if there were no limits.
+
+        `off` is what the points before the beginning of the first cycle and at it are off the cubic by. Gives the
+        number of samples that keep to the limits, which is the first that does not, and the state after those.
+        """
+        base, *ramp = cubic
+        start = [state[place] for place in self._kept]
+        for i in self._places:
+            start[i] -= base
+        terms = [(i, z) for i, z in enumerate((*start, 1.0, *ramp, *off)) if z and self._has[i]]
+        count = out.shape[1]
+        with np.errstate(all="ignore"):
+            made = _summed([(self._rows[i, :, :count], z) for i, z in terms], self._rows.shape[1], count)
+            good = self._inside(made)
+            after = _summed([(self._states[i, :, good : good + 1], z) for i, z in terms], len(self._kept), 1)
+        np.add(made[0], base, out=out[0])
+        out[1:] = made[1 : len(SEEN)]
+        full = list(state)
+        for place, (value,) in zip(self._kept, after.tolist(), strict=True):
+            full[place] = value if abs(value) > _NOTHING else 0.0
+        for i in self._places:
+            full[self._kept[i]] += base
+        full[_WAIT] = -good % self._every
+        return good, tuple(full)
+
+    def _inside(self, made: Array) -> int:
+        """How many samples, from the first, keep to the limits."""
+        good = int(made.shape[1])
+        for row, limit in self._bounds:
+            values = made[row, :good]
+            if not (values.max() <= limit and values.min() >= -limit):
+                good = int(((values <= limit) & (values >= -limit)).argmin())
+                if not good:
+                    break
+        return good
+
+
+def _summed(terms: list[tuple[Array, float]], height: int, count: int) -> Array:
+    """The sum of arrays times their factors, one after the other."""
+    made = np.zeros((height, count))
+    one = np.empty((height, count))
+    for array, factor in terms:
+        np.multiply(array, factor, out=one)
+        made += one
+    return made
+
+
+def _after(onward: Array, factors: Array) -> Array:
+    """Factors of what a stretch begins with, for factors of what it goes on with."""
+    made = np.zeros_like(factors)
+    for row, each in zip(onward, factors, strict=True):
+        made += row[:, None, None] * each
+    return made
+
+
+def _product(a: Array, b: Array) -> Array:
+    """The matrix product, term by term."""
+    made: Array = (a[:, :, None] * b).sum(axis=1)
+    return made

@@ -1,0 +1,144 @@
+"""Whatever is done to an axis with a linear motor, the closed form and the plain steps tell the same of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import motionlang
+from motionlang.controller.controller import Controller
+from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
+from motionlang.controller.servo import ahead
+from motionlang.controller.servo.closed_form import closed_form
+from motionlang.controller.servo.feedback import Feedback
+from motionlang.source import Source
+
+if TYPE_CHECKING:
+    from motionlang.controller.servo.loop import Loop
+    from motionlang.controller.servo.plant import Drive, Motor
+
+    Act = Callable[[Controller], object]
+    Reading = tuple[float, ...]
+
+PLANTS: tuple[dict[str, object], ...] = (
+    {"load_inertia": 4e-5, "viscous": 2e-5},
+    {"load_inertia": 4e-5, "load_torque": 0.01},
+    {"load_inertia": 4e-5, "resonance": 150.0, "resonance_damping": 0.3},
+    {"kind": "drive", "speed_per_volt": 5000.0, "time_constant": 4e-3},
+)
+SECTIONS: tuple[dict[str, object], ...] = (
+    {"proportional": 0.02, "integral": 2e-5, "derivative": 0.5},
+    {"proportional": 0.008, "derivative": 0.15, "output_limit": 1.5},
+    {"bandwidth": 20.0, "servo_rate": 4000.0, "trajectory_rate": 1000.0},
+    {"bandwidth": 30.0},
+)
+# Seconds: many of them are a sample or less.
+PAUSES = st.one_of(st.sampled_from([2e-4, 1e-3, 1.3e-3, 0.007]), st.floats(0.0, 0.4))
+FASTER = {"proportional": (2.0, "KPROP"), "derivative": (60.0, "KDERIV"), "velocity_ff": (0.1, "KVELFF")}
+
+
+def _tune(controller: Controller) -> None:
+    feedback = controller.axes[0].feedback
+    assert feedback is not None
+    feedback.tune(FASTER)
+
+
+ACTS: dict[str, Act] = {
+    "far": lambda c: c.move_to(0, 4000.0),
+    "near": lambda c: c.move_by(0, -35.0),
+    "back": lambda c: c.move_to(0, -700.0),
+    "jog": lambda c: c.jog(0, 3000.0),
+    "stop": lambda c: c.stop(0),
+    "abort": lambda c: c.abort(0),
+    "rename": lambda c: c.define_position(0, 100.0),
+    "off": lambda c: c.disable(0),
+    "on": lambda c: c.enable(0),
+    "torque": lambda c: c.open_loop(0, 0.7),
+    "tune": _tune,
+    "wait": lambda c: None,
+}
+
+
+def _no_form(loop: Loop, plant: Motor | Drive) -> None:
+    return None
+
+
+def told(
+    plant: dict[str, object],
+    section: dict[str, object],
+    limit: float,
+    acts: list[tuple[str, float]],
+    form: Callable[[Loop, Motor | Drive], object],
+) -> tuple[list[Reading], list[float]]:
+    """What is read after each pause behind an act, and when the following error went beyond its limit."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ahead, "closed_form", form)
+        controller, trips = Controller(1), list[float]()
+        a, clock = controller.axes[0], controller.clock
+        a.feedback = feedback = Feedback(a, clock, plant, section)
+
+        def trip() -> None:
+            trips.append(clock.now)
+            a.faults |= FOLLOWING_ERROR
+
+        feedback.tripped = trip
+        feedback.set_error_limit(limit)
+        seen: list[Reading] = []
+        for name, pause in acts:
+            try:
+                ACTS[name](controller)
+            except Refusal:
+                pass  # a jog of an axis that is switched off
+            clock.advance(clock.now + pause)
+            seen.append((controller.position(0), controller.velocity(0), feedback.error, feedback.output))
+    return seen, trips
+
+
+@given(
+    plant=st.sampled_from(PLANTS),
+    section=st.sampled_from(SECTIONS),
+    limit=st.sampled_from([3.0, 40.0, float("inf")]),
+    acts=st.lists(st.tuples(st.sampled_from(sorted(ACTS)), PAUSES), min_size=1, max_size=14),
+)
+@settings(max_examples=60)
+def test_readings_are_the_same_and_trips_come_at_the_same_sample(
+    plant: dict[str, object], section: dict[str, object], limit: float, acts: list[tuple[str, float]]
+) -> None:
+    """To a ten-millionth of a count, and of what it goes by: counts/s, volts."""
+    seen, trips = told(plant, section, limit, acts, closed_form)
+    stepped, plain_trips = told(plant, section, limit, acts, _no_form)
+    for one, other in zip(seen, stepped, strict=True):
+        assert one == pytest.approx(other, rel=1e-7, abs=1e-7)
+    assert trips == plain_trips
+
+
+def test_a_program_waits_as_long_either_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Positions passed, windows kept and limits broken are found at their samples, not where a block ends."""
+    text = """
+SCALE(0) = 100 : SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+FOLERRORFATAL(0) = 1.2 : IDLEMODE(0) = 1 : IDLEPOS(0) = 0.002 : IDLETIME(0) = 5
+MOVER(0) = 20 : GO(0)
+PAUSE POS(0) > 7.5
+PRINT TIME : PAUSE VEL(0) < 50
+PRINT TIME : PAUSE IDLE(0)
+PRINT TIME : JOG(0) = 300
+PAUSE AXISERROR(0)
+PRINT TIME
+"""
+    machine = {
+        "axis.0.plant.load_inertia": 4e-5,
+        "axis.0.servo.proportional": 0.008,
+        "axis.0.servo.derivative": 0.15,
+    }
+
+    def printed() -> list[str]:
+        return motionlang.run(Source("x", text), dialect="mint", machine=machine, cache=False).output
+
+    seen = printed()
+    assert len(seen) == 4
+    monkeypatch.setattr(ahead, "closed_form", _no_form)
+    assert printed() == seen

@@ -1,0 +1,230 @@
+"""The closed form of a linear loop: the numbers of the plain steps, and of pencil and paper."""
+
+from __future__ import annotations
+
+from math import exp
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from motionlang.controller.servo import Drive, Loop, Motor, Track, ahead
+from motionlang.controller.servo.ahead import Ahead
+from motionlang.controller.servo.closed_form import SEEN, closed_form
+from motionlang.profile import hold, plan_ratio, plan_sinusoidal, plan_trapezoid
+from tests.cases import cases
+from tests.controller.servo.plain import run_plain
+from tests.controller.servo.test_oracle import LOOPS, PID, PLANTS, points_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+SECONDS = 1.6
+# Loops whose closed form there is, and more of them.
+FORMS = {name: loop for name, loop in LOOPS.items() if closed_form(loop, Motor()) is not None} | {
+    "feed-forward alike": Loop(0.02, 1e-5, 0.4, velocity_ff=2e-5, accel_ff=3e-7, decel_ff=3e-7),
+    "feed-forward at Mint's rate": Loop(
+        0.02, 1e-4, 0.1, velocity_ff=2e-4, accel_ff=3e-7, decel_ff=3e-7, servo_rate=1000.0
+    ),
+    "derivative every 8 samples": Loop(0.004, 0.0, 0.02, derivative_every=8),
+}
+LINEAR = {name: plant for name, plant in PLANTS.items() if plant.is_linear}
+
+
+def track() -> Track:
+    """Cubics, a half wave of a sine, a rest, and one profile that cuts another one short."""
+    far = plan_trapezoid(0.0, 4000.0, 12_000.0, 90_000.0, 140_000.0)
+    back = plan_ratio(far.position(0.2003), 4500.0, 14_000.0, 90_000.0, 120_000.0, 0.3, far.velocity(0.2003))
+    wave = plan_sinusoidal(4500.0, 2500.0, 9_000.0, 80_000.0, 80_000.0)
+    return Track(
+        [0.0, 0.05, 0.2503, 0.2503 + back.duration, 1.1, 1.1 + wave.duration],
+        [hold(0.0), far, back, hold(4500.0), wave, hold(2500.0)],
+    )
+
+
+def looked(servo: Ahead, blocks: list[int]) -> dict[str, Array]:
+    """What was seen of a servo, block by block."""
+    rows = np.concatenate([servo.look(count) for count in blocks], axis=1)
+    return dict(zip(SEEN, rows, strict=True))
+
+
+def assert_plain(loop: Loop, plant: Motor | Drive, blocks: list[int]) -> None:
+    motion = track()
+    seen = looked(Ahead(loop, plant, motion), blocks)
+    count = len(seen["error"])
+    points = points_of(loop, motion, SECONDS)
+    time = np.arange(count) / loop.servo_rate
+    demand = np.interp(time, np.arange(len(points)) / loop.trajectory_rate, points)
+    plain = run_plain(loop, plant, points, demand)
+    plain["encoder"] = plain["position"]
+    if isinstance(plant, Motor) and plant.encoder == "load":
+        plain["encoder"] = plain["position"] - plain["twist"]
+    plain["error"] = demand - plain["encoder"]
+    for name, column in seen.items():
+        worst = float(np.abs(column - plain[name]).max()) / max(1.0, float(np.abs(plain[name]).max()))
+        assert worst < 1e-9, f"{name} differs by {worst:g}"
+    limit = loop.output_limit
+    assert np.array_equal(np.abs(seen["output"]) >= limit, np.abs(plain["output"]) >= limit)
+
+
+def even(loop: Loop, size: int) -> list[int]:
+    whole, rest = divmod(round((SECONDS - 0.01) * loop.servo_rate), size)
+    return [size] * whole + [rest] * bool(rest)
+
+
+@cases(("name", "plant"), [(name, plant) for name in FORMS for plant in ("motor", "gravity", "drive")])
+def test_every_linear_loop_is_the_plain_loop(name: str, plant: str) -> None:
+    assert closed_form(FORMS[name], LINEAR[plant]) is not None
+    assert_plain(FORMS[name], LINEAR[plant], even(FORMS[name], 500))
+
+
+@cases("plant", LINEAR)
+def test_every_linear_plant_is_the_plain_plant(plant: str) -> None:
+    assert closed_form(PID, LINEAR[plant]) is not None
+    assert_plain(PID, LINEAR[plant], even(PID, 1999))
+
+
+@given(
+    name=st.sampled_from(sorted(FORMS)),
+    plant=st.sampled_from(sorted(LINEAR)),
+    blocks=st.lists(st.integers(1, 700), min_size=1, max_size=8),
+)
+def test_blocks_of_any_length_are_the_plain_loop(name: str, plant: str, blocks: list[int]) -> None:
+    rate = FORMS[name].servo_rate
+    while sum(blocks) > (SECONDS - 0.01) * rate:
+        blocks = blocks[:-1]
+    assert_plain(FORMS[name], LINEAR[plant], blocks or [10])
+
+
+# ----------------------------------------------------------------------------------------------- pencil and paper
+
+
+def test_a_drive_without_a_loop_comes_to_its_speed_as_an_exponential() -> None:
+    """2 V on 5000 counts/s a volt, behind a lag of 20 ms: v = 10 000 (1 - e^(-t/T)), p its integral."""
+    servo = Ahead(Loop(servo_rate=1000.0), Drive(5000.0, 0.02), Track([0.0], [hold(0.0)]))
+    servo.open(2.0)
+    seen = looked(servo, [300])
+    for k in (0, 1, 17, 100, 299):
+        t = k / 1000.0
+        lag = 0.02 * (1.0 - exp(-t / 0.02))
+        assert seen["velocity"][k] == pytest.approx(10_000.0 * lag / 0.02, abs=1e-8)
+        assert seen["encoder"][k] == pytest.approx(10_000.0 * (t - lag), abs=1e-8)
+    assert set(seen["output"]) == {2.0}
+
+
+def test_a_loop_of_gain_alone_follows_a_ramp_at_a_distance() -> None:
+    """Where 0.01 V a count must give 5000 counts/s out of 5000 counts/s a volt, it takes an error of 100 counts."""
+    ramp = plan_trapezoid(0.0, 1e6, 5000.0, 1e6, 1e6)
+    seen = looked(Ahead(Loop(0.01), Drive(5000.0, 2e-3), Track([0.0], [ramp])), [8000])
+    assert seen["error"][-1] == pytest.approx(100.0, abs=1e-9)
+    assert seen["velocity"][-1] == pytest.approx(5000.0, abs=1e-7)
+
+
+def test_a_constant_torque_is_a_parabola() -> None:
+    """0.1 A on 0.05 N m/A turn 2e-5 kg m² at 250 rad/s²: after a second 125 rad, of 4000/2π counts."""
+    motor = Motor(amplifier="current", amplifier_gain=0.1, viscous=0.0, load_inertia=0.0)
+    servo = Ahead(Loop(servo_rate=1000.0), motor, Track([0.0], [hold(0.0)]))
+    servo.open(1.0)
+    seen = looked(servo, [700, 301])
+    assert seen["encoder"][1000] == pytest.approx(125.0 * motor.counts_per_radian, rel=1e-12)
+    assert seen["current"][1000] == pytest.approx(0.1)
+
+
+# ------------------------------------------------------------------------------------------------ what can be relied on
+
+
+@given(st.integers(1, 3000), st.sampled_from(sorted(FORMS)))
+def test_a_sample_is_the_same_to_the_last_bit_wherever_a_block_ends(count: int, name: str) -> None:
+    """A motor that is taken over stands exactly where it was read: what was seen is what is run again."""
+    servo = Ahead(FORMS[name], LINEAR["gravity"], track())
+    servo.look(150)
+    mark = servo.mark()
+    there = servo.look(3000 if FORMS[name].ratio > 1 else 1400)
+    count = min(count, there.shape[1])
+    servo.back(mark)
+    assert servo.look(count).tolist() == there[:, :count].tolist()
+    assert servo.sample == 150 + count
+
+
+@pytest.mark.parametrize("first", [1, 2, 3, 4])
+@pytest.mark.parametrize("name", ["feed-forward alike", "feed-forward at Mint's rate"])
+def test_a_loop_that_was_closed_remembers_where(name: str, first: int) -> None:
+    """A motor at speed is taken over: its demand stands where it was then, also for what goes by the points before."""
+
+    def taken_over(blocks: list[int]) -> Array:
+        growing = Track([0.0], [hold(0.0)])
+        servo = Ahead(FORMS[name], Motor(), growing)
+        servo.open(2.0)
+        servo.look(200)
+        now = (servo.sample - 0.5) / FORMS[name].servo_rate
+        growing.starts.append(now)
+        growing.profiles.append(hold(servo.position))
+        servo.close(1)
+        return looked(servo, blocks)["encoder"]
+
+    assert taken_over([first, 200]) == pytest.approx(taken_over([first + 200]), abs=1e-9)
+
+
+def test_a_motor_comes_to_rest_to_the_last_bit() -> None:
+    """What is left of a motion dies away to nothing: a long rest repeats itself, and costs nothing."""
+    loop = Loop(0.04, 4e-4, 0.9, integral_limit=5.0)
+    free, held = (Ahead(loop, LINEAR[name], track()) for name in ("motor", "gravity"))
+    for servo in free, held:
+        looked(servo, [2000] * 12)
+        state = servo.state
+        assert set(looked(servo, [2000])["encoder"]) == {2500.0}
+        assert servo.state == state
+    assert not free.look(10)[1:].any()
+    assert held.output * Motor().amplifier_gain * 0.05 == pytest.approx(0.01)  # gain u/R k = load torque
+
+
+def test_around_a_limit_there_are_plain_steps_and_elsewhere_there_are_none(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    stepped: list[int] = []
+    step = Ahead._step
+
+    def counted(servo: Ahead, until: int, out: Array) -> None:
+        stepped.append(until - servo.sample)
+        step(servo, until, out)
+
+    monkeypatch.setattr(Ahead, "_step", counted)
+    quick = plan_trapezoid(0.0, 4000.0, 12_000.0, 90_000.0, 140_000.0)
+    Ahead(PID, Motor(), Track([0.0], [quick])).look(3000)
+    assert stepped == []
+    seen = looked(Ahead(LOOPS["tight output limit"], Motor(), Track([0.0], [quick])), [3000])
+    assert 0 < sum(stepped) < 1500
+    assert np.abs(seen["output"]).max() == 0.4
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("derivative", [40.0, 400.0, 1e300])
+def test_a_loop_that_runs_away_has_an_end(derivative: float) -> None:
+    servo = Ahead(Loop(0.04, 2e-5, derivative), Motor(), track())
+    seen = looked(servo, [2000, 2000])
+    assert all(np.isfinite(column).all() for column in seen.values())
+    assert np.abs(seen["output"]).max() == 10.0
+
+
+@cases(
+    ("loop", "plant"),
+    [
+        (PID, Motor(quantised=True)),
+        (PID, Motor(coulomb=0.01)),
+        (Loop(0.01, dac_bits=12), Motor()),
+        (Loop(0.01, output_deadband=0.1), Motor()),
+        (Loop(0.01, 1e-5, integral_mode="stopped"), Motor()),
+        (Loop(0.01, accel_ff=1e-6), Motor()),
+        (Loop(0.01, 0.0, 1.0, derivative_every=65), Motor()),
+    ],
+)
+def test_what_has_no_closed_form_is_run_by_steps(loop: Loop, plant: Motor) -> None:
+    assert closed_form(loop, plant) is None
+    stepped = Ahead(loop, plant, track()).run(900)
+    seen = looked(Ahead(loop, plant, track()), [900])
+    assert all(seen[name].tolist() == stepped[name].tolist() for name in ("velocity", "error", "output"))
+    assert ahead.seen_of(stepped)[0].tolist() == seen["encoder"].tolist()
