@@ -31,6 +31,12 @@ GARBAGE = 200_000
 MACHINE_SUFFIX = ".machine.toml"
 
 
+class Checked(dict[str, object]):
+    """Settings that have been held to what a machine file may say, and are not looked at again."""
+
+    __slots__ = ()
+
+
 def dialect_of(file: str) -> Dialect | None:
     """The dialect that owns a file's suffix, None where no dialect does."""
     suffix = os.path.splitext(file)[1].lower()
@@ -164,7 +170,7 @@ def settings_beside(program: str | os.PathLike[str] | Source) -> dict[str, objec
 
 def _checked(machine: Mapping[str, object]) -> dict[str, object]:
     """The settings that a caller gives, held to what a machine file may say."""
-    if machine:
+    if machine and not isinstance(machine, Checked):
         from motionlang.lang.machine.file import first_mistake
 
         mistake = first_mistake(machine)
@@ -190,9 +196,9 @@ def _entry(source: Source, language: Dialect, settings: dict[str, object]) -> En
     package = os.path.dirname(getattr(sys.modules[type(language).__module__], "__file__", None) or "")
     if not package:
         return None
-    from motionlang.lang.cache import Entry
+    from motionlang.lang.cache import program_entry
 
-    return Entry(package, language.name, repr(sorted(settings.items())), source.name, source.text)
+    return program_entry(package, language.name, repr(sorted(settings.items())), source.name, source.text)
 
 
 def _compile(

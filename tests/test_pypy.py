@@ -14,7 +14,7 @@ import pytest
 from motionlang import user_cache
 from motionlang.cli import main
 from motionlang.execution import run
-from motionlang.lang.cache import Entry
+from motionlang.lang.cache import program_entry
 from motionlang.report import text
 from motionlang.source import Source
 
@@ -67,11 +67,11 @@ def test_the_cache_of_one_python_is_not_that_of_another(
 ) -> None:
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path))
     monkeypatch.delenv(user_cache.OFF, raising=False)
-    Entry(str(ROOT / "motionlang" / "mint"), "program").put(b"code")
+    program_entry(str(ROOT / "motionlang" / "mint"), "program").put(b"code")
     monkeypatch.setattr(
         sys, "version", f"{sys.version.partition(' ')[0]} (0000) [PyPy 7.3.19 with GCC 10.2.1]"
     )
-    assert Entry(str(ROOT / "motionlang" / "mint"), "program").get() is None
+    assert program_entry(str(ROOT / "motionlang" / "mint"), "program").get() is None
 
 
 def test_nothing_asks_for_what_only_cpython_tells() -> None:

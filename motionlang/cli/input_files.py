@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from marshal import dumps, loads
 
 from motionlang.source import STDIN, STDIN_NAME, Source, contents
 
@@ -20,18 +21,40 @@ def read_source(file: str) -> Source:
 
 def read_machine_file(options: Options, settings: dict[str, object]) -> int:
     """Put the machine file's settings below those of `--set`."""
-    from motionlang.cli.complaints import refuse, unreadable
     from motionlang.errors import ProgramError
-    from motionlang.lang.machine.file import read_machine
 
     assert options.machine is not None
     try:
         source = Source.read(options.machine)
     except OSError as error:
+        from motionlang.cli.complaints import refuse, unreadable
+
         return refuse(options, [unreadable(options.machine, error)], None, 1)
     try:
-        for key, value in read_machine(source).items():
+        for key, value in _settings(source, options.cache).items():
             settings.setdefault(key, value)
     except ProgramError as error:
+        from motionlang.cli.complaints import refuse
+
         return refuse(options, error.diagnostics, source, 1)
     return 0
+
+
+def _settings(source: Source, cached: bool) -> dict[str, object]:
+    """The settings of a machine file, from the cache where that has them.
+
+    The library that reads such a file takes as long to import as an empty Python to start.
+    """
+    from motionlang.lang.cache import machine_entry
+
+    entry = machine_entry(source.text) if cached else None
+    kept = entry.get() if entry is not None else None
+    if kept is not None:
+        settings: dict[str, object] = loads(kept)
+        return settings
+    from motionlang.lang.machine.file import read_machine
+
+    settings = read_machine(source)
+    if entry is not None:
+        entry.put(dumps(settings))
+    return settings

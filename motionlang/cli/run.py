@@ -7,7 +7,7 @@ import sys
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.errors import Diagnostic, ProgramError, Terminated
-from motionlang.execution import dialect, dialect_of, machine_of, run
+from motionlang.execution import Checked, dialect, dialect_of, machine_of, run
 from motionlang.source import STDIN, Source
 
 TYPE_CHECKING = False
@@ -75,7 +75,7 @@ def _result(options: Options) -> Run | int:
         from motionlang.cli.complaints import no_dialect
 
         return _refuse(options, [no_dialect(options.file)], None, 2)
-    settings = dict(options.settings)
+    settings = Checked(options.settings)  # those of `--set` were looked at with the command line
     options.machine = machine_of(options.file, options.machine)
     if options.machine is not None:
         status = read_machine_file(options, settings)

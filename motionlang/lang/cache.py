@@ -1,8 +1,8 @@
-"""Compiled programs, kept between runs as Python keeps its .pyc files.
+"""Compiled programs and read machine files, kept between runs as Python keeps its .pyc files.
 
-An entry is a file of the user's cache folder, named after what is compiled: text, dialect, settings, the version of
-Python. It holds all of that, and the state of every file of the compiler that was loaded when it was made: one that
-belongs to something else, or to files that are others by now, is ignored, and so is a damaged one.
+An entry is a file of the user's cache folder, named after what it was made of: of a program text, dialect, settings and
+the version of Python. It holds all of that, and the state of every file of the package that was loaded to make it: one
+that belongs to something else, or to files that are others by now, is ignored, and so is a damaged one.
 """
 
 from __future__ import annotations
@@ -27,20 +27,21 @@ DIGEST = 8
 
 
 class Entry:
-    """The place in the cache of one program, compiled by the language whose folder is `package`."""
+    """The place in the cache of what is made of some parts by some files of the package."""
 
-    __slots__ = ("_compiler", "_name", "_package", "_whose")
+    __slots__ = ("_makers", "_name", "_states", "_whose")
 
-    def __init__(self, package: str, *parts: str) -> None:
-        self._package = package
-        self._whose = (sys.version, package, *parts)
+    def __init__(self, kind: str, makers: tuple[str, ...], *parts: str) -> None:
+        """`makers` are folders, which end with a separator, and files: those that are loaded count."""
+        self._makers = makers
+        self._whose = (sys.version, *makers, *parts)
         text = "\0".join(self._whose)
-        self._name = f"program-{digest(text.encode('utf-8', 'surrogatepass')).hex()}"
-        # What made the parts of the program that were kept already.
-        self._compiler: dict[str, State] = {}
+        self._name = f"{kind}-{digest(text.encode('utf-8', 'surrogatepass')).hex()}"
+        # Of what made what is kept already.
+        self._states: dict[str, State] = {}
 
     def get(self) -> bytes | None:
-        """The program; None where there is none that this compiler would make."""
+        """What was put; None where there is nothing that these files would make."""
         file = user_cache.opened(self._name)
         if file is None:
             return None
@@ -51,41 +52,50 @@ class Entry:
             return None
         if digest(data[DIGEST:]) != data[:DIGEST]:
             return None
-        whose, compiler, payload = loads(data[DIGEST:])
-        if whose != self._whose or any(user_cache.state(place) != state for place, state in compiler):
+        whose, states, payload = loads(data[DIGEST:])
+        if whose != self._whose or any(user_cache.state(place) != state for place, state in states):
             return None
-        self._compiler = dict(compiler)
+        self._states = dict(states)
         found: bytes = payload
         return found
 
     def put(self, payload: bytes) -> None:
-        """Keep a program that has just been compiled, or more of one that was kept; no reader sees half of it.
+        """Keep what has just been made, or more of what was kept; no reader sees half of it.
 
         Nothing is kept where there are no files to look at, as in a zip archive.
         """
         try:
-            loaded = _compiler(self._package)
+            loaded = _loaded(self._makers)
         except OSError:
             return
-        compiler = {**self._compiler, **loaded}
-        if any(compiler[place] != state for place, state in self._compiler.items()):
-            return  # what was kept is of another compiler than what has been added
-        self._compiler = compiler
-        data = dumps((self._whose, [*compiler.items()], payload))
+        states = {**self._states, **loaded}
+        if any(states[place] != state for place, state in self._states.items()):
+            return  # what was kept is of other files than what has been added
+        self._states = states
+        data = dumps((self._whose, [*states.items()], payload))
         user_cache.write(self._name, (digest(data), data))
 
 
-def _compiler(package: str) -> dict[str, State]:
-    """The files of a compiler, as far as it is loaded, and their state; OSError where one is not there."""
+def program_entry(package: str, *parts: str) -> Entry:
+    """The place of a program, compiled by the language whose folder is `package`."""
     root = os.path.dirname(package) + os.sep
-    whole = (package + os.sep, *(root + name for name in SHARED))
+    return Entry("program", (package + os.sep, *(root + name for name in SHARED)), *parts)
+
+
+def machine_entry(text: str) -> Entry:
+    """The place of the settings of a machine file, which all that was loaded by then may have judged."""
+    return Entry("machine", (os.path.dirname(os.path.dirname(__file__)) + os.sep,), text)
+
+
+def _loaded(makers: tuple[str, ...]) -> dict[str, State]:
+    """The files of the package that made something, and their state; OSError where one is not there."""
     places = [
         place
         for module in [*sys.modules.values()]
-        if (place := getattr(module, "__file__", None)) is not None and place.startswith(whole)
+        if (place := getattr(module, "__file__", None)) is not None and place.startswith(makers)
         if not place.endswith(RUN) and not any(f"{os.sep}{name}{os.sep}" in place for name in ASIDE)
     ]
-    for folder, _, files in os.walk(package, onerror=_refuse):
+    for folder, _, files in os.walk(makers[0], onerror=_refuse):
         if os.path.basename(folder) not in ASIDE:
             places += [os.path.join(folder, name) for name in files if name.endswith(".txt")]
     found = {}

@@ -126,6 +126,11 @@ class MintProgram(Program):
         return Source(self.name, self.text)
 
     def _line_of(self, place: int) -> int:
+        """The line of a place in the code; only for one that stands nowhere in it the text is parsed again."""
+        outline = self.outline
+        line = outline[1].get(place) if outline is not None else None
+        if line is not None:
+            return line
         from motionlang.mint.syntax.parser import parse
 
         return parse(self._source).line(place)

@@ -38,9 +38,8 @@ def __getattr__(name: str) -> object:
     home = _HOMES.get(name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(f"{__name__}.{home}"), name)
+    # As `import_module` does, whose package takes longer to import than most of these modules.
+    return getattr(__import__(f"{__name__}.{home}", fromlist=[name]), name)
 
 
 __all__ = [

@@ -64,12 +64,18 @@ def test_everything_else_is_left_to_argparse(line: list[str]) -> None:
     assert quick_options(line) is None
 
 
+# Asks for the line of an error.
+CAUGHT = "PRINT 1 / NVLONG(0)\nEvent ONERROR\n  PRINT ERRLINE\n  ERRORCLEAR(_egALL, 0)\nEnd Event\n"
+
+
 @pytest.mark.parametrize(
     ("name", "text", "options", "needed"),
     [
         ("hello.mnt", "PRINT 1\n", ("--report", "none"), []),
         ("hello.mcl", "1MN,1TP\n", ("--report", "none"), ["enum", "re"]),
         ("hello.mnt", "MOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n", ("--profile",), []),
+        ("wired.mnt", "PAUSE INX(5)\nPRINT POS(0)\n", ("--report", "none"), []),
+        ("caught.mnt", CAUGHT, ("--report", "none"), []),
     ],
 )
 def test_a_plain_run_imports_nothing_slow(
@@ -81,10 +87,14 @@ def test_a_plain_run_imports_nothing_slow(
     """
     program = tmp_path / name
     program.write_text(text)
+    if name == "wired.mnt":
+        (tmp_path / "wired.machine.toml").write_text(
+            "[axis.0]\nstart = 3.0\n[[input]]\nchannel = 5\nat = 0.5\n"
+        )
     script = (
         "import sys; from motionlang.cli import main; code = main(sys.argv[1:]); "
         "slow = {'argparse', 'json', 'numpy', 'lark', 'rich', 'dataclasses', 're', 'typing', 'enum', 'pathlib', "
-        "'motionlang.mint.syntax.parser'}; "
+        "'motionlang.mint.syntax.parser', 'tomllib', 'motionlang.lang.machine.file'}; "
         "print(code, sorted(slow & set(sys.modules)))"
     )
     command = [sys.executable, "-S", "-c", script, "run", str(program), *options]

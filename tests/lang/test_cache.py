@@ -14,7 +14,7 @@ import pytest
 
 from motionlang import execution, user_cache
 from motionlang.lang import cache
-from motionlang.lang.cache import Entry
+from motionlang.lang.cache import Entry, machine_entry, program_entry
 from motionlang.source import Source
 
 PACKAGE = Path(execution.__file__).parent
@@ -31,12 +31,18 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def entry(*parts: str) -> Entry:
     """The place of a program in the cache, as every process has its own."""
-    return Entry(str(PACKAGE / "mint"), *(parts or ("a",)))
+    return program_entry(str(PACKAGE / "mint"), *(parts or ("a",)))
 
 
 def the_file(folder: Path) -> Path:
     (found,) = folder.iterdir()
     return found
+
+
+def test_the_settings_of_a_machine_file_are_kept_by_its_text() -> None:
+    machine_entry("[axis.0]\nstart = 3.0\n").put(b"settings")
+    assert machine_entry("[axis.0]\nstart = 3.0\n").get() == b"settings"
+    assert machine_entry("[axis.0]\nstart = 4.0\n").get() is None
 
 
 def test_what_was_put_comes_back() -> None:
@@ -49,7 +55,7 @@ def test_every_part_counts() -> None:
     entry("a", "b").put(b"program")
     assert [entry(*parts).get() for parts in (("ab", ""), ("a",), ("b", "a"))] == [None] * 3
     assert entry("a", "b").get() == b"program"
-    assert Entry(str(PACKAGE / "mccl"), "a", "b").get() is None
+    assert program_entry(str(PACKAGE / "mccl"), "a", "b").get() is None
 
 
 def test_a_damaged_entry_is_ignored(folder: Path) -> None:
@@ -107,13 +113,13 @@ def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
 COMPILES = """
 import sys
 from pathlib import Path
-from motionlang.lang.cache import Entry
+from motionlang.lang.cache import program_entry
 from motionlang.mint import DIALECT
 from motionlang.source import Source
 for path in sorted(Path(sys.argv[1]).rglob('*.mnt')):
     DIALECT.compile(Source.read(path), {})
 import motionlang
-Entry(str(Path(motionlang.__file__).parent / "mint"), "a").put(b"program")
+program_entry(str(Path(motionlang.__file__).parent / "mint"), "a").put(b"program")
 print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('motionlang')), sep='\\n')
 """
 
@@ -134,7 +140,7 @@ def compiled(root: Path) -> list[str]:
 
 
 def holds(root: Path) -> bool:
-    return Entry(str(root / "mint"), "a").get() == b"program"
+    return program_entry(str(root / "mint"), "a").get() == b"program"
 
 
 def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, folder: Path) -> None:

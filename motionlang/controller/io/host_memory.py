@@ -7,8 +7,6 @@ has four characters an element, the first one in the highest byte, and ends at a
 
 from __future__ import annotations
 
-from array import array
-
 from motionlang.controller.faults import Refusal
 
 TYPE_CHECKING = False
@@ -38,7 +36,9 @@ class HostMemory:
     __slots__ = ("_floats", "_words", "listeners", "mapping")
 
     def __init__(self, mapping: str = "netdata") -> None:
-        self._words = {area: array("i", bytes(4 * (last + 1))) for area, (_, last) in AREAS.items()}
+        self._words = {
+            area: memoryview(bytearray(4 * (last + 1))).cast("i") for area, (_, last) in AREAS.items()
+        }
         self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
         self.listeners: list[Listener] = []
         self.mapping = mapping

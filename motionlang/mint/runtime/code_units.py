@@ -137,11 +137,13 @@ class Code:
 
     def payload(self) -> tuple[object, ...]:
         """Everything in a form that `marshal` takes, for `loaded`."""
-        from array import array
-
         units = [unit.payload() for unit in self.units]
-        places = array("q", self.places).tobytes()
-        return units, self.first, self.shared, self.specs, self.blocks, places
+        places = memoryview(bytearray(8 * len(self.places))).cast(
+            "q"
+        )  # as an array, whose import takes longer
+        for line, place in enumerate(self.places):
+            places[line] = place
+        return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()
 
     def link(self, namespace: dict[str, object]) -> tuple[CellType, CellType] | None:
         """Put the functions, or their stand-ins, into a namespace that has everything else.
