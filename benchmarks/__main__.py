@@ -84,6 +84,7 @@ BARS: dict[str, Bar] = {
     "poll_left_alone_cam_switch": _least(0.95),
     "poll_left_alone_clock": _least(0.95),
     "poll_left_alone_sum": _least(0.95),
+    "poll_left_alone_line": _least(0.95),
     "poll_32_tasks_reading": _most(2.0),
     "poll_32_tasks_writing": _most(2.0),
     "poll_32_tasks_beside_moves": _most(2.0),

@@ -15,9 +15,16 @@ from timing import seconds
 from motionlang.execution import run
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.scheduler import Scheduler
-from motionlang.mint import DIALECT
+from motionlang.mccl import DIALECT as MCCL
+from motionlang.mccl.runtime.poll import Poll
+from motionlang.mccl.runtime.task import CommandTask
+from motionlang.mint import DIALECT as MINT
 from motionlang.mint.compile import polling
 from motionlang.source import Source
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.dialect import Dialect
 
 ROUNDS = 3
 # Of loops that are never skipped: how many stretches of their move are measured, and how long each is, s.
@@ -43,6 +50,7 @@ MD2,AS3000,1WL@20,CN33,WA0.05,CF33
 1AH0,MC1
 """
 # What reads on and on what moves, and so is never skipped.
+RECKONED = 'LU"POSITION",AR20\n1MN,1SV1000,1MR30000\n1RL@20,AA5,IB30000,JR-3,NO\n'
 _MOVING = "SPEED(0) = 10 : MOVER(0) = 30 : GO(0)\nWhile Not IDLE(0)\n  {}\nEnd While\n"
 LEFT_ALONE = {
     "display": "Dim x As Float\n" + _MOVING.format("x = POS(0)\n  COMMS(1) = x"),
@@ -80,12 +88,30 @@ def speed(source: Source, machine: dict[str, object]) -> float:
     )
 
 
-def started(text: str) -> Scheduler:
+class Unwatched(Poll):
+    """Loops of MCCL that nobody looks at."""
+
+    def again(self) -> None:
+        return None
+
+
+def started(text: str, dialect: Dialect = MINT) -> Scheduler:
     """A program that has been compiled and may run."""
     machine = Machine()
-    task = DIALECT.compile(Source("poll.mnt", text)).start(machine)
+    task = dialect.compile(Source("poll", text)).start(machine)
     machine.scheduler = Scheduler(machine, task)
     return machine.scheduler
+
+
+def plain(text: str, dialect: Dialect) -> Scheduler:
+    """The same without any watch on its loops."""
+    watched = polling.watched
+    polling.watched = lambda *_: None
+    scheduler = started(text, dialect)
+    polling.watched = watched
+    if isinstance(scheduler.parent, CommandTask):
+        scheduler.parent.poll = Unwatched(scheduler.parent)
+    return scheduler
 
 
 def cost(text: str, until: float) -> float:
@@ -94,19 +120,15 @@ def cost(text: str, until: float) -> float:
     return seconds(lambda: scheduler.run(until))
 
 
-def of_plain_simulation(text: str) -> float:
+def of_plain_simulation(text: str, dialect: Dialect = MINT) -> float:
     """The cost of a program without watches over its cost with them, which run side by side.
 
     Both go on by a tenth of a second in turn, and of each such stretch the quickest of some runs counts: what else the
     computer does meanwhile makes a run of all of it slower or faster by more than what is asked for.
     """
-    watched = polling.watched
     quickest = [[float("inf")] * STRETCHES for _ in range(2)]
     for _ in range(2 * ROUNDS):
-        sides = [started(text)]
-        polling.watched = lambda *_: None
-        sides.append(started(text))
-        polling.watched = watched
+        sides = started(text, dialect), plain(text, dialect)
         gc.collect()
         gc.disable()
         for stretch in range(STRETCHES):
@@ -129,6 +151,7 @@ def main() -> None:
     print(f"poll_cut_to_length {speed(Source('poll.mcl', CUT_TO_LENGTH), web):.0f} x_real_time")
     for name, text in LEFT_ALONE.items():
         print(f"poll_left_alone_{name} {of_plain_simulation(text):.3f} of_plain_simulation")
+    print(f"poll_left_alone_line {of_plain_simulation(RECKONED, MCCL):.3f} of_plain_simulation")
     for name, body, until in (
         ("reading", "x# = POS(0) : If x# > 3000 Then OUTX(#) = 1", 2.0),
         ("writing", "COMMS(# + 1) = POS(0)", 1.0),

@@ -53,7 +53,7 @@ class Recurrence:
             return
         lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
         longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)
-        for most in (longest, LONGER * shortest)[: 1 + (longest > LONGER * shortest)]:
+        for most in sorted({longest, min(longest, LONGER * shortest)}, reverse=True):
             inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
             if self._skips(inner, others, (turn, most), until, pace):

@@ -21,34 +21,57 @@ _COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
 _JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
 
 
+# So many passes go by unlooked at; what is looked at costs not much more than what is not.
+MOST_ALONE = 256
+
+
 class Poll:
     """Watches one task's loops. `effects` counts what was done; `attention` has the notes of what was read."""
 
-    __slots__ = ("_before", "_task", "attention", "effects")
+    __slots__ = ("_alone", "_before", "_left", "_task", "attention", "effects")
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
         self.effects = 0
         self.attention = Attention(task.board.controller.clock)
         # The place and what was done by then, the accumulator, the count of commands, the next event.
-        self._before: tuple[tuple[object, ...], float | int, int, float] = (), 0, 0, 0.0
+        self._before: tuple[tuple[object, ...], float | int, int, float] = (None, None), 0, 0, 0.0
+        # For how many passes nobody looks at what goes on there, and for how many when next that is in vain.
+        self._alone = self._left = 0
 
     def again(self) -> Wait | None:
         """Called at each jump back: go on to the last pass that can be no different; a wait if it is so for ever."""
         task, attention, clock = self._task, self.attention, self.attention.clock
-        board, now, event = task.board, clock.now, clock.next_time()
-        place = task.line, task.pc, self.effects, len(task.calls), board.turns
+        (before, accumulator, count, event), held = self._before, task.registers[0]
+        if self._alone and before[0] is task.line and before[1] == task.pc:
+            self._alone -= 1
+            return None
+        board, now, length = task.board, clock.now, task.count - count
+        place = task.line, task.pc, board.turns, self.effects, len(task.calls)
         notes, attention.notes = attention.notes, []
-        (before, accumulator, count, until), held = self._before, task.registers[0]
-        self._before = place, held, task.count, event
-        length = task.count - count
-        if before != place or now >= until or length <= 0 or notes is None:
+        self._before = place, held, task.count, clock.next_time()
+        if before[:3] != place[:3] or now >= event or notes is None:
+            self._alone = 0
             return None  # where an event or another task came between, what was read before it is old
-        until = attention.until(now, notes) if accumulator == held else now
+        until = now
+        if before == place and length > 0:
+            until = attention.until(now, notes) if accumulator == held else now
+            if until <= now:
+                until = attention.until(now - length * task.cost - CLOSE, self._levels())
         if until <= now:
-            until = attention.until(now - length * task.cost - CLOSE, self._levels())
-        scheduler, turns = board.machine.scheduler, board.turns
+            self._alone, self._left = self._left, min(2 * self._left or 1, MOST_ALONE)
+            if self._alone:
+                attention.notes = None
+            return None
+        self._left = 0
+        return self._skip(until, length)
+
+    def _skip(self, until: float, length: int) -> Wait | None:
+        """Go on over passes of so many commands that are alike until a moment."""
+        task, board = self._task, self._task.board
+        scheduler, turns, now = board.machine.scheduler, board.turns, self.attention.clock.now
         assert scheduler is not None
+        place, held, _, event = self._before
         until = min(until, event, board.next_wake(task))
         if until == INFINITY:
             why = "in a loop that only looks at what does not change"

@@ -22,9 +22,12 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment
 
     State = tuple[object, ...]
+    Counters = tuple[float, ...]
     # What a turn began with: how the one before it left things, where counters stood; its statement, the moment from
     # which those count, its time; how often others had run; the notes, and how many there were.
-    Look = tuple[State | None, tuple[float, ...], float, float, float, int, list[Note], int]
+    Look = tuple[State | None, Counters, float, float, float, int, list[Note], int]
+    # Its statement and horizon as it goes on, what that turn begins with, how many pass unlooked at, and the counters.
+    Turned = tuple[float, float, Look | None, float, Counters]
 
 LARGEST = 2147483647  # Integer
 # So many turns pass unlooked at, and more where arrays are to be compared. They are counted in floats, as Python has
@@ -44,18 +47,11 @@ class Site:
         self._environment, self.asks, self.carries = environment, asks, carries
         self.left = 0.0
 
-    def turn(
-        self,
-        t: float,
-        horizon: float,
-        look: Look | None,
-        state: State,
-        counters: tuple[float, ...],
-    ) -> tuple[float, float, Look | None, float, tuple[float, ...]]:
-        """The end of a turn: the end of the last one that can be no different, and how many pass unlooked at.
+    def turn(self, t: float, horizon: float, look: Look | None, state: State, counters: Counters) -> Turned:
+        """The end of a turn at statement `t`: the loop goes on at the end of the last one that can be no different.
 
-        Both ends and the horizon are numbers of statements; `state` is what every turn leaves behind, after the count
-        of what the program did. What `counters` count decides nothing; the last answer is where they have come to.
+        `state` is what every turn leaves behind, after the count of what the program did. What `counters` count decides
+        nothing.
         """
         attention, statements = self._environment.attention, self._environment.statements
         if look is not None:
@@ -74,17 +70,14 @@ class Site:
         return t, horizon, (state, counters, *since, *attention.begin()), 0.0, counters
 
     def skip(
-        self, t: float, horizon: float, look: Look, state: State, counters: tuple[float, ...]
-    ) -> tuple[float, float, tuple[float, ...]] | None:
+        self, t: float, horizon: float, look: Look, state: State, counters: Counters
+    ) -> tuple[float, float, Counters] | None:
         """A turn that ends at `t` was as the one before: the end of the last that can be no different.
 
         None where it was not in everything that it read. A turn in which other tasks ran is no more than remembered.
         """
-        environment, statements, task = (
-            self._environment,
-            self._environment.statements,
-            self._environment.task,
-        )
+        environment = self._environment
+        statements, task = environment.statements, environment.task
         _, before, since, base, began, others, notes, first = look
         scheduler = environment.machine.scheduler
         assert scheduler is not None

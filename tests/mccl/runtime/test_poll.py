@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 
+from motionlang.lang.attention import Attention
 from motionlang.mccl.runtime.poll import Poll
 from tests.mccl.conftest import Runner
 
 POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
+# What moves is reckoned with before it is compared, so that no pass is as the one before.
+RECKONED = 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n1RL@20,AA5,IB305,JR-3,NO,1TP,1WS,1TP'
 
 PROGRAMS = {
     "until a move is over": f"1MN,1SV1000,1MR700\n{POLL},1TP,WA0.1,1MR300,{POLL},1TP",
@@ -29,6 +33,8 @@ PROGRAMS = {
     "a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1RV@20,IB400.5,JR-2,NO,1TP',
     "a position on its way back": 'LU"POSITION",AR20\n1MN,1MR500,1WS,1MR-900\n1RL@20,IG-250,JR-2,NO,1TP\n'
     "1RL@20,IE-399,JP4,NO,1TP,1WS",
+    "a position that is reckoned with": RECKONED,
+    "a count, and then a wait": f"1MN,1MR9000,AL0,AR30\nRA30,AA1,AR30,IB700,JR-4,NO\n{POLL},1TP,TR30",
     "an auxiliary encoder": 'LU"AUXPOSITION",AR20\n1RL@20,IB300,JR-2,NO,AS40,1WL@20,1RD@20,IG200,JP10,NO,1TP,JR-4\n'
     "1RV@20,IB400,JR-2,NO,1TA",
     "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
@@ -62,6 +68,24 @@ def test_eight_hours_of_polling(mccl: Runner) -> None:
     finished = mccl(text, until=1e6)
     assert finished.output == ["01 3.000000"]
     assert finished.time == pytest.approx(30001, rel=1e-3)
+
+
+def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
+    mccl: Runner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of thousands of passes few are looked at: one in 257 in the end."""
+    notes, note = 0, Attention.note
+
+    def counted(attention: Attention, until: Callable[..., float], *about: object) -> None:
+        nonlocal notes
+        notes += attention.notes is not None
+        note(attention, until, *about)
+
+    monkeypatch.setattr(Attention, "note", counted)
+    result = mccl(RECKONED.replace("500", "9000").replace("305", "9e9"), until=1.0)
+    passes = result.time / (4 * 10e-6)
+    assert passes > 20_000
+    assert 0 < notes < passes / 50
 
 
 def test_a_loop_that_nothing_can_end_is_reported(mccl: Runner) -> None:
