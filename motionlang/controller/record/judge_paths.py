@@ -288,9 +288,12 @@ def _spans_along(parts: Sequence[tuple[Profile, float]], way: Way, length: float
         return None
     if way.unit is None:  # an arc of which every axis is straight is none, or stands
         return []
-    weights = [u / k / way.stretch for u, k in zip(way.unit, way.path.scales, strict=True)]
-    rows = [spans(profile, begin, length) for profile, begin in parts]
-    moving = [(row, w) for row, w, u in zip(rows, weights, way.unit, strict=True) if u]
+    # Of axes that the path moves: what has a length and leads nowhere (a user defined path) moves none.
+    moving = [
+        (spans(profile, begin, length), u / k / way.stretch)
+        for (profile, begin), u, k in zip(parts, way.unit, way.path.scales, strict=True)
+        if u
+    ]
     if not moving or len({len(row) for row, _ in moving}) != 1:
         return None
     return [combined([row[n] for row, _ in moving], [w for _, w in moving]) for n in range(len(moving[0][0]))]

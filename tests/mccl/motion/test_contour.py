@@ -242,6 +242,13 @@ def test_a_path_that_goes_somewhere_has_a_length(mccl: Runner) -> None:
     assert result.output == ["?-1", "01 0", "01 1"]
 
 
+def test_a_user_defined_path_that_has_a_length_and_leads_nowhere_takes_its_time(mccl: Runner) -> None:
+    """10000 at 20000 counts/s with ramps of 0.1 s: 0.5 s + 0.1 s, in which both axes stand."""
+    result = mccl(f"{HEAD}1CP0,1CD10000,1MR0,2MR0\n1WS,1TP,1TX", prove=True)
+    assert result.output == ["01 0", "01 1"]
+    assert result.time == pytest.approx(0.6, abs=1e-3)
+
+
 def test_an_arc_described_while_a_path_stops_begins_where_it_rests(mccl: Runner) -> None:
     """At 20000 counts/s the path stops within 1000 of where ST finds it; the arc ends a quarter round its own start."""
     result = mccl(f"{HEAD}1CP1,1MA90000,2MA0\nWA1,1ST,1CP3,1CR0,2CR500,1ER90\n1WS,1TP,2TP", prove=True)
