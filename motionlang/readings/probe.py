@@ -25,8 +25,11 @@ if TYPE_CHECKING:
 FIRST_MARK = 731_000_000
 MARKS = 1_000_000
 BEGIN, END, NEXT = "probe", "end", "next"
+# A longer answer has a line of its own.
+WIDE = 24
 # How a pattern is shown to a person: signs and their stand-ins, one after the other.
 PLAIN = (
+    (r"0\??\\d\+?", "01"),
     (r"\\\?", "\0"),
     (r"\(\?!\\1.*?\$\)", "another "),
     (r"\[01\]", "0 or 1"),
@@ -34,7 +37,7 @@ PLAIN = (
     (r"\(\?i\)|-\?|\(\?[!:][^()]*(?:\([^()]*\)[^()]*)*\)\??", ""),
     (r"\((?:[^()|]|\([^()]*\))*\)[?*]", ""),
     (r"(?<!\\)\.\*|\\S\+", "…"),
-    (r"\[[-0-9.]+\][+*]?|\\d[+*]?", "n"),
+    (r"\[[-0-9.]+\][+*]?|\\d(?:[+*]|\{\d\})?", "n"),
     (r"\\\.", "."),
     (r"0[+*]", "0"),
     (r"\((.*)\|(.*)\)", r"\1 or \2"),
@@ -116,10 +119,13 @@ def meanings(reading: Reading, most: int = 110) -> list[str]:
     shown = [(as_shown(answer), meaning) for answer, meaning in meant]
     if probe.form:
         shown[1:] = [("another number", "that is it")]
-    width = max(len(answer) for answer, _ in shown)
+    width = min(WIDE, max(len(answer) for answer, _ in shown))
     lines = ["What it shows, and what that says of the controller:"]
     for answer, meaning in shown:
         begin, indent = f"  {answer:<{width}}  ", " " * (width + 4)
+        if len(answer) > WIDE:
+            lines.append(f"  {answer}")
+            begin = indent
         lines += textwrap.wrap(meaning, most, initial_indent=begin, subsequent_indent=indent)
     return lines
 

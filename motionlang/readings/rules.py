@@ -28,9 +28,11 @@ FEW = 4
 SCALES, VALUE = (10, 20), 5
 # Where a fraction is written, so much above the least value: no rounding makes it another one's.
 FRACTION = 0.75
+# What a handler says, with the value that was an error.
+REFUSES = "refuses"
 # Up to here a Float of 32 bits tells a number from the next one.
 EXACT = 1e7
-AGAIN = "switch the drive off; the setting is given other values, so start the controller anew afterwards"
+AGAIN = "switch the drive off, and start the controller anew afterwards"
 
 
 def other_defaults(row: Keyword) -> list[str]:
@@ -125,7 +127,7 @@ def _default(row: Keyword) -> Asked:
 
 
 def _range(row: Keyword) -> Asked:
-    """The last value and one beyond it; the handler tells at which of the two the controller objected."""
+    """The last value and one beyond it; the handler tells which of the two the controller refused."""
     if not _is_kept(row):
         return []
     found: Asked = []
@@ -137,15 +139,13 @@ def _range(row: Keyword) -> Asked:
             "mint",
             f"{row.name}({{a}})",
             before=(
-                "ia = 1",
                 f"fa = {bound:.10g}",
                 f"{row.name}({{a}}) = fa",
-                "ia = 2",
                 f"fa = {beyond}",
                 f"{row.name}({{a}}) = fa",
             ),
-            error='"error at "; ia',
-            answers=("error at 2", "error at 1", beyond, f"{bound:.10g}"),
+            error=f'"{REFUSES} "; fa',
+            answers=(f"{REFUSES} {beyond}", f"{REFUSES} {bound:.10g}", beyond, f"{bound:.10g}"),
             alone=True,
             needs=AGAIN,
         )

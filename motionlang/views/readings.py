@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from motionlang.readings.reading import Reading
 
 
+# Programs of so many lines are written by the command, and not shown.
+LONG = 7
+
+
 def listing(found: Sequence[Reading], *, width: int = 100, colour: bool = False) -> str:
     """What a program rests on: strength, name and question of each reading, and what was chosen below it."""
     if not found:
@@ -45,12 +49,21 @@ def _asked(reading: Reading, axis: int, width: int, colour: bool) -> list[str]:
     """A question that a program asks: its lines, and its answers."""
     probe = reading.probe
     assert probe is not None
+    lines = _wrapped(f"{reading.question}:", width)
     before, ask, _ = lines_of(probe, axis, 1.0)
-    typed = [*before, f"PRINT {ask}" if probe.language == "mint" else ask]
-    lines = [
-        *_wrapped(f"{reading.question}?", width),
-        *(f"      {styled(line, 'word', colour)}" for line in typed),
-    ]
+    if probe.needs:
+        needs = probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
+        lines += _wrapped(f"first: {needs}", width)
+    if probe.motion:
+        how = f"motionlang probe {reading.name} --motion DISTANCE"
+        lines += _wrapped(f"asked in motion, by a program for the distance that you allow: {how}", width)
+    elif probe.behind or len(before) >= LONG:
+        lines += _wrapped(f"asked by the program of motionlang probe {reading.name}", width)
+    else:
+        typed = [*before, f"PRINT {ask}" if probe.language == "mint" else ask]
+        if probe.error:
+            typed.append(f"' of an error, ONERROR does PRINT {probe.error}")
+        lines += [f"      {styled(line, 'word', colour)}" for line in typed]
     lines += [f"    {line}" for line in meanings(reading, max(40, width - 4))[1:]]
     beyond = [] if probe.form else reading.alternatives[len(probe.answers) - 1 :]
     lines += [line for other in beyond for line in _wrapped(f"or, which it does not tell: {other}", width)]

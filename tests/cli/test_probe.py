@@ -85,7 +85,7 @@ def test_one_question_has_a_program_whose_remarks_say_what_each_answer_means(
     assert status == 0
     assert text.splitlines()[:5] == [
         "' mint.homespeed-scale: Whether HOMESPEED goes by SCALEFACTOR",
-        "' First: switch the drive off; the setting is given other values, so start the controller anew afterwards.",
+        "' First: switch the drive off, and start the controller anew afterwards.",
         "' What it shows, and what that says of the controller:",
         "'   2.5  yes: user units, kept in counts (chosen here)",
         "'   5    no, or it is kept as written",
