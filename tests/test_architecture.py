@@ -56,7 +56,7 @@ BESIDE: tuple[set[str], ...] = ({"report", "result"},)
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
         ("keyword", "gains", "program", "task", "statement_time", "lint", "cache", "run_errors", "dialect"),
-        ("attention", "parsing", "machine", "recurrence"),
+        ("attention", "parsing", "machine", "recurrence", "waits_in_turn"),
         ("scheduler",),
     ),
     "controller": (

@@ -124,3 +124,26 @@ class Clock:
         if time > self.now:
             self.now = time
         return quiet
+
+    def ring(self, moment: float) -> bool:
+        """Let time pass to the next event, where that is at a moment; false where it is not, or was news."""
+        if self.horizon != moment and self.next_time() != moment:
+            return False
+        heap = self._heap
+        call = heap[0][2].call
+        if call is None:
+            return self.next_time() == moment and self.advance_to_news(moment)
+        heappop(heap)
+        self.now = moment
+        self.fired += 1
+        quiet = call()
+        while heap:
+            due, _, event = heap[0]
+            if due <= moment:
+                return self.advance_to_news(moment) and bool(quiet)
+            if event.call is not None:
+                self.horizon = due
+                return bool(quiet)
+            heappop(heap)
+        self.horizon = INFINITY
+        return bool(quiet)

@@ -172,17 +172,24 @@ class Readings:
         a = self.axes[axis]
         return a.end_of_motion() if a.moves else self.clock.now
 
-    def end_of_moves(self, axes: tuple[int, ...]) -> float:
-        """The time at which all of some axes will be idle; -1 where they are."""
-        end = -1.0
-        for axis in axes:
-            a = self.axes[axis]
-            if a.under_way:
-                if a.ends > end:
-                    end = a.ends
-            elif a._move is not None:
-                end = max(end, a.end_of_motion())
-        return end
+    def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
+        """The reader of the time at which all of some axes will be idle; it answers -1 where they are."""
+        if len(axes) == 1:
+            a = self.axes[axes[0]]
+            return lambda: a.ends if a.under_way else -1.0 if a._move is None else a.end_of_motion()
+        each = [self.axes[axis] for axis in axes]
+
+        def end_of_all() -> float:
+            end = -1.0
+            for a in each:
+                if a.under_way:
+                    if a.ends > end:
+                        end = a.ends
+                elif a._move is not None:
+                    end = max(end, a.end_of_motion())
+            return end
+
+        return end_of_all
 
     def stands(self, axis: int) -> bool:
         """Whether the axis is idle, or follows what stands."""

@@ -137,7 +137,7 @@ VERBS: dict[str, str] = {
     "idle_time": "The time at which an axis will be idle if nothing else happens.",
     "stands": "Whether an axis is idle, or follows a master that stands.",
     "standing_time": "The time at which an axis will stand, following or not, if nothing else happens.",
-    "end_of_moves": "The time at which all of some axes will be idle.",
+    "end_of_moves": "The reader of the time at which all of some axes will be idle.",
     "crossing_time": "The time at which an axis will pass a position if nothing else happens.",
     "watch": "Be told whenever an axis passes a position, at the exact time.",
     "unwatch": "Be told no longer.",

@@ -8,16 +8,12 @@ so and ends.
 from __future__ import annotations
 
 from motionlang.lang.task import ROUNDING
-
-try:  # what operator adds to it is not needed, and every run would wait for it
-    from _operator import attrgetter
-except ImportError:
-    from operator import attrgetter
+from motionlang.lang.waits_in_turn import INFINITY, QUANTUM, TURN, WaitsInTurn
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Any, Protocol
+    from typing import Protocol
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
@@ -37,12 +33,6 @@ if TYPE_CHECKING:
             """Advance the machine's clock to `time`, or less far where something has come from outside."""
 
 
-INFINITY = float("inf")
-# Virtual seconds that one task may run while another is runnable.
-QUANTUM = 1e-3
-# The same, less than whole, as a number of statements may fill it exactly.
-TURN = QUANTUM - ROUNDING
-_WAIT_OF: Callable[[Task], Any] = attrgetter("wait")
 # How often a wait may be asked at one moment before time goes on without it.
 STALLS = 4
 
@@ -55,7 +45,7 @@ class Stuck(Exception):
         super().__init__(f"waits {wait.why}, which can no longer happen")
 
 
-class Scheduler:
+class Scheduler(WaitsInTurn):
     """Runs tasks on a machine, or on a bare controller; when the first one, the parent, ends, the program has ended.
 
     `pace(now)` is called before time jumps, so that a run can be held to the wall clock. With `outside` there is a
@@ -69,6 +59,7 @@ class Scheduler:
         pace: Callable[[float], None] | None = None,
         outside: Outside | None = None,
     ) -> None:
+        super().__init__()
         self.machine = machine
         self.clock = machine.clock
         self.parent = parent
@@ -80,6 +71,8 @@ class Scheduler:
         self.outside = outside
         # Whether the clock goes on with nobody but the tasks being asked.
         self.by_itself = pace is None and outside is None
+        # Whether anybody may act while the task that runs waits.
+        self.several = True
         # When the program had ended, while motion goes on.
         self.ended: float | None = None
         # When the running task was resumed, when its turn began, whether no other could have had it, and when it ends;
@@ -114,10 +107,17 @@ class Scheduler:
 
     def start(self, task: Task) -> None:
         """Let a further task run from now on."""
+        self.stir()
         self.tasks.append(task)
+
+    def end(self, task: Task) -> None:
+        """Let no further task run that the running one ends."""
+        self.stir()
+        self._forget(task)
 
     def interrupt(self, task: Task) -> None:
         """Let a task run to its end before any other goes on."""
+        self.stir()
         self._log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
@@ -147,6 +147,7 @@ class Scheduler:
                 continue
             horizon = min(clock.next_time(), until)
             several = outside or len(self.tasks) > 1
+            self.several = several or not self.by_itself
             event, self.began = horizon, now
             if not self._end:
                 self.turn_began = now
@@ -174,109 +175,6 @@ class Scheduler:
         self._asleep = several and task.wait is not None and self.by_itself
         if task.done and task is not self.parent:
             self._forget(task)
-
-    def _wake_in_turn(self, until: float) -> bool:
-        """Where all wait for a time or for motion to end, let them go on one after the other, each found in one look.
-
-        So it goes up to the moment at which that takes more: as two can go on, something else happens before, somebody
-        does not wait, or waits for what cannot be told. False where nobody went on.
-        """
-        tasks, clock, log = self.tasks, self.clock, self._log
-        waits: Callable[[Any], object] = log.waits.append
-        turns: Callable[[Any], object] = log.turns.append
-        known: list[Wait] = []
-        went = 0
-        while not (self.interrupts or self._left):
-            present = list(map(_WAIT_OF, tasks))
-            if present != known:
-                if None in present:
-                    break
-                known, names = present, [(task.name,) for task in tasks]
-                # When each goes on: at the latest, and if nothing but what is expected happens.
-                surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
-                ends, resting = surely[:], {k for k, wait in enumerate(known) if wait.ends is None}
-                last = (self._turn - 1) % len(tasks)
-            for k in resting:
-                ends[k] = known[k].expected()
-            now, first = clock.now, min(ends)
-            place = ends.index(first)
-            ends[place] = INFINITY
-            second = min(ends)
-            if first <= now + ROUNDING or first >= until or second <= first + ROUNDING:
-                break
-            found, wait = tasks[place], known[place]
-            if place not in resting:
-                if clock.horizon <= first and clock.next_time() <= first:
-                    break
-                surely[place] = INFINITY
-            elif clock.next_time() != first or not clock.advance_to_news(first):
-                break
-            clock.now = self.began = self.turn_began = first
-            self.current, self._alone, last = found, place == last, place
-            self._turn, self._stalls, found.wait = place + 1, 0, None
-            turn = found.turn
-            waits(found.waited(wait, first))
-            self._end = horizon = first + (turn if turn < TURN else TURN)
-            due = (min(surely) if resting else second) - 0.5 * ROUNDING
-            horizon = due if due < horizon else horizon
-            event = clock.next_time()
-            event = event if event < until else until
-            horizon = event if event < horizon else horizon
-            time, found.wait = found.resume(first, horizon)
-            after = found.wait
-            went += 1
-            if after is None or found.look is not None or not first <= time < clock.horizon:
-                self._waiting[:] = [task for task in tasks if task is not found]
-                self._leave(found, event, time, True)
-                break
-            clock.now = time
-            turns((first, time, names[place], (time - first,)))
-            self._end, self._calm = 0.0, 0
-            known[place] = after
-            if after.ends is None:
-                resting.add(place)
-            else:
-                resting.discard(place)
-                ends[place] = surely[place] = after.ends
-            if not went & 1023:
-                log.waits.trim()
-                log.turns.trim()
-        return went > 0
-
-    def passes(self, wait: Wait) -> bool:
-        """Let the time of a wait pass under the task that runs, as it would pass while it gave way; false: it must.
-
-        So it is where there is one task, nobody holds the clock, nothing else begins meanwhile, and an end is in sight.
-        """
-        clock = self.clock
-        if not self.by_itself or self._end:
-            return False
-        clock.advance(wait.since)
-        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
-            if wait.ready():
-                return True
-            time = min(wait.due(), clock.next_time())
-            if not clock.now < time < self.until:
-                return False
-            clock.advance(time)
-        return False
-
-    def comes_to_rest(self, since: float, controller: Controller, axes: tuple[int, ...]) -> bool:
-        """The same of the wait from `since` until axes are at rest, of which the end is known without asking."""
-        clock, until = self.clock, self.until
-        if not self.by_itself or self._end:
-            return False
-        if clock.horizon <= since or clock.now != since:
-            clock.advance(since)
-        while clock.now < until and len(self.tasks) == 1 and not self.interrupts:
-            end = controller.end_of_moves(axes)
-            if end < 0.0:
-                return True
-            if not clock.now < end < until:
-                return False
-            if clock.advance_to_news(end):
-                return True
-        return False
 
     def reach(self) -> float:
         """Until when the running task has the machine for itself, if it does nothing; 0 where others can run, too."""

@@ -11,10 +11,8 @@ from math import ceil
 INFINITY = float("inf")
 # 10 ps: decimal, as costs and waits are, and coarse enough that a day of them fits a float.
 UNITS = 1e11
-# Seconds that are more than rounding.
-_SHORTEST = 1e-9
 # So many units and fewer are each a float of its own.
-_EXACT = 2**52
+EXACT = 2**52
 
 
 class StatementTime:
@@ -23,14 +21,12 @@ class StatementTime:
     `count` is the statement at which the last task stopped, `reached` its time: whoever goes on there counts on.
     """
 
-    __slots__ = ("_known", "_units", "base", "cost", "count", "reached", "until")
+    __slots__ = ("base", "cost", "count", "reached", "until")
 
     def __init__(self, cost: float) -> None:
         self.cost = cost
         self.base = self.count = 0.0
         self.reached, self.until = -1.0, INFINITY
-        # A moment, and what it is in whole units.
-        self._known, self._units = 0.0, 0
 
     def at(self, count: float) -> float:
         """The time of a statement."""
@@ -39,14 +35,14 @@ class StatementTime:
     def go_on(self, now: float, horizon: float) -> tuple[float, float]:
         """A task goes on at `now`: at which statement, and the first one not before `horizon`, as `limit` finds it."""
         if now != self.reached:
-            self.base, count = now, 0.0
+            self.base, base, count = now, now, 0.0
         else:
-            count = self.count
+            base, count = self.base, self.count
         self.until = horizon
         if horizon == INFINITY:
             return count, INFINITY
-        base, cost = self.base, self.cost
-        last = float(ceil((horizon - base) / cost))
+        cost = self.cost
+        last = -((base - horizon) / cost // 1.0)
         if base + last * cost < horizon:
             return count, last + 1.0
         return count, last - 1.0 if base + (last - 1.0) * cost >= horizon else last
@@ -61,33 +57,6 @@ class StatementTime:
         self.count = count
         self.reached = self.base + count * self.cost
         return self.reached
-
-    def rest(self, count: float, seconds: float) -> float:
-        """The running task waits for a time: when that is over."""
-        base, passed = self.base, count * self.cost
-        self.count, self.reached = count, base + passed
-        begun = self._units if base == self._known else units(base)
-        ends = begun + round((passed + seconds) * UNITS)
-        self._known = end = ends / UNITS
-        self._units = ends if ends < _EXACT else units(end)
-        return end
-
-    def pass_by(self, count: float, seconds: float) -> tuple[float, float] | None:
-        """The same where nothing can happen meanwhile: at which statement the task goes on, and how far it surely may.
-
-        None where the horizon comes first, or where the time waited is too short or too late to be told from others.
-        """
-        base, cost = self.base, self.cost
-        if base != self._known:
-            self._known, self._units = base, units(base)
-        end_units = self._units + round((count * cost + seconds) * UNITS)
-        end = end_units / UNITS
-        statements = (self.until - end) / cost - 1.0  # one less, whatever rounding makes of it
-        if statements < 1.0 or end_units >= _EXACT or seconds < _SHORTEST:
-            return None
-        self.base = self._known = end
-        self._units = end_units
-        return 0.0, statements
 
     def limit(self, horizon: float) -> float:
         """The first statement that is not before `horizon`, up to which the running task may go."""

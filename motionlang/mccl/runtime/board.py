@@ -262,6 +262,8 @@ class Board:
             return False
         task.abandon()
         task.end()
+        if self.machine.scheduler is not None:
+            self.machine.scheduler.stir()
         return True
 
     def ended(self, task: CommandTask) -> None:

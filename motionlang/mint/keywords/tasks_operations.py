@@ -39,6 +39,9 @@ def suspend(environment: Environment, name: str, hold: bool = True) -> None:
     if task is None or task.done or task.suspended is hold:
         return
     task.suspended = hold
+    scheduler = environment.machine.scheduler
+    if scheduler is not None:
+        scheduler.stir()
     if hold and task is environment.task:
         environment.clock.at(environment.clock.now, lambda: None)  # everybody looks around
     elif hold:

@@ -81,6 +81,7 @@ class Environment(Waits):
         self.statements = machine.statements
         self.attention = Attention(machine.clock)
         self._waited = machine.log.waits.add
+        self._ends = {}
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
         # How often the program has done something; a loop that polls does nothing.
@@ -441,8 +442,8 @@ class Environment(Waits):
         self.acts += 1
         task.done = True
         scheduler = self.machine.scheduler
-        if scheduler is not None and task in scheduler.tasks:
-            scheduler.tasks.remove(task)
+        if scheduler is not None:
+            scheduler.end(task)
 
     def end_this(self, t: float) -> None:
         """The task that is running ends."""

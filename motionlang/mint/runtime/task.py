@@ -7,9 +7,11 @@ from motionlang.lang.task import INFINITY, GeneratorTask, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from types import FrameType
     from typing import Any
 
     from motionlang.lang.attention import Note
+    from motionlang.lang.task import Delay
     from motionlang.mint.runtime.environment import Environment, Make
     from motionlang.mint.runtime.waits import Waits
 
@@ -29,12 +31,16 @@ PARENT = "ParentTask"
 class MintTask(GeneratorTask):
     """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
-    __slots__ = ("axes", "environment", "held", "notes", "suspended", "timer")
+    __slots__ = ("axes", "delay", "environment", "frame", "held", "notes", "suspended", "timer")
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
         file = make.__code__.co_filename
         super().__init__(name, make, file, environment.files[file])
         self.environment = environment
+        # Its innermost code where no sub is called.
+        self.frame: FrameType | None = None
+        # The wait of its WAIT statements, one of which it is in at a time.
+        self.delay: Delay | None = None
         self.timer = [environment.clock.now]
         self.axes: tuple[int, ...] = (0,)
         # What it has read of late that changes by itself, while somebody asks.
@@ -45,7 +51,7 @@ class MintTask(GeneratorTask):
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         """As every task; what others did meanwhile is noticed."""
-        environment = self.environment
+        environment, generator = self.environment, self._generator
         environment.task = self
         clock, attention, statements = environment.clock, environment.attention, environment.statements
         if environment.fired != clock.fired:  # as `noticed` has it
@@ -58,17 +64,17 @@ class MintTask(GeneratorTask):
         acts = environment.acts
         attention.notes = self.notes
         self.busy = 0.0
-        place, generator = statements.go_on(now, horizon), self._generator
-        cells = environment.time_cells
+        place, cells = statements.go_on(now, horizon), environment.time_cells
         out: Any
         if cells is not None:
             cells[0].cell_contents, cells[1].cell_contents = place
         try:
-            if generator is None:
-                self._generator = generator = self._make(*place)
-                out = next(generator)
-            else:
+            if generator is not None:
                 out = generator.send(place)
+            else:
+                self._generator = generator = self._make(*place)
+                self.frame = generator.gi_frame  # type: ignore[attr-defined]
+                out = next(generator)
         except StopIteration as stop:
             self.done = True
             time, wait = statements.leave(stop.value), None
@@ -81,11 +87,12 @@ class MintTask(GeneratorTask):
             with_number(refusal)
             raise
         else:
+            kind = out.__class__
             if out is None:
                 time, wait = statements.leave(cells[0].cell_contents), None  # type: ignore[index]
-            elif out.__class__ is float:
+            elif kind is float:
                 time, wait = statements.leave(out), None
-            elif out.__class__ is tuple:
+            elif kind is tuple:
                 count, busy = out
                 time, wait, self.busy = statements.leave(count), None, busy * statements.cost
             else:

@@ -6,11 +6,13 @@ from sys import _getframe
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import Condition, next_tick
+from motionlang.lang.statement_time import EXACT, UNITS, units
 from motionlang.lang.task import Delay, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Mapping
+    from collections.abc import Callable, Generator
+    from typing import Any
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
@@ -22,6 +24,10 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.task import MintTask
 
 INFINITY = float("inf")
+# Seconds that are more than rounding.
+SHORTEST = 1e-9
+# After so many waits it is looked whether some are to be packed.
+MANY = 1024
 
 
 class Waits:
@@ -29,7 +35,6 @@ class Waits:
 
     acts: int
     attention: Attention
-    blocks: Mapping[str, object]
     clock: Clock
     fired: int
     machine: Machine
@@ -37,6 +42,8 @@ class Waits:
     statements: StatementTime
     task: MintTask
     wait: Wait
+    _ends: dict[tuple[int, ...], Callable[[], float]]
+    # Where the program notes what goes wrong, as it has a handler for it or asks: that is no statement's that waits.
     _errors: Errors | None
     _waited: Callable[[tuple[object, ...]], None]
 
@@ -47,30 +54,55 @@ class Waits:
 
     @property
     def rest(self) -> Callable[[float, float, int], tuple[float, float] | None]:
-        """`WAIT` at a place: the statement after it, and its horizon; nothing where others act meanwhile: `wait`."""
-        machine, clock, statements, waited = self.machine, self.clock, self.statements, self._waited
-        cost, pass_by = statements.cost, statements.pass_by
+        """`WAIT` at a place: the statement after it, and its horizon; nothing where others act meanwhile: `wait`.
+
+        Where nothing can happen meanwhile the time is added and the wait written down, which is all there is to it.
+        """
+        environment, machine, clock, statements = self, self.machine, self.clock, self.statements
+        waits, cost = machine.log.waits, statements.cost
+        append: Callable[[Any], object] = waits.append
+        # The end of the last wait, and what that is in whole units; how many more are written until some are packed.
+        known, known_units, left = 0.0, 0, MANY
 
         def rest(t: float, milliseconds: float, at: int) -> tuple[float, float] | None:
+            nonlocal known, known_units, left
             if not 0 <= milliseconds < INFINITY:
                 raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
-            scheduler = machine.scheduler
-            alone = scheduler is not None and scheduler.by_itself and len(scheduler.tasks) == 1
+            base, passed, seconds = statements.base, t * cost, milliseconds / 1000.0
+            if base != known:
+                known, known_units = base, units(base)
+            end_units = known_units + round((passed + seconds) * UNITS)
+            end, scheduler, task = end_units / UNITS, machine.scheduler, environment.task
+            callers = () if _getframe(1) is task.frame else task.callers()
+            alone = scheduler is not None and not scheduler.several
             if alone:
-                since = statements.base + t * cost
-                found = pass_by(t, milliseconds / 1000.0)
-                if found is not None:
-                    clock.now = end = statements.base
-                    task = self.task
-                    callers = () if _getframe(2).f_code is task.resumes else task.callers()
-                    waited((task.name, at, since, end, "time", (), "", callers))
-                    return found
-            end = statements.rest(t, milliseconds / 1000.0)
-            task = self.task
-            callers = () if _getframe(2).f_code is task.resumes else task.callers()
-            wait = self.wait = Delay(clock, statements.reached, end, (at, callers))
-            if alone and not self._notes_errors and scheduler.passes(wait):  # type: ignore[union-attr]
-                return self._gone_on(wait.since, "time", "", at)
+                horizon = (statements.until - end) / cost - 1.0  # one less, whatever rounding makes of it
+                if horizon >= 1.0 and seconds >= SHORTEST and end_units < EXACT:
+                    append((task.name, at, base + passed, end, "time", (), "", callers))
+                    statements.base = known = clock.now = end
+                    known_units = end_units
+                    left -= 1
+                    if not left:
+                        left = MANY
+                        waits.trim()
+                    return 0.0, horizon
+            known, known_units = end, end_units if end_units < EXACT else units(end)
+            since = base + passed
+            polls = task.look is not None or task.in_vain is not None
+            if scheduler is not None and end < scheduler.next_turn and not polls:
+                reach = scheduler.passes_in_turn(since, end, False)
+                if reach:
+                    waits.add((task.name, at, since, end, "time", (), "", callers))
+                    return statements.go_on(end, reach)
+            statements.count, statements.reached = t, since
+            wait = task.delay
+            if wait is None:
+                task.delay = wait = Delay(clock, since, end, (at, callers))
+            else:
+                wait.since, wait.ends, wait.place = since, end, (at, callers)
+            environment.wait = wait
+            if alone and environment._errors is None and scheduler.passes(wait):  # type: ignore[union-attr]
+                return environment._gone_on(since, "time", "", at, callers)
             return None
 
         return rest
@@ -96,48 +128,66 @@ class Waits:
             axes,
         )
 
-    def pause(
-        self, t: float, ready: Callable[[], object], why: str, at: int, axes: tuple[int, ...] = ()
-    ) -> tuple[float, float] | None:
-        """`PAUSE` at a place: as `rest`; nothing where another task acts meanwhile: `wait`.
+    @property
+    def pause(self) -> Callable[..., tuple[float, float] | None]:
+        """`PAUSE` at a place: as `rest`; nothing where another task acts meanwhile: `wait`."""
+        environment, machine, statements, ends = self, self.machine, self.statements, self._ends
+        cost, waited = statements.cost, self._waited
 
-        `axes` are those of a condition that asks for nothing but that they are at rest.
-        """
-        self.acts += 1
-        task, scheduler = self.task, self.machine.scheduler
-        noted, statements = self._notes_errors, self.statements
-        statements.count = t
-        statements.reached = since = statements.base + t * statements.cost
-        if axes and self.settled is None and scheduler is not None and not noted:
-            if len(scheduler.tasks) > 1:
-                callers = () if _getframe(2).f_code is task.resumes else task.callers()
-                self.wait = Rest(self, since, axes, ready, why, (at, callers))
+        def pause(
+            t: float, ready: Callable[[], object], why: str, at: int, axes: tuple[int, ...] = ()
+        ) -> tuple[float, float] | None:
+            """`axes` are those of a condition that asks for nothing but that they are at rest."""
+            environment.acts += 1
+            task, scheduler = environment.task, machine.scheduler
+            statements.count = t
+            statements.reached = since = statements.base + t * cost
+            callers = () if _getframe(1) is task.frame else task.callers()
+            noted = environment._errors is not None
+            if axes and environment.settled is None and scheduler is not None and not noted:
+                end = ends.get(axes) or environment.end_of_moves(axes)
+                if len(scheduler.tasks) > 1:
+                    moment = end()
+                    if moment < scheduler.next_turn:
+                        reach = scheduler.passes_in_turn(since, moment, True)
+                        if reach:
+                            waited((task.name, at, since, moment, "condition", (), why, callers))
+                            task.noticed(environment)
+                            return statements.go_on(moment, reach)
+                    environment.wait = Rest(environment, since, end, ready, why, (at, callers))
+                    return None
+                if scheduler.comes_to_rest(since, end):
+                    return environment._gone_on(since, "condition", why, at, callers)
+            environment.wait = wait = environment._condition(ready, since, why)
+            if noted or scheduler is None or not scheduler.passes(wait):
                 return None
-            if scheduler.comes_to_rest(since, self.controller, axes):
-                return self._gone_on(since, "condition", why, at)
+            return environment._gone_on(wait.since, wait.cause, why, at, callers)
+
+        return pause
+
+    def end_of_moves(self, axes: tuple[int, ...]) -> Callable[[], float]:
+        """The reader of when axes will be at rest, which is kept."""
+        found = self._ends[axes] = self.controller.end_of_moves(axes)
+        return found
+
+    def _condition(self, ready: Callable[[], object], since: float, why: str) -> Wait:
+        """The wait of the running task for a condition."""
+        task = self.task
 
         def test() -> object:
             self.task = task  # whose TIME the condition may read
             return ready()
 
-        wait = self.wait = Condition(self.attention, test, since, why)
-        if noted:
-            return None  # what goes wrong meanwhile is not this statement's
-        if scheduler is None or not scheduler.passes(wait):
-            return None
-        return self._gone_on(wait.since, wait.cause, why, at)
+        return Condition(self.attention, test, since, why)
 
-    @property
-    def _notes_errors(self) -> bool:
-        """Whether what goes wrong meanwhile is noted by the program, as not that of the statement that waits."""
-        return self._errors is not None or "event onerror" in self.blocks
-
-    def _gone_on(self, since: float, cause: str, why: str, at: int) -> tuple[float, float]:
+    def _gone_on(
+        self, since: float, cause: str, why: str, at: int, callers: tuple[int, ...]
+    ) -> tuple[float, float]:
         """A wait is over that passed under the statement at a place: the next one, and its horizon."""
         clock, statements, task, scheduler = self.clock, self.statements, self.task, self.machine.scheduler
         assert scheduler is not None
         now, horizon = clock.now, clock.horizon
-        self._waited((task.name, at, since, now, cause, (), why, task.callers(3)))
+        self._waited((task.name, at, since, now, cause, (), why, callers))
         if self.fired != clock.fired:
             task.noticed(self)
         t = statements.count
@@ -150,7 +200,7 @@ class Waits:
 class Rest(Wait):
     """The wait until axes are at rest, of which events tell; where the program wants them settled, too, it is asked."""
 
-    __slots__ = ("_asked", "_axes", "_end_of_moves", "_environment", "_test", "place")
+    __slots__ = ("_asked", "_end", "_environment", "_test", "place")
 
     cause = "condition"
     what = ()
@@ -160,27 +210,25 @@ class Rest(Wait):
         self,
         environment: Waits,
         since: float,
-        axes: tuple[int, ...],
+        end: Callable[[], float],
         test: Callable[[], object],
         why: str,
         place: tuple[int, tuple[int, ...]],
     ) -> None:
-        self.since, self.why, self._environment, self._axes, self._test = since, why, environment, axes, test
-        self.place = place
-        self._end_of_moves = environment.controller.end_of_moves
+        self.since, self.why, self._environment, self._test = since, why, environment, test
+        self.place, self._end = place, end
         self._asked: Wait | None = None
 
     def ready(self) -> bool:
-        environment = self._environment
-        if environment.settled is not None:
+        if self._environment.settled is not None:
             return self._condition().ready()
-        return environment.controller.end_of_moves(self._axes) < 0.0
+        return self._end() < 0.0
 
     def due(self) -> float:
         return INFINITY if self._environment.settled is None else self._condition().due()
 
     def expected(self) -> float:
-        return self._end_of_moves(self._axes) if self._environment.settled is None else -1.0
+        return self._end() if self._environment.settled is None else -1.0
 
     def _condition(self) -> Wait:
         if self._asked is None:

@@ -1,0 +1,241 @@
+"""Tasks that wait, found without asking: those that wake one after the other, and the one that lets its wait pass.
+
+Both go on only as long as nothing else happens; whatever else there is they leave to the scheduler, which asks all.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.task import ROUNDING
+
+try:  # what operator adds to it is not needed, and every run would wait for it
+    from _operator import attrgetter
+except ImportError:
+    from operator import attrgetter
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from motionlang.controller.clock import Clock
+    from motionlang.controller.record.log import Log
+    from motionlang.lang.task import Task, Wait
+
+INFINITY = float("inf")
+# Virtual seconds that one task may run while another is runnable.
+QUANTUM = 1e-3
+# The same, less than whole, as a number of statements may fill it exactly.
+TURN = QUANTUM - ROUNDING
+_WAIT_OF: Callable[[Task], Any] = attrgetter("wait")
+
+
+class WaitsInTurn:
+    """What `Scheduler` knows of waits whose ends can be told."""
+
+    began: float
+    by_itself: bool
+    clock: Clock
+    current: Task
+    interrupts: list[Task]
+    several: bool
+    tasks: list[Task]
+    turn_began: float
+    until: float
+    _alone: bool
+    _calm: int
+    _end: float
+    _left: int
+    _log: Log
+    _stalls: int
+    _turn: int
+    _waiting: list[Task]
+
+    if TYPE_CHECKING:
+
+        def _leave(self, task: Task, event: float, time: float, several: bool) -> None: ...
+
+    def __init__(self) -> None:
+        # While tasks wake in turn: when the first of those that wait goes on, as far as the running one has not changed
+        # that; in the past where nobody knows.
+        self.next_turn = -INFINITY
+        # The waits of all tasks, None for the one that runs; when each goes on at the latest, and when if nothing but
+        # what is expected happens; the places of those that wait for motion to end; and what they are called.
+        self._known: list[Wait | None] = []
+        self._surely: list[float] = []
+        self._ends: list[float] = []
+        self._resting: set[int] = set()
+        self._names: list[tuple[str]] = []
+        # The place of the task that runs, the next event, and how many have gone on.
+        self._place = 0
+        self._event = INFINITY
+        self._went = 0
+
+    def _wake_in_turn(self, until: float) -> bool:
+        """Where all wait for a time or for motion to end, let them go on one after the other, each found in one look.
+
+        So it goes up to the moment at which that takes more: as two can go on, something else happens before, somebody
+        does not wait, or waits for what cannot be told. False where nobody went on.
+        """
+        if self._left:
+            return False
+        tasks, clock, log, interrupts = self.tasks, self.clock, self._log, self.interrupts
+        waits: Callable[[Any], object] = log.waits.append
+        turns: Callable[[Any], object] = log.turns.append
+        known: list[Any] | None = None
+        self._went = went = 0
+        try:
+            while not interrupts:
+                if known is not self._known:
+                    self._known = known = list(map(_WAIT_OF, tasks))
+                    if None in known:
+                        break
+                    self._names = names = [(task.name,) for task in tasks]
+                    self._surely = surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
+                    self._ends = ends = surely[:]
+                    self._resting = resting = {k for k, wait in enumerate(known) if wait.ends is None}
+                    last = (self._turn - 1) % len(tasks)
+                for k in resting:
+                    ends[k] = known[k].expected()
+                first = min(ends)
+                place = ends.index(first)
+                ends[place] = INFINITY
+                second = min(ends)
+                if not clock.now + ROUNDING < first < until or second <= first + ROUNDING:
+                    break
+                found, wait = tasks[place], known[place]
+                if place in resting:
+                    if not clock.ring(first):
+                        break
+                    resting.discard(place)
+                elif clock.horizon <= first and clock.next_time() <= first:
+                    break
+                else:
+                    surely[place] = INFINITY
+                    clock.now = first
+                self.began = self.turn_began = first
+                self.current, self._alone, last = found, place == last, place
+                self._turn, self._place, found.wait, known[place] = place + 1, place, None, None
+                stands = wait.place
+                if stands is None:
+                    waits(found.waited(wait, first))
+                else:  # the same without a call
+                    cause = wait.cause
+                    why = "" if cause == "time" else wait.why
+                    waits((found.name, stands[0], wait.since, first, cause, wait.what, why, stands[1]))
+                # Where a statement meets the moment at which another goes on, rounding does not decide who comes first.
+                due = (min(surely) if resting else second) - 0.5 * ROUNDING
+                self.next_turn = second
+                went += 1
+                time, after = found.resume(first, self._horizon(found, first, due))
+                found.wait = after
+                began = self.began
+                if after is None or found.look is not None or not began <= time < clock.horizon:
+                    self._stalls = 0
+                    if went + self._went > 1:
+                        self._calm = 0
+                    self._waiting[:] = [task for task in tasks if task is not found]
+                    self._leave(found, self._event, time, True)
+                    return True
+                if clock.now < time:
+                    clock.now = time
+                turns((began, time, names[place], (time - began,)))
+                known[place] = after
+                if after.ends is None:
+                    resting.add(place)
+                else:
+                    ends[place] = surely[place] = after.ends
+                if not went & 1023:
+                    log.waits.trim()
+                    log.turns.trim()
+        finally:
+            self.next_turn = -INFINITY
+        if went:
+            self._end, self._calm, self._stalls = 0.0, 0, 0
+        return went > 0
+
+    def stir(self) -> None:
+        """The running task has changed what another one waits for, or which tasks there are."""
+        self.several, self.next_turn, self._known = True, -INFINITY, []
+
+    def _horizon(self, task: Task, now: float, due: float) -> float:
+        """How far a task may go that wakes now: another one goes on at `due`."""
+        turn, clock, until = task.turn, self.clock, self.until
+        self._end = horizon = now + (turn if turn < TURN else TURN)
+        event = clock.horizon
+        if event <= horizon:
+            event = clock.next_time()
+        self._event = event = event if event < until else until
+        if event < horizon:
+            horizon = event
+        return due if due < horizon else horizon
+
+    def passes(self, wait: Wait) -> bool:
+        """Let the time of a wait pass under the task that runs, as it would pass while it gave way; false: it must.
+
+        So it is where there is one task, nobody holds the clock, nothing else begins meanwhile, and an end is in sight.
+        """
+        clock = self.clock
+        if not self.by_itself or self._end:
+            return False
+        clock.advance(wait.since)
+        while clock.now < self.until and len(self.tasks) == 1 and not self.interrupts:
+            if wait.ready():
+                return True
+            time = min(wait.due(), clock.next_time())
+            if not clock.now < time < self.until:
+                return False
+            clock.advance(time)
+        return False
+
+    def passes_in_turn(self, since: float, end: float, by_bell: bool) -> float:
+        """The same for one of several tasks, while they wake in turn: how far it may then go, 0.0 where it gives way.
+
+        `by_bell`: its end is an event, of which nobody else hears.
+        """
+        clock, known, ends, surely = self.clock, self._known, self._ends, self._surely
+        if self.interrupts:
+            return 0.0
+        for k in self._resting:
+            ends[k] = known[k].expected()  # type: ignore[union-attr]
+        self.next_turn = second = min(ends)
+        began, until = self.began, self.until
+        if (
+            second <= end + ROUNDING
+            or not since + ROUNDING < end < until
+            or not began <= since < clock.horizon
+        ):
+            return 0.0
+        if by_bell:
+            if not clock.ring(end):
+                return 0.0
+        elif clock.horizon <= end and clock.next_time() <= end:
+            return 0.0
+        else:
+            clock.now = end
+        place, log = self._place, self._log
+        log.turns.append((began, since, self._names[place], (since - began,)))  # type: ignore[arg-type]
+        self.began = self.turn_began = end
+        self._alone = True
+        self._went = went = self._went + 1
+        if not went & 1023:
+            log.waits.trim()
+            log.turns.trim()
+        due = (min(surely) if self._resting else second) - 0.5 * ROUNDING
+        return self._horizon(self.current, end, due)
+
+    def comes_to_rest(self, since: float, end_of_moves: Callable[[], float]) -> bool:
+        """The same as `passes` of the wait from `since` until axes are at rest, whose end is known without asking."""
+        clock, until = self.clock, self.until
+        if not self.by_itself or self._end:
+            return False
+        if clock.horizon <= since or clock.now != since:
+            clock.advance(since)
+        while clock.now < until and len(self.tasks) == 1 and not self.interrupts:
+            end = end_of_moves()
+            if end < 0.0:
+                return True
+            if not clock.now < end < until:
+                return False
+            if clock.advance_to_news(end):
+                return True
+        return False
