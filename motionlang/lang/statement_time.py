@@ -12,7 +12,7 @@ INFINITY = float("inf")
 # 10 ps: decimal, as costs and waits are, and coarse enough that a day of them fits a float.
 UNITS = 1e11
 # So many units and fewer are each a float of its own.
-EXACT = 2**52
+EXACT = 2.0**52
 
 
 class StatementTime:

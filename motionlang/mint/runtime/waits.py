@@ -62,48 +62,52 @@ class Waits:
         waits, cost = machine.log.waits, statements.cost
         append: Callable[[Any], object] = waits.append
         # The end of the last wait, and what that is in whole units; how many more are written until some are packed.
-        known, known_units, left = 0.0, 0, MANY
+        known, known_units, left = 0.0, 0.0, MANY
 
         def rest(t: float, milliseconds: float, at: int) -> tuple[float, float] | None:
             nonlocal known, known_units, left
-            if not 0 <= milliseconds < INFINITY:
-                raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
             base, passed, seconds = statements.base, t * cost, milliseconds / 1000.0
             if base != known:
-                known, known_units = base, units(base)
-            end_units = known_units + round((passed + seconds) * UNITS)
-            end, scheduler, task = end_units / UNITS, machine.scheduler, environment.task
+                known, known_units = base, float(units(base))
+            # As a float is rounded where it has no places left behind the point.
+            end_units = known_units + ((passed + seconds) * UNITS + EXACT - EXACT)
+            end, task = end_units / UNITS, environment.task
             callers = () if _getframe(1) is task.frame else task.callers()
-            alone = scheduler is not None and not scheduler.several
-            if alone:
-                horizon = (statements.until - end) / cost - 1.0  # one less, whatever rounding makes of it
-                if horizon >= 1.0 and seconds >= SHORTEST and end_units < EXACT:
-                    append((task.name, at, base + passed, end, "time", (), "", callers))
-                    statements.base = known = clock.now = end
-                    known_units = end_units
-                    left -= 1
-                    if not left:
-                        left = MANY
-                        waits.trim()
-                    return 0.0, horizon
-            known, known_units = end, end_units if end_units < EXACT else units(end)
-            since = base + passed
-            polls = task.look is not None or task.in_vain is not None
-            if scheduler is not None and end < scheduler.next_turn and not polls:
-                reach = scheduler.passes_in_turn(since, end, False)
-                if reach:
-                    waits.add((task.name, at, since, end, "time", (), "", callers))
-                    return statements.go_on(end, reach)
-            statements.count, statements.reached = t, since
+            scheduler = machine.scheduler
+            if end_units < EXACT and seconds >= SHORTEST and scheduler is not None:
+                if not scheduler.several:
+                    horizon = (statements.until - end) / cost - 1.0  # one less, whatever rounding makes of it
+                    if horizon >= 1.0:
+                        append((task.name, at, base + passed, end, "time", (), "", callers))
+                        statements.base = known = clock.now = end
+                        known_units = end_units
+                        left -= 1
+                        if not left:
+                            left = MANY
+                            waits.trim()
+                        return 0.0, horizon
+                elif end < scheduler.next_turn and task.look is None and task.in_vain is None:
+                    reach = scheduler.passes_in_turn(base + passed, end, False)
+                    if reach:
+                        waits.add((task.name, at, base + passed, end, "time", (), "", callers))
+                        known, known_units = end, end_units
+                        return statements.go_on(end, reach)
+            elif not 0 <= milliseconds < INFINITY:
+                raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
+            else:  # so late that whole units are no floats of their own, or so short
+                end = (units(base) + round((passed + seconds) * UNITS)) / UNITS
+            statements.count, statements.reached = t, base + passed
             wait = task.delay
             if wait is None:
-                task.delay = wait = Delay(clock, since, end, (at, callers))
+                task.delay = wait = Delay(clock, base + passed, end, (at, callers))
             else:
-                wait.since, wait.ends, wait.place = since, end, (at, callers)
+                wait.since, wait.ends, wait.place = base + passed, end, (at, callers)
             environment.wait = wait
-            if alone and environment._errors is None and scheduler.passes(wait):  # type: ignore[union-attr]
-                return environment._gone_on(since, "time", "", at, callers)
-            return None
+            if scheduler is None or scheduler.several or environment._errors is not None:
+                return None
+            return (
+                environment._gone_on(wait.since, "time", "", at, callers) if scheduler.passes(wait) else None
+            )
 
         return rest
 
