@@ -8,6 +8,10 @@ from motionlang.lang.parsing.linked_stack import empty, expected, feed
 from motionlang.lang.parsing.parser import END
 from motionlang.mccl.syntax.tables import AUTOMATON, TERMINALS
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.parsing.linked_stack import Cell
+
 _PATTERNS = {name: re.compile(pattern, re.ASCII) for name, pattern in TERMINALS.items()}
 
 
@@ -15,9 +19,21 @@ def stuck(text: str) -> tuple[int, set[str]]:
     """How much of a text is the beginning of a command, and the kinds of token that could follow it there."""
     top, at = empty(AUTOMATON), 0
     while True:
-        kinds = expected(AUTOMATON, top) - {END}
+        kinds = _could_follow(top)
         found = {kind: each for kind in kinds if (each := _PATTERNS[kind].match(text, at))}
         if not found:
             return at, kinds
         kind = next(name for name in _PATTERNS if name in found)
         top, at = feed(top, kind, at)[0], found[kind].end()
+
+
+def _could_follow(top: Cell) -> set[str]:
+    """The kinds of token that could come next, tried out once for each stack: a command has few."""
+    states = tuple([cell.state.number for cell in top])
+    kinds = _FOLLOW.get(states)
+    if kinds is None:
+        kinds = _FOLLOW[states] = expected(AUTOMATON, top) - {END}
+    return kinds
+
+
+_FOLLOW: dict[tuple[int, ...], set[str]] = {}
