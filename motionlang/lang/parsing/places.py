@@ -6,7 +6,7 @@ the texts of the tokens; columns are wanted for messages only, and for them the 
 
 from __future__ import annotations
 
-from itertools import accumulate, islice
+from itertools import islice
 from sys import maxsize
 
 TYPE_CHECKING = False
@@ -102,8 +102,13 @@ class Places:
         if texts is None or self.continues:
             self._lines_from_spans()
             return
-        ends = {text: text.count("\n") for text in set(texts)}
-        self._lines = list(accumulate(map(ends.__getitem__, texts), initial=1))
+        lines, line = self._lines, 1
+        for at in [
+            at for at, text in enumerate(texts) if "\n" in text
+        ]:  # a run of tokens on one line is one step
+            lines += [line] * (at + 1 - len(lines))
+            line += texts[at].count("\n")
+        lines += [line] * (len(texts) + 1 - len(lines))
 
     def _lines_from_spans(self) -> None:
         """Lines that go on in the next one end inside no token, so the offsets have to tell."""

@@ -44,7 +44,11 @@ class Value:
     brackets out: CPython takes as long for two of them as for a name.
     """
 
-    __slots__ = ("binds", "const", "range", "solved", "text", "type", "unsigned")
+    __slots__ = ("binds", "const", "range", "text", "type")
+
+    # Of a reading that takes the level it is compared with: its text with that; and without its sign.
+    solved: Callable[[str], str] | None = None
+    unsigned: Callable[[str], str] | None = None
 
     def __init__(
         self,
@@ -55,9 +59,6 @@ class Value:
         binds: int = 0,
     ) -> None:
         self.text, self.type, self.range, self.const, self.binds = text, type, range, const, binds
-        # Of a reading that takes the level it is compared with: its text with that; and without its sign.
-        self.solved: Callable[[str], str] | None = None
-        self.unsigned: Callable[[str], str] | None = None
 
     @property
     def bare(self) -> str:
@@ -72,6 +73,16 @@ class Value:
     @property
     def is_number(self) -> bool:
         return self.type in NUMERIC
+
+
+class Reading(Value):
+    """What may say until when it holds."""
+
+    __slots__ = ("solved", "unsigned")
+
+    def __init__(self, text: str, type: str, range: intervals.Range) -> None:
+        super().__init__(text, type, range)
+        self.solved = self.unsigned = None
 
 
 class Answer(Value):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals, operators
-from motionlang.mint.compile.body import Answer, Value
+from motionlang.mint.compile.body import Answer, Reading, Value
 from motionlang.mint.compile.conversions import NOTHING, article, as_integer, converted, literal
 from motionlang.mint.resolve.folding import binary as fold_binary
 from motionlang.mint.resolve.folding import unary as fold_unary
@@ -241,7 +241,7 @@ def _loaded(b: Body, text: str, type: Type, known: intervals.Range | None) -> Va
     if type.name == TIME:
         b.observes = True
         operation = b.whole.use("env", "elapsed")
-        found = Value(f"{operation}({text})", INTEGER, intervals.INTEGER)
+        found = Reading(f"{operation}({text})", INTEGER, intervals.INTEGER)
         found.solved = lambda level: f"{operation}({text}, {level})"
         return found
     if type.name == SEMAPHORE:
@@ -335,9 +335,10 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
                 "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
             )
             return NOTHING
-    if (
-        op in operators.COMPARISONS and not calls
-    ):  # what calls a sub keeps its place before or behind the reading
+    if op in operators.ARITHMETIC:
+        return operators.arithmetic(b, op, left, right)
+    if op in operators.COMPARISONS and not calls:
+        # What calls a sub keeps its place before or behind the reading.
         if left.solved is not None and right.solved is None:
             left, right = _compared(b, left, right)
         elif right.solved is not None and left.solved is None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import isnan
 
 from motionlang.mint.compile import intervals, unsimulated_use
-from motionlang.mint.compile.body import Value
+from motionlang.mint.compile.body import Reading, Value
 from motionlang.mint.compile.conversions import as_float, as_integer, literal
 from motionlang.mint.compile.expressions import condition, number, value
 from motionlang.mint.compile.lines import LOOP
@@ -79,7 +79,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     range_ = (
         intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
     )
-    found = Value(text, kind, range_)
+    found = Reading(text, kind, range_)
     if row.solved and id(node) not in b.levels:
         found.solved = lambda level: f"{operation}({', '.join([*arguments, level])})"
         if row.index == "axis":
@@ -122,7 +122,7 @@ def _function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     if kind == INTEGER:
         known_range = intervals.to_integer(known_range)
     function = b.whole.use("fn", row.verb)
-    made = Value(f"{function}({texts})", kind, known_range)
+    made = Reading(f"{function}({texts})", kind, known_range)
     unsigned = found[0].unsigned if row.verb == "absolute" else None
     if unsigned is not None:
         made.solved = lambda level: f"{function}({unsigned(level)})"

@@ -13,18 +13,17 @@ if TYPE_CHECKING:
     from motionlang.mint.syntax import nodes
 
 COMPARISONS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
-_ARITHMETIC = {"+": SUM, "-": SUM, "*": PRODUCT}
+ARITHMETIC = {"+": SUM, "-": SUM, "*": PRODUCT}
 _BITS = {"&": "&", "|": "|", "Xor": "^"}
 
 
 def operate(b: Body, op: str, left: Value, right: Value) -> Value:
-    """`left op right` for two numbers."""
-    if op in _ARITHMETIC:
-        return arithmetic(b, op, left, right)
+    """`left op right` for two numbers, where it is not one of `ARITHMETIC`."""
     if op in COMPARISONS:
         return Answer(f"{left.bare} {COMPARISONS[op]} {right.bare}")
     if op == "/":
-        return Value(f"({_first(left, PRODUCT)} / {right.text})", FLOAT, intervals.FLOAT, None, PRODUCT)
+        first = left.bare if left.binds == PRODUCT else left.text
+        return Value(f"({first} / {right.text})", FLOAT, intervals.FLOAT, None, PRODUCT)
     if op == "^":
         return Value(f"{b.whole.use('fn', 'power')}({left.text}, {right.text})", FLOAT, intervals.FLOAT)
     if op == "\\":
@@ -42,34 +41,24 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
 
 def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
     """`left op right` for + - *, with a check where the result may not fit."""
-    integer = left.type != FLOAT != right.type
-    binds = _ARITHMETIC[op]
+    kind = FLOAT if FLOAT in (left.type, right.type) else INTEGER
+    binds = ARITHMETIC[op]
+    first = left.text[1:-1] if left.binds >= binds else left.text  # Python groups from the left, too
+    second = right.text[1:-1] if right.binds > binds else right.text
     if left.range[2] == "f" or right.range[2] == "f":
-        text = f"({_first(left, binds)} {op} {_second(right, binds)})"
-        return Value(text, INTEGER if integer else FLOAT, intervals.FLOAT, None, binds)
-    known, how = intervals.arithmetic(op, integer, left.range, right.range)
-    kind = INTEGER if integer else FLOAT
+        return Value(f"({first} {op} {second})", kind, intervals.FLOAT, None, binds)
+    known, how = intervals.arithmetic(op, kind == INTEGER, left.range, right.range)
     if how == intervals.COERCED:
         if right.const is not None:
             return Value(f"({left.text} {op} {as_float(right)})", kind, known)
         return Value(f"({as_float(left)} {op} {right.text})", kind, known)
-    text = f"{_first(left, binds)} {op} {_second(right, binds)}"
+    text = f"{first} {op} {second}"
     if how == intervals.CHECKED:
         over = b.whole.use("fn", "overflow")
         return Value(
             f"(z if {intervals.INT_LOW} <= (z := {text}) <= {intervals.INT_HIGH} else {over}(z))", kind, known
         )
     return Value(f"({text})", kind, known, None, binds)
-
-
-def _first(operand: Value, binds: int) -> str:
-    """The text of what stands before an operator: Python groups from the left, too."""
-    return operand.text[1:-1] if operand.binds >= binds else operand.text
-
-
-def _second(operand: Value, binds: int) -> str:
-    """The text of what stands behind an operator."""
-    return operand.text[1:-1] if operand.binds > binds else operand.text
 
 
 def _quotient(b: Body, left: Value, right: Value) -> Value:
