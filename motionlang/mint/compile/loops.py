@@ -55,39 +55,54 @@ def go_on_leaving(b: Body) -> None:
             b.emit(f"if {flag}: break", BREAK)
 
 
+def _opened(b: Body, kind: str, body: list[nodes.Stmt], *conditions: nodes.Expr) -> tuple[str, Poll | None]:
+    """What stands before the first turn: the flag of an Exit and the watch, where there are any."""
+    b.flush()
+    flag = flag_for(b, kind, body)
+    b.noted = True
+    return flag, polling.watched(b, body, *conditions)
+
+
+def _forever(b: Body) -> None:
+    """The head of a loop that is left from within."""
+    b.emit("while True:", LOOP)
+    b.indent += 1
+
+
+def _turns(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | None) -> None:
+    """The statements of a turn, and its end at the place where the loop began."""
+    at = b.at
+    body_of(b, kind, body, flag)
+    b.at = at
+    _closed(b, poll)
+
+
+def _closed(b: Body, poll: Poll | None, cost: int = 1) -> None:
+    turn(b, poll, cost)
+    b.indent -= 1
+    go_on_leaving(b)
+
+
 def while_(b: Body, node: nodes.While) -> None:
     """`While condition … End While`."""
     test = condition(b, node.condition)
     observes, calls = b.observes, b.calls
     b.pending += 1
-    b.flush()
-    flag = flag_for(b, "while", node.body)
-    b.noted = True
-    poll = polling.watched(b, node.body, node.condition)
+    flag, poll = _opened(b, "while", node.body, node.condition)
     if observes or calls:
-        b.emit("while True:", LOOP)
-        b.indent += 1
+        _forever(b)
         b.settle()
         b.emit(f"if not ({test}): break", BREAK)
     else:
         b.emit(f"while {test}:", LOOP)
         b.indent += 1
-    at = b.at
-    body_of(b, "while", node.body, flag)
-    b.at = at
-    turn(b, poll)
-    b.indent -= 1
-    go_on_leaving(b)
+    _turns(b, "while", node.body, flag, poll)
 
 
 def repeat(b: Body, node: nodes.Repeat) -> None:
     """`Repeat … Until condition`."""
-    b.flush()
-    flag = flag_for(b, "repeat", node.body)
-    b.noted = True
-    poll = polling.watched(b, node.body, node.condition)
-    b.emit("while True:", LOOP)
-    b.indent += 1
+    flag, poll = _opened(b, "repeat", node.body, node.condition)
+    _forever(b)
     body_of(b, "repeat", node.body, flag)
     b.at = node.condition.at
     b.begin()
@@ -96,25 +111,14 @@ def repeat(b: Body, node: nodes.Repeat) -> None:
     b.pending += 1
     b.flush()
     b.emit(f"if {test}: break", BREAK)
-    turn(b, poll, 0)
-    b.indent -= 1
-    go_on_leaving(b)
+    _closed(b, poll, 0)
 
 
 def endless(b: Body, node: nodes.Loop) -> None:
     """`Loop … End Loop`."""
-    b.flush()
-    flag = flag_for(b, "loop", node.body)
-    b.noted = True
-    poll = polling.watched(b, node.body)
-    b.emit("while True:", LOOP)
-    b.indent += 1
-    at = b.at
-    body_of(b, "loop", node.body, flag)
-    b.at = at
-    turn(b, poll)
-    b.indent -= 1
-    go_on_leaving(b)
+    flag, poll = _opened(b, "loop", node.body)
+    _forever(b)
+    _turns(b, "loop", node.body, flag, poll)
 
 
 # ------------------------------------------------------------------------------------------------- leaving
