@@ -33,15 +33,13 @@ _NANOSECONDS = 1e9
 class Recurrence:
     """The states that the tasks have been in since something happened, each with its time."""
 
-    def __init__(self, machine: Controller | Machine) -> None:
-        self._clock = machine.clock
+    def __init__(self, machine: Controller | Machine, pace: Callable[[float], None] | None) -> None:
+        self._clock, self._pace = machine.clock, pace
         self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
         self._key: tuple[int, set[int]] = (-1, set())
         self._met: dict[tuple[object, ...], Met] = {}
 
-    def leap(
-        self, tasks: Sequence[Task], turn: int, until: float, pace: Callable[[float], None] | None
-    ) -> None:
+    def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:
         """After a turn: go on over as many whole periods as fit before anything can change, if they are known."""
         acts = {task.look[0] for task in tasks if task.look is not None}
         unknown = any(task.wait is None and task.look is None for task in tasks)
@@ -56,16 +54,11 @@ class Recurrence:
         for most in sorted({longest, min(longest, LONGER * shortest)}, reverse=True):
             inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
-            if self._skips(inner, others, (turn, most), until, pace):
+            if self._skips(inner, others, (turn, most), until):
                 return
 
     def _skips(
-        self,
-        tasks: list[Task],
-        others: list[Wait],
-        signature: tuple[object, ...],
-        until: float,
-        pace: Callable[[float], None] | None,
+        self, tasks: list[Task], others: list[Wait], signature: tuple[object, ...], until: float
     ) -> bool:
         """Whether the clock went on over whole periods of some `tasks`, which stand as they once did; `others` wait."""
         clock, statements = self._clock, self._statements
@@ -94,8 +87,8 @@ class Recurrence:
             return False
         statements.repeat(before[1], before[2], count)
         time = statements.reached
-        if pace is not None:
-            pace(time)
+        if self._pace is not None:
+            self._pace(time)
         for task in tasks:
             if isinstance(task.wait, Delay):
                 task.wait.move(units(task.wait.due() + (time - now)) / UNITS)

@@ -233,8 +233,8 @@ class Scheduler(WaitsInTurn):
         if self._recurrence is None:
             from motionlang.lang.recurrence import Recurrence
 
-            self._recurrence = Recurrence(self.machine)
-        self._recurrence.leap(self.tasks, self._turn, self.until, self.pace)
+            self._recurrence = Recurrence(self.machine, self.pace)
+        self._recurrence.leap(self.tasks, self._turn, self.until)
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""

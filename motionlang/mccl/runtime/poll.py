@@ -46,41 +46,37 @@ class Poll:
         if self._alone and before[0] is task.line and before[1] == task.pc:
             self._alone -= 1
             return None
-        board, now, length = task.board, clock.now, task.count - count
-        place = task.line, task.pc, board.turns, self.effects, len(task.calls)
+        wait, now, length = None, clock.now, task.count - count
+        place = task.line, task.pc, task.board.turns, self.effects, len(task.calls)
         notes, attention.notes = attention.notes, []
-        self._before = place, held, task.count, clock.next_time()
         if before[:3] != place[:3] or now >= event or notes is None:
-            self._alone = 0
-            return None  # where an event or another task came between, what was read before it is old
-        until = now
-        if before == place and length > 0:
-            until = attention.until(now, notes) if accumulator == held else now
-            if until <= now:
-                until = attention.until(now - length * task.cost - CLOSE, self._levels())
-        if until <= now:
-            self._alone, self._left = self._left, min(2 * self._left or 1, MOST_ALONE)
-            if self._alone:
-                attention.notes = None
-            return None
-        self._left = 0
-        return self._skip(until, length)
+            self._alone = 0  # where an event or another task came between, what was read before it is old
+        else:
+            until = now
+            if before == place and length > 0:
+                until = attention.until(now, notes) if accumulator == held else now
+                if until <= now:
+                    until = attention.until(now - length * task.cost - CLOSE, self._levels())
+            if until > now:
+                self._left, wait = 0, self._skip(until, length)
+            else:
+                self._alone, self._left = self._left, min(2 * self._left or 1, MOST_ALONE)
+                attention.notes = None if self._alone else []
+        self._before = place, held, task.count, clock.next_time()
+        return wait
 
     def _skip(self, until: float, length: int) -> Wait | None:
         """Go on over passes of so many commands that are alike until a moment."""
-        task, board = self._task, self._task.board
-        scheduler, turns, now = board.machine.scheduler, board.turns, self.attention.clock.now
+        task, clock = self._task, self.attention.clock
+        board, now, turns = task.board, clock.now, task.board.turns
+        scheduler = board.machine.scheduler
         assert scheduler is not None
-        place, held, _, event = self._before
-        until = min(until, event, board.next_wake(task))
+        until = min(until, clock.next_time(), board.next_wake(task))
         if until == INFINITY:
             why = "in a loop that only looks at what does not change"
             return Wait(now, lambda: board.turns != turns, lambda: INFINITY, why)
         until = min(until, max(task.horizon, scheduler.reach()))
-        passes = int((until - now) / (length * task.cost)) - 1
-        if passes > 0:
-            task.count += passes * length
-            self._before = place, held, task.count, event
+        task.count += length * max(0, int((until - now) / (length * task.cost)) - 1)
         return None
 
     def _levels(self) -> list[Note]:

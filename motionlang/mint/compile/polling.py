@@ -20,11 +20,15 @@ from motionlang.mint.syntax.traversal import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
+
+    # Variables by the text of what they hold; counters, and all that decide nothing, by their spelling.
+    State = dict[str, Symbol]
+    Idle = tuple[list[str], set[str]]
 
 # A loop that names more variables is not looked at turn by turn.
 MOST_VARIABLES = 100
@@ -40,14 +44,8 @@ class Poll:
 
     __slots__ = ("_alone", "_look", "_named", "_turn", "first")
 
-    def __init__(
-        self,
-        b: Body,
-        state: dict[str, Symbol],
-        asks: bool,
-        counters: Sequence[str] = (),
-        mere: Collection[str] = (),
-    ) -> None:
+    def __init__(self, b: Body, state: State, asks: bool, idle: Idle = ([], set())) -> None:
+        counters, mere = idle
         site = b.whole.use("loop", asks, bool(mere), len(b.whole.specs))
         self._look, self._alone, self._named = b.temp(), b.temp(), state.values()
         counted = f"({', '.join(counters)},)" if counters else "()"
@@ -72,13 +70,13 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     left = left_behind(b, turn)
     if left is None:
         return None
-    poll = Poll(b, *left, *idle(b, turn))
+    poll = Poll(b, *left, idle(b, turn))
     b.emit(poll.first)
     b.watching += 1
     return poll
 
 
-def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol], bool] | None:
+def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool] | None:
     """The variables, as text, that turns of a loop are compared by, and whether these look at what others can change.
 
     They are all that is named in what the turn reaches. None where there are too many, or where the loop just computes.
@@ -100,7 +98,7 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[dict[str, Symbol],
     return state, reads
 
 
-def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str]]:
+def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:
     """The variables to which a loop gives other values turn by turn and which decide nothing, of all that it reaches.
 
         n = n + 1                               If POS(0) > peak Then peak = POS(0)                 x = POS(0)
@@ -110,12 +108,12 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str]]:
     and a counter has counted on by as many turns. The condition of an extremum is the same again until the reading
     turns round, which the copy is asked for instead of a level; of a mere copy nobody asks anything.
     """
+    if b.function.kind == "sub" or b.function.jumps or b.watching:
+        return [], set()
     uses: dict[Symbol | None, int] = {}
     # How each is given its values: one that is so in several ways decides something after all.
     ways: dict[Symbol, set[object]] = {}
     levels: dict[int, tuple[Symbol, str]] = {}
-    if b.function.kind == "sub" or b.function.jumps or b.watching:
-        return [], set()
     for node in turn:
         own = _own(b, node)
         uses[own] = uses.get(own, 0) + 1
@@ -126,11 +124,12 @@ def idle(b: Body, turn: Iterable[nodes.Node]) -> tuple[list[str], set[str]]:
         value, reading = given.values[0], _reading(given.values[0])
         if isinstance(node, nodes.If):
             test = node.condition
-            if reading and isinstance(test, nodes.Binary) and test.op in ("<", ">"):
-                sides = {_own(b, side) or _reading(side) for side in (test.left, test.right)}
-                if sides == {own, reading}:
-                    uses[own] = uses.get(own, 0) - 1
-                    levels[id(value)] = own, UNTIL_IT_TURNS
+            sides = (
+                (test.left, test.right) if isinstance(test, nodes.Binary) and test.op in ("<", ">") else ()
+            )
+            if reading and {_own(b, side) or _reading(side) for side in sides} == {own, reading}:
+                uses[own] = uses.get(own, 0) - 1
+                levels[id(value)] = own, UNTIL_IT_TURNS
         elif isinstance(value, nodes.Binary) and value.op in "+-" and _own(b, value.left) is own:
             if isinstance(value.right, nodes.Number) and isinstance(value.right.value, int):
                 uses[own] = uses.get(own, 0) - 2
