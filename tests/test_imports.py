@@ -39,7 +39,7 @@ LAZY = {
     "cli/input_files.py": "complaints",
     "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress",
     # Those that need one another.
-    "mint/compile/expressions.py": "compile.calls compile.keyword_use",
+    "mint/compile/expressions.py": "compile.calls compile.words",
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
     "profile/curve.py": "chain",

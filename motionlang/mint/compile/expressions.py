@@ -136,7 +136,7 @@ def _name(b: Body, node: nodes.Name) -> Value:
     if row is None:
         unknown(b, node)
         return NOTHING
-    from motionlang.mint.compile.keyword_use import read
+    from motionlang.mint.compile.words import read
 
     return read(b, node, row)
 

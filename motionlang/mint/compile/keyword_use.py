@@ -1,4 +1,4 @@
-"""Keywords where they are used: read in an expression, written by `=`, given as a command.
+"""Simulated keywords where they are used: read in an expression, written by `=`, given as a command.
 
 The row of the table tells everything: access, index, unit, range. What the run does with it is the business of
 `motionlang.mint.runtime.binding`, found by the row's verb.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import isnan
 
-from motionlang.mint.compile import intervals, unsimulated_use
+from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Reading, Value
 from motionlang.mint.compile.conversions import as_float, as_integer, literal
 from motionlang.mint.compile.expressions import condition, number, value
@@ -21,6 +21,8 @@ from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from motionlang.lang.keyword import Keyword
     from motionlang.mint.compile.body import Body
     from motionlang.mint.resolve.symbols import Symbol
@@ -52,39 +54,51 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     if row.kind == "statement":
         b.problem("type", f"{row.name} is a statement and has no value", node)
         return _NOTHING
-    if "R" not in row.access:
-        what = "is a command and has no value" if row.access == "C" else "can be written but not read"
-        b.problem("write-only", f"{row.name} {what}", node)
+    if not can_be_read(b, node, row):
         return _NOTHING
     if row.name == "IDLE" and node.args and len(node.args) > 1:
         return value(b, _each_of(node, node.args))
-    unsimulated_use.warn(b, node, row)
     b.observes = True
-    if row.name == "IDLE" and _default_axes(b, node, row):
+    if row.name == "IDLE" and by_default(b, node, row):
         idle, _ = b.whole.called("read", row, ["axis"])
         axes = b.whole.use("env", "default_axes")
         return Value(f"int(all([{idle}() for axis in {axes}()]))", INTEGER, intervals.BOOL)
-    if _default_axes(b, node, row):
-        arguments = [f"{b.whole.use('env', 'default_axes')}()[0]"]
-    else:
-        arguments = indices(b, node, row, single=True)
-    arguments += unsimulated_use.place(b, node, row)
-    operation, arguments = b.whole.called("read", row, arguments)
+    operation, arguments = b.whole.called("read", row, read_at(b, node, row))
     if id(node) in b.levels:
         arguments = [*arguments, b.levels[id(node)]]
-    text = f"{operation}({', '.join(arguments)})"
-    if row.unit == "text":
-        return Value(text, STRING, intervals.ANY)
-    kind = type_of(row.unit)
-    range_ = (
-        intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
-    )
-    found = Reading(text, kind, range_)
+    found = answer(row, f"{operation}({', '.join(arguments)})")
     if row.solved and id(node) not in b.levels:
         found.solved = lambda level: f"{operation}({', '.join([*arguments, level])})"
         if row.index == "axis":
             found.unsigned = lambda level: f"{operation}({', '.join([*arguments, f'({level},)'])})"
     return found
+
+
+def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
+    """Whether a keyword has a value that a program may read; where it has none that is noted."""
+    if "R" in row.access:
+        return True
+    what = "is a command and has no value" if row.access == "C" else "can be written but not read"
+    b.problem("write-only", f"{row.name} {what}", node)
+    return False
+
+
+def read_at(b: Body, node: nodes.Name, row: Keyword) -> list[str]:
+    """The texts of what a keyword is read of: where no brackets stand, of the first axis of AXES."""
+    if by_default(b, node, row):
+        return [f"{b.whole.use('env', 'default_axes')}()[0]"]
+    return indices(b, node, row, single=True)
+
+
+def answer(row: Keyword, text: str) -> Reading:
+    """What is read of a keyword, by the text that reads it."""
+    if row.unit == "text":
+        return Reading(text, STRING, intervals.ANY)
+    kind = type_of(row.unit)
+    known = (
+        intervals.BOOL if row.unit == "bool" else intervals.INTEGER if kind == INTEGER else intervals.FLOAT
+    )
+    return Reading(text, kind, known)
 
 
 def _each_of(node: nodes.Name, args: list[nodes.Expr]) -> nodes.Expr:
@@ -166,8 +180,6 @@ def indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> list[str]:
     """The texts of what stands in a keyword's brackets: its axes, channels, or nothing."""
     args = node.args
     kind = row.index
-    if unsimulated_use.is_loose(row):
-        return unsimulated_use.indices(b, node)
     if args and len(args) == 1 and kind in _ONE:
         arg = args[0]
         text = b.whole.axis_texts.get(arg.value) if arg.__class__ is nodes.Number else None
@@ -247,12 +259,9 @@ def _many(count: int, what: str) -> str:
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """`KEYWORD(axes) = values`."""
-    if not unsimulated_use.can_be_given(row):
-        b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
-        for each in node.values:
-            value(b, each)
+    if "W" not in row.access:
+        refuse(b, node, target, row)
         return
-    unsimulated_use.warn(b, target, row, by=node)
     if row.verb == "wait":
         if target.args or node.repeat:
             b.problem("values", "WAIT = ms names no axis and one time", target, "WAIT = 100 waits for 100 ms")
@@ -263,46 +272,61 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
 
         write_path(b, node, target, row)
         return
-    if _default_axes(b, target, row):
-        _write_to_defaults(b, node, row)
+    axes = None if by_default(b, target, row) else indices(b, target, row, single=False)
+    give(b, node, row, axes, [str(b.whole.line(node.at))] if row.group == "motion" else [])
+
+
+def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """Note that a keyword takes no value."""
+    b.problem("read-only", f"{row.name} {_why_not(row)}", target, _instead(row, target.name))
+    for each in node.values:
+        value(b, each)
+
+
+def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, last: list[str]) -> None:
+    """Write the values to the axes, or to whatever else stands in the brackets; None is the axes of AXES.
+
+    `last` is what the operation of each is given behind its value.
+    """
+    if where is None:
+        _write_to_defaults(b, node, row, last)
         return
-    axes = indices(b, target, row, single=False)
-    values = _values(b, node, row, max(1, len(axes)) if row.index in ("axis", "axes") else 1)
+    values = _values(b, node, row, max(1, len(where)) if row.index in ("axis", "axes") else 1)
     if values is None:
         return
-    _settle_for(b, row)
+    settle_for(b)
     if row.index in ("axis", "axes"):
-        for axis, text in zip(axes, values, strict=True):
+        for axis, text in zip(where, values, strict=True):
             if text != OMITTED:
-                _store(b, node, row, [axis], text)
+                _store(b, node, row, [axis], text, last)
     else:
-        _store(b, node, row, axes, values[0])
+        _store(b, node, row, where, values[0], last)
     b.pending += 1
 
 
-def _settle_for(b: Body, row: Keyword) -> None:
+def settle_for(b: Body) -> None:
     """Operations tell the clock themselves; readings in their values need it before."""
     tell = b.observes
     b.observes = True
     b.settle(tell)
 
 
-def _default_axes(b: Body, target: nodes.Name, row: Keyword) -> bool:
+def by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
     """Whether a keyword without brackets means the axes of AXES."""
     return target.args is None and row.index in ("axis", "axes") and b.whole.names.uses_axes
 
 
-def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword) -> None:
+def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword, last: list[str]) -> None:
     """`SPEED = 10, 20` after `AXES[0, 1]`: how many axes there are is known when the program runs."""
     texts = _given(b, node, row)
-    _settle_for(b, row)
+    settle_for(b)
     axis, text = b.temp(), b.temp()
     pairs = b.whole.use("env", "pairs")
     b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):", LOOP)
     b.indent += 1
     if OMITTED in texts:
         b.emit(f"if {text} is {OMITTED}: continue")
-    _store(b, node, row, [axis], text)
+    _store(b, node, row, [axis], text, last)
     b.indent -= 1
     b.pending += 1
 
@@ -367,16 +391,13 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
         b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
 
 
-def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str) -> None:
+def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str, last: list[str]) -> None:
     if row.kind == "move":
         operation, where = b.whole.called("load", row, where)
         load(b, operation, [*where, text, str(b.whole.line(node.at))])
         return
-    line = (
-        [str(b.whole.line(node.at))] if row.group == "motion" else unsimulated_use.place(b, node.target, row)
-    )
     operation, where = b.whole.called("write" if "W" in row.access else "do", row, where)
-    _operate(b, operation, [*where, text, *line])
+    operate(b, operation, [*where, text, *last])
 
 
 def load(b: Body, operation: str, arguments: list[str]) -> None:
@@ -389,7 +410,7 @@ def load(b: Body, operation: str, arguments: list[str]) -> None:
         b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
 
 
-def _operate(b: Body, operation: str, arguments: list[str]) -> None:
+def operate(b: Body, operation: str, arguments: list[str]) -> None:
     """Call an operation at the present time; it answers with the horizon, which it may have brought nearer."""
     b.emit(f"H = {operation}({', '.join(['t', 'H', *arguments])})")
 
@@ -407,27 +428,31 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         line(b, node)
         return
     if row.access != "C" or row.kind == "statement":
-        _not_a_command(b, target, row)
+        not_a_command(b, target, row)
         return
-    unsimulated_use.warn(b, target, row, by=node)
-    if _default_axes(b, target, row):
-        default = f"{b.whole.use('env', 'default_axes')}()"
-        where = [default if row.index == "axes" else f"{default}[0]"]
-        operation, where = b.whole.called("do", row, where)
-    elif row.index == "axes":
-        operation, where = b.whole.called_together("do", row, indices(b, target, row, single=False))
-    else:
-        operation, where = b.whole.called("do", row, indices(b, target, row, single=False))
-    _settle_for(b, row)
-    if not row.simulated:
-        where += unsimulated_use.place(b, target, row)
-    elif row.index in ("axes", "axis") or row.group == "motion":
+    operation, where = done_at(b, target, row, indices)
+    settle_for(b)
+    if row.index in ("axes", "axis") or row.group == "motion":
         where.append(str(b.whole.line(node.at)))
-    _operate(b, operation, where)
+    operate(b, operation, where)
     b.pending += 1
 
 
-def _not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
+def done_at(
+    b: Body, target: nodes.Name, row: Keyword, indices: Callable[..., list[str]]
+) -> tuple[str, list[str]]:
+    """What carries a command out, and what it is given of the brackets, whose texts `indices` finds."""
+    if by_default(b, target, row):
+        default = f"{b.whole.use('env', 'default_axes')}()"
+        return b.whole.called("do", row, [default if row.index == "axes" else f"{default}[0]"])
+    where = indices(b, target, row, single=False)
+    return (
+        b.whole.called_together("do", row, where) if row.index == "axes" else b.whole.called("do", row, where)
+    )
+
+
+def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
+    """Note that a keyword cannot stand alone."""
     shown = row.name if target.args is None else f"{row.name}(…)"
     if row.kind == "statement":
         b.problem("syntax", f"{row.name} cannot stand here", target, row.help)

@@ -18,13 +18,13 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
     The row's unit lists the units of the values, "uu" once for each axis; a single unit is that of every axis.
     """
     values = [keyword_use._value(b, each, row) for each in node.values]
-    if keyword_use._default_axes(b, target, row):
+    if keyword_use.by_default(b, target, row):
         operation, axes = b.whole.called("load", row, [f"{b.whole.use('env', 'default_axes')}()"])
     else:
         found = keyword_use.indices(b, target, row, single=False)
         _check(b, node, target, row, len(found))
         operation, axes = b.whole.called_together("load", row, found)
-    keyword_use._settle_for(b, row)
+    keyword_use.settle_for(b)
     line = str(b.whole.line(node.at))
     keyword_use.load(b, operation, [*axes, f"({', '.join(values)},)", line])
     b.pending += 1

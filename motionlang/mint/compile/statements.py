@@ -10,6 +10,7 @@ from motionlang.mint.compile import (
     pause,
     splitting,
     terminal_use,
+    words,
 )
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.calls import call
@@ -125,7 +126,7 @@ def _assign_keyword(b: Body, node: nodes.Assign, target: nodes.Name) -> None:
         for each in node.values:
             value(b, each)
         return
-    keyword_use.write(b, node, target, row)
+    words.write(b, node, target, row)
 
 
 def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
@@ -268,7 +269,7 @@ def _call(b: Body, node: nodes.Call) -> None:
     elif row is None:
         unknown_command(b, target)
     else:
-        keyword_use.command(b, node, row)
+        words.command(b, node, row)
 
 
 # Words of the grammar that begin a statement and are easily written wrong.
@@ -277,11 +278,11 @@ _FIRST_WORDS = ("Pause", "Print", "Return", "Input", "Repeat")
 
 def unknown_command(b: Body, target: nodes.Name) -> None:
     """Note a word that should do something and is not known; what only has a value is no suggestion."""
-    words = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
-    words += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
-    words += _FIRST_WORDS
+    known = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
+    known += [row.name for row in b.whole.table if row.kind == "command" or row.verb == "wait"]
+    known += _FIRST_WORDS
     message = f"{target.name} is neither a keyword nor a sub of this program"
-    b.whole.problems.unknown(message, target.name, words, target.at, table=b.whole.table)
+    b.whole.problems.unknown(message, target.name, known, target.at, table=b.whole.table)
 
 
 def _run(b: Body, node: nodes.Run) -> None:

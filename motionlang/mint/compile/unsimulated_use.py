@@ -7,6 +7,8 @@ any number of values may stand in them.
 
 from __future__ import annotations
 
+from motionlang.mint.compile import keyword_use
+from motionlang.mint.compile.conversions import NOTHING
 from motionlang.mint.compile.expressions import value
 from motionlang.mint.keywords import unsimulated
 from motionlang.mint.keywords.no_effect import VERB as KEPT
@@ -16,7 +18,7 @@ from motionlang.mint.syntax import nodes
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.keyword import Keyword
-    from motionlang.mint.compile.body import Body
+    from motionlang.mint.compile.body import Body, Value
 
 CODE = "not-simulated"
 # What follows the meaning of a word that ends the run where the program comes to it.
@@ -26,27 +28,58 @@ _WHEN_WRITTEN = {
 }
 
 
-def is_loose(row: Keyword) -> bool:
-    """Whether anything may stand in the brackets of a word, and after it."""
-    return unsimulated.is_known(row.verb) and row.index not in ("axis", "axes")
+def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+    """The value of such a word."""
+    if not keyword_use.can_be_read(b, node, row):
+        return NOTHING
+    _warn(b, node, row)
+    b.observes = True
+    where = _whatever(b, node) if _is_loose(row) else keyword_use.read_at(b, node, row)
+    operation, where = b.whole.called("read", row, [*where, *_place(b, node, row)])
+    return keyword_use.answer(row, f"{operation}({', '.join(where)})")
 
 
-def can_be_given(row: Keyword) -> bool:
-    """Whether a word takes a value: a command of which nobody knows more may, too."""
-    return "W" in row.access or (row.access == "C" and unsimulated.is_known(row.verb))
+def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+    """`WORD(axes) = values`; a command of which nobody knows more may be given one, too."""
+    if not ("W" in row.access or (row.access == "C" and row.verb != KEPT)):
+        keyword_use.refuse(b, node, target, row)
+        return
+    _warn(b, target, row, by=node)
+    where = None if keyword_use.by_default(b, target, row) else _indices(b, target, row)
+    keyword_use.give(b, node, row, where, _place(b, target, row))
 
 
-def place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
+def command(b: Body, node: nodes.Call, row: Keyword) -> None:
+    """A word that stands alone."""
+    target = node.target
+    if row.access != "C":
+        keyword_use.not_a_command(b, target, row)
+        return
+    _warn(b, target, row, by=node)
+    operation, where = keyword_use.done_at(b, target, row, _indices)
+    keyword_use.settle_for(b)
+    keyword_use.operate(b, operation, [*where, *_place(b, target, row)])
+    b.pending += 1
+
+
+def _is_loose(row: Keyword) -> bool:
+    """Whether anything may stand in the brackets of a word."""
+    return row.verb != KEPT and row.index not in ("axis", "axes")
+
+
+def _place(b: Body, node: nodes.Node, row: Keyword) -> list[str]:
     """What the operations of such a word are given last: the line, and the place of the word in the program."""
     if row.verb == KEPT:
         return [str(b.whole.line(node.at))]
-    if not unsimulated.is_known(row.verb):
-        return []
     at = -1 if b.whole.typed else node.at  # a sub that was typed may run when another line is executed
     return [str(b.whole.line(node.at)), str(at)]
 
 
-def indices(b: Body, node: nodes.Name) -> list[str]:
+def _indices(b: Body, node: nodes.Name, row: Keyword, single: bool = False) -> list[str]:
+    return _whatever(b, node) if _is_loose(row) else keyword_use.indices(b, node, row, single)
+
+
+def _whatever(b: Body, node: nodes.Name) -> list[str]:
     """The texts of whatever stands in the brackets; of an array only that it is there."""
     texts = []
     for arg in node.args or ():
@@ -67,10 +100,8 @@ def _is_whole(b: Body, node: nodes.Name) -> bool:
 # ------------------------------------------------------------------------------------------------ warning
 
 
-def warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
+def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
     """Say of a word that it is not simulated, and what becomes of it; `by` writes it or carries it out."""
-    if row.simulated:
-        return
     if row.verb == KEPT or _is_kept(row, by):
         _once(b, node, row, f"{row.name} is kept but has no effect")
     elif row.verb == unsimulated.COMMAND:
