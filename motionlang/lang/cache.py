@@ -53,7 +53,7 @@ class Entry:
         if digest(data[DIGEST:]) != data[:DIGEST]:
             return None
         whose, states, payload = loads(data[DIGEST:])
-        if whose != self._whose or any(user_cache.state(place) != state for place, state in states):
+        if whose != self._whose or not user_cache.unchanged(states):
             return None
         self._states = dict(states)
         found: bytes = payload

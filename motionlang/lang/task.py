@@ -206,7 +206,7 @@ class GeneratorTask(Task):
     `file` is the file name of the generated code and `places[n]` the place in the program of its line `n`.
     """
 
-    __slots__ = ("_file", "_generator", "_make", "_places")
+    __slots__ = ("_calls", "_file", "_generator", "_make", "_places")
 
     # The code of `resume`, behind which no further code of a program stands.
     resumes: CodeType
@@ -219,6 +219,8 @@ class GeneratorTask(Task):
         self._file = file
         self._places = places
         self._generator: Steps | None = None
+        # The places of calls, by the number of their code and where in it they stand.
+        self._calls: dict[tuple[int, int], tuple[CodeType, int]] = {}
 
     @property
     def at(self) -> int:
@@ -258,8 +260,17 @@ class GeneratorTask(Task):
             frame is not None and frame.f_back is not None and frame.f_back.f_code.co_filename == self._file
         ):
             frame = frame.f_back
-            found.append(self._places[frame.f_lineno])
+            found.append(self._place(frame))
         return tuple(found[::-1])
+
+    def _place(self, frame: FrameType) -> int:
+        """The place of a call. To find its line Python counts from where its code begins, as long as a wait takes."""
+        code = frame.f_code
+        known = self._calls.get((id(code), frame.f_lasti))
+        if known is None:
+            # With the code, so that no other one gets its number.
+            known = self._calls[id(code), frame.f_lasti] = code, self._places[frame.f_lineno]
+        return known[1]
 
     @property
     def running(self) -> bool:

@@ -10,7 +10,6 @@ from itertools import chain
 from marshal import dumps, loads
 
 from motionlang.controller.faults import Refusal
-from motionlang.files import reason, scratch
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,6 +80,8 @@ class Store:
         try:
             self._append(part)
         except OSError as problem:
+            from motionlang.files import reason
+
             words = f"the log of the run cannot be written: {reason(problem)}"
             raise Refusal("limit", words, "shorten the run with --until, or make room on the disk") from None
         place = self._written, size
@@ -89,6 +90,8 @@ class Store:
 
     def _append(self, part: bytes) -> None:
         if self._file is None:
+            from motionlang.files import scratch
+
             self._file = scratch()
         self._file.seek(self._written)
         self._file.write(part)
