@@ -11,7 +11,9 @@ from motionlang.cli.machine_options import add_dialect
 from motionlang.cli.parser import add_command
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import dialect, dialects
+from motionlang.readings.facts import of_word as of_word_facts
 from motionlang.readings.questions import of_word
+from motionlang.readings.reading import SETTLED
 from motionlang.views import readings
 from motionlang.views.diagnostics import render
 from motionlang.views.keywords import as_dict, listing, page
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
     from motionlang.lang.keyword import Keyword
 
+# Of a word whose meaning is remembered.
+MEANING = "what it means is open, too: run the example here and where axes may move so, and compare"
 SCHEMA = "motionlang.keywords/1"
 
 
@@ -104,6 +108,8 @@ def _page(row: Keyword, language: str, width: int, colour: bool) -> str:
     """Everything that is known of a word, and what is left open."""
     text = page([row], language, width=width, colour=colour)
     questions = of_word(language, row)
+    if row.example and of_word_facts(language, row)["meaning"].strength not in SETTLED:
+        text += f"\n  {MEANING}\n"
     if questions:
         axis = dialect(language).first_axis
         text += "\n" + readings.of_word(questions, axis, width=min(width, 88), colour=colour)

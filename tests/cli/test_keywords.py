@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from motionlang.cli import main
 from motionlang.execution import dialect, dialects
 from motionlang.lang.keyword import Keyword
 from motionlang.views.keywords import listing, page
@@ -109,3 +110,49 @@ def test_help_is_a_command_too(cell: Cell) -> None:
     assert cell("help").out == cell("--help").out
     assert cell("help", "check").out == cell("check", "--help").out
     assert cell("help", "chekc").err == cell("chekc").err
+
+
+def test_the_page_of_a_word_says_what_is_left_open_and_what_to_type(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["keywords", "HOMESPEED"]) == 0
+    text = capsys.readouterr().out
+    assert "what it means is open, too" in text
+    begin = text.index("  mint.homespeed-scale\n")
+    assert text[begin:].splitlines()[:8] == [
+        "  mint.homespeed-scale",
+        "    Whether HOMESPEED goes by SCALEFACTOR:",
+        "    first: switch the drive off, and start the controller anew afterwards",
+        "      SCALEFACTOR(0) = 10",
+        "      HOMESPEED(0) = 5",
+        "      SCALEFACTOR(0) = 20",
+        "      PRINT HOMESPEED(0)",
+        "      2.5  yes: user units, kept in counts (chosen here)",
+    ]
+
+
+def test_what_is_told_in_motion_or_by_a_long_program_names_its_command(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["keywords", "STOPMODE"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert (
+        "motionlang probe mint.stopmode --motion DISTANCE 1 0 DECEL, 1 ERRORDECEL, 2 at once (chosen here)"
+        in text
+    )
+    assert main(["keywords", "TIMEREVENT"]) == 0
+    assert "asked by the program of motionlang probe mint.timerevent\n" in capsys.readouterr().out
+
+
+def test_what_no_program_tells_names_its_alternatives(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["keywords", "CONTOURMODE"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert "or: it is an error, and the axes stop at ERRORDECEL" in text
+
+
+def test_the_document_of_a_word_has_its_open_questions(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["keywords", "HOMESPEED", "--json"]) == 0
+    (row,) = json.loads(capsys.readouterr().out)["keywords"]
+    found = {each["name"]: each for each in row["open"]}
+    assert found["mint.homespeed-default"]["alternatives"] == ["any other number"]
+    assert found["mint.homespeed-scale"]["asked_by_name"] is True

@@ -17,7 +17,7 @@ from motionlang.readings.reading import REFUSED, Reading
 from motionlang.source import Source
 
 # Open readings about a controller without an alternative, and those that no program tells.
-WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 186
+WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 184
 # What a controller cannot answer: the readings that are this program's own matter.
 OWN = 59
 NAMES = {"mint": ("probe.mnt", 0), "mccl": ("probe.mcl", 1)}
