@@ -46,7 +46,7 @@ def as_integer(b: Body, found: Value) -> str:
         return literal(int(const)).text
     if found.type in (INTEGER, TIME) or intervals.fits_integer(found.range):
         return found.text
-    return f"{b.whole.use('fn', 'integer')}({found.text})"
+    return f"{b.whole.use('fn', 'integer')}({found.bare})"
 
 
 def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:

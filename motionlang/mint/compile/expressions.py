@@ -219,7 +219,7 @@ def _subscript(b: Body, node: nodes.Expr, size: int, count: str) -> str:
     low, high, kind = found.range
     if kind == "i" and size and low >= 1 and high <= size:
         return found.text
-    return f"{b.whole.use('fn', 'subscript')}({found.text}, {count})"
+    return f"{b.whole.use('fn', 'subscript')}({found.bare}, {count})"
 
 
 def _count(count: int, what: str) -> str:

@@ -92,7 +92,7 @@ def _kept(b: Body, found: Value) -> Value:
     if found.const is not None:
         return found
     name = b.temp()
-    b.emit(f"{name} = {found.text}")
+    b.emit(f"{name} = {found.bare}")
     return Value(name, found.type, found.range)
 
 

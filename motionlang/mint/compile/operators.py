@@ -25,7 +25,7 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
         first = left.bare if left.binds == PRODUCT else left.text
         return Value(f"({first} / {right.text})", FLOAT, intervals.FLOAT, None, PRODUCT)
     if op == "^":
-        return Value(f"{b.whole.use('fn', 'power')}({left.text}, {right.text})", FLOAT, intervals.FLOAT)
+        return Value(f"{b.whole.use('fn', 'power')}({left.bare}, {right.bare})", FLOAT, intervals.FLOAT)
     if op == "\\":
         return _quotient(b, left, right)
     if op == "Mod":
@@ -36,7 +36,7 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
             known = (0, min(left.range[1], right.range[1], intervals.INT_HIGH), "i")
         return Value(f"({as_integer(b, left)} {_BITS[op]} {as_integer(b, right)})", INTEGER, known)
     shift = b.whole.use("fn", "shift_left" if op == "<<" else "shift_right")
-    return Value(f"{shift}({left.text}, {right.text})", INTEGER, intervals.INTEGER)
+    return Value(f"{shift}({left.bare}, {right.bare})", INTEGER, intervals.INTEGER)
 
 
 def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
@@ -69,7 +69,7 @@ def _quotient(b: Body, left: Value, right: Value) -> Value:
         known = intervals.quotient(a, c)
     else:
         known = intervals.INTEGER
-    return Value(f"{b.whole.use('fn', 'divide')}({left.text}, {right.text})", INTEGER, known)
+    return Value(f"{b.whole.use('fn', 'divide')}({left.bare}, {right.bare})", INTEGER, known)
 
 
 def _remainder(b: Body, left: Value, right: Value) -> Value:
@@ -81,7 +81,7 @@ def _remainder(b: Body, left: Value, right: Value) -> Value:
             return Value(f"({left.text} % {right.text})", kind, known)
     else:
         known = intervals.FLOAT if "f" in (a[2], c[2]) else intervals.ANY
-    return Value(f"{b.whole.use('fn', 'modulo')}({left.text}, {right.text})", kind, known)
+    return Value(f"{b.whole.use('fn', 'modulo')}({left.bare}, {right.bare})", kind, known)
 
 
 def text(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:

@@ -343,7 +343,7 @@ def _select(b: Body, node: nodes.Select) -> None:
     b.settle()
     b.pending += 1
     b.flush()
-    b.emit(f"{name} = {subject.text}")
+    b.emit(f"{name} = {subject.bare}")
     once = loops.is_loop(node)
     if once:
         b.emit("while True:", LOOP)

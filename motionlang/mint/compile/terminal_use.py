@@ -65,7 +65,7 @@ def _shown(b: Body, item: nodes.PrintItem) -> str:
     if found.type not in NUMERIC:
         b.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
         return "''"
-    return f"{b.whole.use('show', 'float' if found.type == FLOAT else 'integer')}({found.text})"
+    return f"{b.whole.use('show', 'float' if found.type == FLOAT else 'integer')}({found.bare})"
 
 
 def _using(b: Body, item: nodes.PrintItem, found: Value) -> str:
