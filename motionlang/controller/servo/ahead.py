@@ -1,8 +1,8 @@
 """A servo that is run ahead of the clock, block by block, and taken back where what it saw will be otherwise.
 
 A linear loop goes from one cubic of its demand to the next by its closed form. Plain steps do what lies between them
-and around its limits, and all of what is not linear. What a sample is does not depend on where the blocks that were
-run from the same mark end.
+and around its limits, and all of what is not linear. What a sample is does not depend on where the block ends that it
+is in.
 """
 
 from __future__ import annotations
@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from motionlang.controller.servo.closed_form import SEEN, closed_form
-from motionlang.controller.servo.cubics import cubic_behind, moved
+from motionlang.controller.servo.cubics import cubic_behind, moved, value
 from motionlang.controller.servo.demand import ONE_PROFILE
 from motionlang.controller.servo.servo import Servo
 from motionlang.controller.servo.steps import MEMORY
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from motionlang.controller.servo.closed_form import ClosedForm
@@ -27,11 +29,14 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
+    # State, sample, trajectory points and readings.
     Mark = tuple[State, int, list[float], dict[str, float]]
 
 _WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
 # By plain steps and by the closed form, in which samples cost little beside their block.
 _SHORT, _SHORT_FORM = 64, 256
+# Samples of a cubic from which the closed form is quicker than plain steps.
+_WORTHWHILE = 48
 # Samples of plain steps behind one that breaks a limit; as many again each time that was too early, up to the most.
 _PATIENCE, _MOST_PATIENCE = 32, 1024
 
@@ -47,35 +52,59 @@ class Ahead(Servo):
         return _SHORT if self._form is None else _SHORT_FORM
 
     _form_of: tuple[Loop, ClosedForm | None] | None = None
+    # Where it stood at the beginning of each stretch of the last block.
+    _marks: Sequence[Mark] = ()
 
-    def mark(self) -> Mark:
-        """What `back` needs to return here."""
-        return self._state, self._sample, list(self._points), self._row
+    @property
+    def began(self) -> State:
+        """The state before the last block that was looked at."""
+        return self._marks[0][0]
 
-    def back(self, mark: Mark) -> None:
-        """Forget what was run since `mark` was made; gains and the track are as they are now."""
+    def back(self, sample: int) -> None:
+        """Stand before a sample of the last block again; gains and the track are as they are now."""
+        mark = next(each for each in reversed(self._marks) if each[1] <= sample)
         self._state, self._sample, self._points, self._row = mark
-        self._points = list(self._points)
+        if self._sample < sample:
+            self.look(sample - self._sample)
+
+    def _mark(self) -> Mark:
+        return self._state, self._sample, self._points, self._row
 
     def look(self, count: int) -> Array:
         """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
+        self._marks = [self._mark()]
         form = self._form
         if form is None:
             return seen_of(self.run(count))
         first, until = self._sample, self._sample + count
         made = np.empty((len(SEEN), count))
         while self._sample < until:
-            rest = made[:, self._sample - first :]
-            cycle, part = divmod(self._sample, self.loop.ratio)
-            cubic, end = None, cycle + 1
-            if not part and not self._state[_WAIT]:
-                cubic, end = cubic_behind(self._generator, cycle)
-            stop = min(end * self.loop.ratio, until)
-            if cubic is None:
-                self._step(stop, rest)
-            else:
-                self._glide(form, cubic, stop, rest)
+            cubic, begin, stop = self._next_cubic(form, until)
+            if self._sample < begin:
+                self._step(min(begin, until), made[:, self._sample - first :])
+                self._marks.append(self._mark())
+            if cubic is not None and begin < until:
+                self._glide(form, cubic, min(stop, until), made[:, begin - first :])
+                self._marks.append(self._mark())
         return made
+
+    def _next_cubic(self, form: ClosedForm, until: int) -> tuple[Cubic | None, int, int]:
+        """The next cubic that is worth it, from which sample to which; None where there is none before `until`.
+
+        How long a cubic is decides, not how much of it comes before `until`: so what is run again is run alike.
+        """
+        ratio, sample = self.loop.ratio, self._sample
+        if self._state[_WAIT]:  # a closed form begins with a sample of the derivative
+            begin = (sample // ratio + 1) * ratio
+            return None, begin, begin
+        least = -(-_WORTHWHILE // ratio)
+        while sample < until:
+            cycle, part = divmod(sample, ratio)
+            cubic, end = (None, cycle + 1) if part else cubic_behind(self._generator, cycle, least)
+            if cubic is not None:
+                return cubic if (sample - self._sample) % form.every == 0 else None, sample, end * ratio
+            sample = end * ratio
+        return None, sample, sample
 
     def _step(self, until: int, out: Array) -> None:
         """Plain steps to sample `until` (not included)."""
@@ -84,33 +113,29 @@ class Ahead(Servo):
 
     def _glide(self, form: ClosedForm, cubic: Cubic, until: int, out: Array) -> None:
         """Go along a cubic to sample `until` (not included)."""
-        # Behind two cycles the points before the first one are out of it.
-        first, patience, unit = self._sample, _PATIENCE, 2 * form.unit
+        first, patience, ratio = self._sample, _PATIENCE, self.loop.ratio
+        unit = 2 * form.unit  # two cycles on, the points before the first one are out of it
         while self._sample < until:
             done = self._sample - first
             count = min(until - self._sample, form.longest)
-            there = moved(cubic, done // self.loop.ratio)
-            before, here, _ = self._points
-            off = (0.0, 0.0) if done else (before - moved(there, -1)[0], here - there[0])
-            good, self._state = form.run(self._state, there, off, out[:, done : done + count])
+            here = moved(cubic, done // ratio)
+            off = (0.0, 0.0) if done else (self._points[0] - value(cubic, -1), self._points[1] - cubic[0])
+            good, self._state = form.run(self._state, here, off, out[:, done : done + count])
+            done += good
             if good:
-                self._arrive(self._sample + good, out[:, done + good - 1])
+                cycle, part = divmod(done, ratio)
+                at = value(cubic, cycle) if cycle else self._points[1]
+                before = value(cubic, cycle - 1) if cycle > 1 else self._points[cycle]
+                self._points = [before, at, value(cubic, cycle + 1) if part else at]
+                self._sample = first + done
+                self._tell(out[:, done - 1])
             if good < count:
-                done += good
                 stop = first + -(-(done + patience) // unit) * unit
                 self._step(min(stop, until), out[:, done:])
                 patience = min(2 * patience, _MOST_PATIENCE)
 
-    def _arrive(self, sample: int, seen: Array) -> None:
-        """All samples before number `sample` were run, the last of which was this."""
-        cycle, part = divmod(sample, self.loop.ratio)
-        since, given = self._sample // self.loop.ratio - 1, self._points
-
-        def point(k: int) -> float:
-            return given[k - since] if k <= since + 1 else self._generator.point(k - 1)
-
-        here = point(cycle)
-        self._sample, self._points = sample, [point(cycle - 1), here, point(cycle + 1) if part else here]
+    def _tell(self, seen: Array) -> None:
+        """The last sample was this."""
         encoder, velocity, error, output, current = seen.tolist()
         self._row = {"demand": encoder + error, "measured": encoder, "velocity": velocity,
                      "output": output, "current": current}  # fmt: skip
@@ -127,6 +152,6 @@ class Ahead(Servo):
 def seen_of(trace: ServoTrace) -> Array:
     """The rows of `SEEN` of a trace."""
     made = np.empty((len(SEEN), len(trace)))
-    for row, name in zip(made, SEEN, strict=True):
-        row[:] = getattr(trace, name)
+    made[0], made[1], made[3], made[4] = trace.encoder, trace.velocity, trace.output, trace.current
+    np.subtract(trace.commanded, made[0], out=made[2])
     return made

@@ -64,7 +64,7 @@ class ClosedForm:
 
     def __init__(self, loop: Loop, plant: Motor | Drive, unit: int) -> None:
         made = discretise(plant, loop.period)
-        self.ratio, self.unit, self._every = loop.ratio, unit, loop.derivative_every if loop.derivative else 1
+        self.ratio, self.unit, self.every = loop.ratio, unit, loop.derivative_every if loop.derivative else 1
         self._kept = kept_places(loop, made.names)
         memory = len(made.names) + MEMORY.index("last_position")
         self._width = len(self._kept) + 6
@@ -97,7 +97,7 @@ class ClosedForm:
         state, rows, states = np.eye(nz, width), [], []
         for k in range(2 * unit):  # what those two points are off by is over then
             demand, feed = self._demand(k), self._feed(loop, k // self.ratio)
-            step, outputs = probe.held if k % self._every else probe.sampled
+            step, outputs = probe.held if k % self.every else probe.sampled
             given = np.vstack((state, demand, feed, np.eye(width)[nz]))
             seen = dict(zip(columns, _product(outputs, given), strict=True))
             encoder = seen["position"] - seen["twist"] if made.load_encoder else seen["position"]
@@ -182,7 +182,7 @@ class ClosedForm:
             full[place] = value if abs(value) > _NOTHING else 0.0
         for i in self._places:
             full[self._kept[i]] += base
-        full[_WAIT] = -good % self._every
+        full[_WAIT] = -good % self.every
         return good, tuple(full)
 
     def _inside(self, made: Array) -> int:

@@ -7,8 +7,6 @@ from math import ceil, inf
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.servo.demand import Cubic, Generator
     from motionlang.profile import Profile
 
@@ -18,62 +16,57 @@ FOR_EVER = 1 << 62
 _BEGUN = 5e-324
 
 
-def cubic_behind(generator: Generator, cycle: int) -> tuple[Cubic | None, int]:
+def cubic_behind(generator: Generator, cycle: int, least: int = 1) -> tuple[Cubic | None, int]:
     """The cubic, counted from the beginning of `cycle`, that the point at its end lies on, and how long it goes on.
 
-    That is the first cycle at whose end the point is another one's. None where that point is on no cubic.
+    That is the first cycle at whose end the point is another one's. None where that point is on no cubic, or on one for
+    less than `least` cycles.
     """
-    period, starts = generator.period, generator.track.starts
-    k = generator.in_force(cycle)
-    start, profile = starts[k], generator.track.profiles[k]
-    until = FOR_EVER
+    period, track = generator.period, generator.track
+    starts, k = track.starts, generator.in_force(cycle)
+    start, until = starts[k], FOR_EVER
     if k + 1 < len(starts):
-        until = _first(lambda i: generator.in_force(i) > k, starts[k + 1] / period)
-    cubic, end = _on_profile(profile, (cycle + 1) * period - start, period)
+        until = ceil(starts[k + 1] / period)
+        while generator.in_force(until) <= k:
+            until += 1
+        while generator.in_force(until - 1) > k:
+            until -= 1
+    piece, origin, end = _piece(track.profiles[k], (cycle + 1) * period - start)
     if end < inf:
-        until = min(until, _first(lambda i: (i + 1) * period - start >= end, (start + end) / period - 1.0))
-    if cubic is None:
+        over = ceil((start + end) / period) - 1
+        while (over + 1) * period - start < end:
+            over += 1
+        while over * period - start >= end:
+            over -= 1
+        until = min(until, over)
+    if piece is None or until - cycle < least:
         return None, until
-    place, *ramp = moved(cubic, -1)
-    return (place + generator.offset(k), *ramp), until  # type: ignore[return-value]
+    c0, c1, c2, c3 = moved(piece, cycle * period - start - origin)
+    return (c0 + generator.offset(k), c1 * period, c2 * period**2, c3 * period**3), until
 
 
-def moved(cubic: Cubic, cycles: int) -> Cubic:
-    """The same cubic, counted from so many cycles later on."""
-    c0, c1, c2, c3 = cubic
-    x = float(cycles)
-    return (
-        ((c3 * x + c2) * x + c1) * x + c0,
-        (3.0 * c3 * x + 2.0 * c2) * x + c1,
-        3.0 * c3 * x + c2,
-        c3,
-    )
-
-
-def _on_profile(profile: Profile, time: float, period: float) -> tuple[Cubic | None, float]:
-    """The cubic that a profile is on at a time of its own, counted from there, and when that piece of it is over."""
+def _piece(profile: Profile, time: float) -> tuple[Cubic | None, float, float]:
+    """The cubic that a profile is on at a time of its own, in seconds from a time on, and when it is over."""
     if not profile.pieced:
-        return None, inf
+        return None, 0.0, inf
     if time >= profile.duration:
-        return (profile.position(time), profile.end_velocity * period, 0.0, 0.0), inf
+        return (profile.end, profile.end_velocity, 0.0, 0.0), profile.duration, inf
     if time <= 0.0:
-        return (profile.start, 0.0, 0.0, 0.0), _BEGUN
+        return (profile.start, 0.0, 0.0, 0.0), 0.0, _BEGUN
     knots, pieces, _ = profile.curve
     k = min(bisect_right(knots, time), len(pieces)) - 1
-    _, c1, c2, c3, amplitude, _, _ = pieces[k]
+    c0, c1, c2, c3, amplitude, _, _ = pieces[k]
     end = knots[k + 1] if k + 1 < len(pieces) else profile.duration
-    if amplitude:
-        return None, end
-    x = time - knots[k]
-    rate, bend = (3.0 * c3 * x + 2.0 * c2) * x + c1, 3.0 * c3 * x + c2
-    return (profile.position(time), rate * period, bend * period * period, c3 * period**3), end
+    return None if amplitude else (c0, c1, c2, c3), knots[k], end
 
 
-def _first(holds: Callable[[int], bool], about: float) -> int:
-    """The first whole number for which something holds that holds from there on."""
-    i = ceil(about)
-    while not holds(i):
-        i += 1
-    while holds(i - 1):
-        i -= 1
-    return i
+def moved(cubic: Cubic, by: float) -> Cubic:
+    """The same cubic, counted from so much later on."""
+    _, c1, c2, c3 = cubic
+    return value(cubic, by), (3.0 * c3 * by + 2.0 * c2) * by + c1, 3.0 * c3 * by + c2, c3
+
+
+def value(cubic: Cubic, at: float) -> float:
+    """What a cubic is."""
+    c0, c1, c2, c3 = cubic
+    return ((c3 * at + c2) * at + c1) * at + c0

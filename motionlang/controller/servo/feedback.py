@@ -41,7 +41,6 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.clock import Clock, Event
     from motionlang.controller.core import Core
-    from motionlang.controller.servo.ahead import Mark
     from motionlang.controller.servo.axis_loop import Chosen
     from motionlang.controller.servo.gains import Gains
     from motionlang.controller.servo.loop import Loop
@@ -68,7 +67,6 @@ class Feedback:
         "_event",
         "_gains",
         "_long",
-        "_mark",
         "_servo",
         "_sight",
         "_size",
@@ -110,7 +108,6 @@ class Feedback:
         self._gains: Gains = {}
         self._servo: Ahead | None = None
         self._sight: Sight | None = None
-        self._mark: Mark | None = None
         self._size = self._long = 0
         # When something is looked at next: the event, and its sample.
         self._event: Event | None = None
@@ -355,7 +352,7 @@ class Feedback:
         last = run_to(servo, self._now) or last
         assert last is not None
         self._size = servo.short
-        self._mark, self._long = servo.mark(), max(round(LONG * self._rate), self._size)
+        self._long = max(round(LONG * self._rate), self._size)
         self._sight = Sight(servo.sample - len(last), seen_of(last))
         self._sight.keep(self._now, servo.sample)
         self.scanned = self._now
@@ -388,7 +385,6 @@ class Feedback:
         for window in self.windows.values():
             window.pass_by(sight, self._target, first + 1)
         sight.keep(first, sight.end)
-        self._mark = servo.mark()
         sight.extend(servo.look(self._size))
         if self._size == self._long:
             self._judge(sight, now)
@@ -398,12 +394,11 @@ class Feedback:
         """Whether the motor stands for good: its demand rests, and the last block went nowhere new."""
         servo, was_calm = self._servo, self.calm
         assert servo is not None
-        assert self._mark is not None
         new = None
         if stands(servo, self._long, servo.sample):
             new = extent(sight.encoder[-self._long :], sight.output[-self._long :])
         self._stillness.judge(new, LONG)
-        if self.calm and now > servo.sample and servo.state == self._mark[0]:
+        if self.calm and now > servo.sample and servo.state == servo.began:
             sight.keep(sight.end - 1, sight.end)
             sight.first = now - 1
             servo.skip(now - servo.sample)
@@ -415,13 +410,10 @@ class Feedback:
         servo, sight = self._servo, self._sight
         assert servo is not None
         assert sight is not None
-        assert self._mark is not None
         here = self._here()  # which may drop what is past, so that the sight begins later
         until = sight.first + here + 1
         if until < sight.end:
-            servo.back(self._mark)
-            if until > servo.sample:
-                servo.look(until - servo.sample)
+            servo.back(until)
             sight.keep(sight.first, until)
         self._size = servo.short
         self.look_again()

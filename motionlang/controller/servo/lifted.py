@@ -224,6 +224,8 @@ class _Level:
 
 def interpolated(points: Array, ratio: int) -> Array:
     """The demand at the servo rate between trajectory points, the last point left out."""
+    if ratio == 1:
+        return points[:-1]
     made = np.multiply.outer(np.diff(points), np.arange(ratio) / ratio)
     made += points[:-1, None]
     flat: Array = made.reshape(-1)

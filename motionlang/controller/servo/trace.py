@@ -70,7 +70,7 @@ class ServoTrace:
         return len(next(iter(self._columns.values())))
 
     @cached_property
-    def _demand(self) -> Array:
+    def commanded(self) -> Array:
         """The demand in the motor's own coordinates."""
         return _end_to_end([each.demand(len(each.columns[0])) for each in self._stretches] or [np.zeros(0)])
 
@@ -98,7 +98,7 @@ class ServoTrace:
     @property
     def demand(self) -> Array:
         """Demanded position, interpolated, counts."""
-        return self._demand - self._offset
+        return self.commanded - self._offset
 
     @property
     def position(self) -> Array:
@@ -130,7 +130,7 @@ class ServoTrace:
     @property
     def error(self) -> Array:
         """Following error: demand minus measured position, counts."""
-        return self._demand - self.encoder
+        return self.commanded - self.encoder
 
     @property
     def integral(self) -> Array:

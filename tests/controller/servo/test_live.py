@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,9 +18,6 @@ from motionlang.controller.servo.ahead import Ahead
 from motionlang.controller.servo.feedback import Feedback
 from motionlang.result import Run
 from motionlang.source import Source
-
-if TYPE_CHECKING:
-    from motionlang.controller.servo.ahead import Mark
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
 ROUGH: dict[str, object] = {**MOTOR, "coulomb": 0.003, "quantised": True}
@@ -303,9 +300,9 @@ def test_the_rest_behind_a_move_is_what_was_seen_of_it(
     thrown: list[float] = []
     back = Ahead.back
 
-    def counted(servo: Ahead, mark: Mark) -> None:
+    def counted(servo: Ahead, sample: int) -> None:
         thrown.append(servo.time)
-        back(servo, mark)
+        back(servo, sample)
 
     monkeypatch.setattr(Ahead, "back", counted)
     seen, few = printed(text, plant, servo=GAINS), len(thrown)
