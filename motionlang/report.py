@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
     from motionlang.controller.plain_moves import Row as PlainRow
-    from motionlang.controller.record.history import MoveFigures
+    from motionlang.controller.record.history import Figures, MotorFigures
     from motionlang.errors import Diagnostic
     from motionlang.profile import Profile
     from motionlang.result import Run
@@ -173,7 +173,7 @@ def _running(controller: Controller) -> set[int]:
     return {id(axis.move) for axis in controller.axes.values() if axis.move is not None}
 
 
-def _move(run: Run, move: Move, is_running: bool, motor: MoveFigures | None) -> Row:
+def _move(run: Run, move: Move, is_running: bool, motor: MotorFigures | None) -> Row:
     start, scale, zero = move.start_time, move.scale or 1.0, move.zero
     profile, ended = _until_end(run, move, is_running)
     size = abs(scale)
@@ -215,7 +215,7 @@ def _until_end(run: Run, move: Move, is_running: bool) -> tuple[Profile, str]:
     return profile, move.ended
 
 
-def _motor_figures(controller: Controller) -> dict[int, MoveFigures]:
+def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
     """What simulated motors made of the moves; nothing, and no time spent, where there are none."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}

@@ -61,7 +61,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     ),
     "controller": (
         ("clock", "scale", "faults", "move", "watches", "listeners"),
-        ("plain_moves",),
+        ("plain_moves", "joined"),
         ("axis",),
         ("triggers",),
         ("servo",),

@@ -6,11 +6,14 @@ computed again, block by block, to the same numbers.
 
 from __future__ import annotations
 
-from math import inf
-from typing import TYPE_CHECKING
+from array import array
+from collections import deque
+from math import inf, isnan, nan
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from motionlang.controller.joined import Followed
 from motionlang.controller.servo.axis_loop import has_gains
 from motionlang.controller.servo.lookahead import REST_ERROR
 from motionlang.controller.servo.replay import replay, whole
@@ -22,7 +25,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
-    from motionlang.controller.move import Move
+    from motionlang.controller.servo.demand import Demanded
     from motionlang.controller.servo.feedback import Feedback
     from motionlang.controller.servo.trace import ServoTrace
 
@@ -38,6 +41,15 @@ COLUMNS = {
     "output": "output",
     "torque": "torque",
 }
+
+
+class MotorFigures(NamedTuple):
+    """What a motor made of one move: counts, volts, N m, seconds; it did not settle where `settle_time` is None."""
+
+    peak_error: float
+    peak_output: float
+    rms_torque: float
+    settle_time: float | None
 
 
 class MoveFigures:
@@ -110,7 +122,11 @@ def parts(a: Axis, until: float) -> Iterator[tuple[float, ServoTrace]]:
     feedback = a.feedback
     if feedback is None or feedback.first_loop is None:
         return iter(())
-    return replay(a, feedback.first_loop, feedback.plant, feedback.changes, until)
+    return replay(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
+
+
+def _track(a: Axis) -> Demanded:
+    return a if a.older is None else Followed(a)
 
 
 def servo_trace(a: Axis, until: float) -> ServoTrace | None:
@@ -120,7 +136,7 @@ def servo_trace(a: Axis, until: float) -> ServoTrace | None:
         return None
     if until * feedback.first_loop.servo_rate > MOST_SAMPLES:
         return None
-    return whole(a, feedback.first_loop, feedback.plant, feedback.changes, until)
+    return whole(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
 
 
 def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
@@ -137,41 +153,89 @@ def window_of(feedback: Feedback) -> float:
     return error if feedback.windows["program"].announced and error < inf else REST_ERROR
 
 
-def figures(controller: Controller) -> dict[int, MoveFigures]:
-    """What the motors made of the moves in the log, by their numbers there."""
-    now = controller.clock.now
-    found: dict[int, MoveFigures] = {}
-    for number, feedback in motors(controller).items():
-        numbered = [each for each in enumerate(controller.log.moves) if _counts(each[1], number)]
-        moves = [move for _, move in numbered]
-        made = [_figures_of(moves, k, now) for k in range(len(moves))]
-        _collect(made, parts(controller.axes[number], now), window_of(feedback))
-        found.update((place, figure) for (place, _), figure in zip(numbered, made, strict=True))
-    return found
+class Figures:
+    """What motors made of the moves in a log, by their numbers there: four doubles a move."""
+
+    __slots__ = ("_place", "_values")
+
+    def __init__(self, moves: int) -> None:
+        # Which of the figures are a move's, counted from 1, and one after the other what they are.
+        self._place = array("i", bytes(4 * moves))
+        self._values = array("d")
+
+    def __len__(self) -> int:
+        return len(self._values) // 4
+
+    def __contains__(self, number: object) -> bool:
+        return isinstance(number, int) and number < len(self._place) and self._place[number] > 0
+
+    def put(self, number: int, move: MoveFigures) -> None:
+        """Take those of a move."""
+        settle = move.settle_time
+        self._values.extend(
+            (move.peak_error, move.peak_output, move.rms_torque, nan if settle is None else settle)
+        )
+        self._place[number] = len(self)
+
+    def get(self, number: int) -> MotorFigures | None:
+        """Those of a move; None where no motor did it."""
+        if number not in self:
+            return None
+        first = 4 * self._place[number] - 4
+        peak_error, peak_output, rms_torque, settle = self._values[first : first + 4]
+        return MotorFigures(peak_error, peak_output, rms_torque, None if isnan(settle) else settle)
 
 
-def _counts(move: Move, axis: int) -> bool:
-    return move.axis == axis and move.profile is not None and not move.overlaid
+def figures(controller: Controller) -> Figures:
+    """What the motors made of the moves in the log."""
+    found = motors(controller)
+    done = {number: _Done() for number in found}
+    for number, move in enumerate(controller.log.moves):
+        if move.axis in done and move.profile is not None and not move.overlaid:
+            done[move.axis].add(number, move.start_time, move.profile.duration)
+    made = Figures(len(controller.log.moves))
+    for axis, feedback in found.items():
+        run = parts(controller.axes[axis], controller.clock.now)
+        done[axis].collect(run, window_of(feedback), controller.clock.now, made)
+    return made
 
 
-def _figures_of(moves: Sequence[Move], k: int, now: float) -> MoveFigures:
-    move = moves[k]
-    assert move.profile is not None
-    until = moves[k + 1].start_time if k + 1 < len(moves) else inf
-    return MoveFigures(move.start_time, min(move.start_time + move.profile.duration, until, now), until)
+class _Done:
+    """The moves of one axis: numbers in the log, when each began, and for how long it was planned."""
 
+    __slots__ = ("_begins", "_durations", "_numbers")
 
-def _collect(made: Sequence[MoveFigures], run: Iterator[tuple[float, ServoTrace]], window: float) -> None:
-    """Hand every block to the moves that it overlaps; both come in the order of time."""
-    oldest = 0
-    for first, part in run:
-        end = first + len(part) * part.loop.period
-        k = oldest
-        while k < len(made) and made[k].begin <= end:
-            made[k].take(first, part, window)
-            if made[k].until <= end and k == oldest:
-                oldest += 1
-            k += 1
+    def __init__(self) -> None:
+        self._numbers, self._begins, self._durations = array("q"), array("d"), array("d")
+
+    def add(self, number: int, begin: float, duration: float) -> None:
+        self._numbers.append(number)
+        self._begins.append(begin)
+        self._durations.append(duration)
+
+    def collect(
+        self, run: Iterator[tuple[float, ServoTrace]], window: float, now: float, made: Figures
+    ) -> None:
+        """Hand every block to the moves that it overlaps; both come in the order of time."""
+        open_ones: deque[tuple[int, MoveFigures]] = deque()
+        following = 0
+        for first, part in run:
+            end = first + len(part) * part.loop.period
+            while following < len(self._begins) and self._begins[following] <= end:
+                open_ones.append((self._numbers[following], self._figures(following, now)))
+                following += 1
+            for _, move in open_ones:
+                move.take(first, part, window)
+            while open_ones and open_ones[0][1].until <= end:
+                made.put(*open_ones.popleft())
+        for number, move in open_ones:
+            made.put(number, move)
+        for k in range(following, len(self._begins)):
+            made.put(self._numbers[k], self._figures(k, now))
+
+    def _figures(self, k: int, now: float) -> MoveFigures:
+        begin, until = self._begins[k], self._begins[k + 1] if k + 1 < len(self._begins) else inf
+        return MoveFigures(begin, min(begin + self._durations[k], until, now), until)
 
 
 class Reader:

@@ -10,7 +10,7 @@ from motionlang.controller.record.stream import DISK, Store, Stream
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Collection, Iterable
     from typing import Any
 
     from motionlang.controller.axis import Axis
@@ -18,11 +18,16 @@ if TYPE_CHECKING:
     from motionlang.controller.record.moves import Moves, Profiles
     from motionlang.controller.record.records import Changed, Event, Printed, Setting, Turns, Waited
 
-# Profiles of all axes together that are not packed, and those of each axis that never are.
-MOST_PROFILES, LEFT_PROFILES = 40_960, 512
+# Profiles of all axes together that are not packed, fewer where motors follow some, whose pieces are made; and
+# those of each axis that never are.
+MOST_PROFILES, MOST_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
 # After so many profiles it is looked whether a loop starts motion after motion: more than one in half a millisecond,
 # from no more than a few lines.
 FIRST_LOOK, HURRY, FEW_LINES = 1024, 5e-4, 4
+
+
+def _most(axes: Collection[Axis]) -> int:
+    return MOST_PROFILES if all(a.feedback is None for a in axes) else MOST_FOLLOWED
 
 
 def nowhere() -> int:
@@ -113,30 +118,30 @@ class Log:
         self.others.append(made)
         return made
 
-    def make_room(self, axes: Iterable[Axis]) -> None:
+    def make_room(self, axes: Collection[Axis]) -> None:
         """Pack profiles; the first time only look at how they follow each other."""
         self._look()
         if not self._looked:
-            self._looked, self.room = True, MOST_PROFILES - FIRST_LOOK
+            self._looked, self.room = True, _most(axes) - FIRST_LOOK
             return
         self.pack(axes)
 
-    def pack(self, axes: Iterable[Axis]) -> None:
-        """Pack the profiles of axes but the newest ones of each; those that a simulated motor follows stay.
-
-        The moves that they are of are packed first.
-        """
+    def pack(self, axes: Collection[Axis]) -> None:
+        """Pack the profiles of axes but the newest ones of each; the moves that they are of are packed first."""
         self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
         kept = 0
         for a in axes:
-            count = len(a.starts) - LEFT_PROFILES
-            if count > 0 and a.feedback is None:
-                if a.older is None:
-                    a.older = self.older(self.store)
-                while count > 0:
-                    count -= a.older.take_from(a, count)
+            self._pack_profiles(a, len(a.starts) - LEFT_PROFILES)
             kept += len(a.starts)
-        self.room = max(MOST_PROFILES - kept, LEFT_PROFILES)
+        self.room = max(_most(axes) - kept, LEFT_PROFILES)
+
+    def _pack_profiles(self, a: Axis, count: int) -> None:
+        """Pack so many of the profiles of an axis, the oldest ones."""
+        if count > 0 and a.older is None:
+            a.older = self.older(self.store)
+        while count > 0:
+            assert a.older is not None
+            count -= a.older.take_from(a, count)
 
     def _look(self) -> None:
         """Tell of a loop that starts motion after motion, none of which has the time to be one."""
@@ -152,11 +157,10 @@ class Log:
         for stream in self._streams():
             stream.forget(kept)
         for a in axes:
+            if len(a.starts) > 20 * kept:
+                self._pack_profiles(a, len(a.starts) - 10 * kept)
             if a.older is not None and self.moves:
                 a.older.forget(self.moves[self.moves.first].start_time)
-            elif len(a.starts) > 20 * kept:
-                del a.starts[: -10 * kept]
-                del a.profiles[: -10 * kept]
 
     def keep_whole(self, axes: Iterable[Axis]) -> None:
         """Complete what was half packed as somebody ended the run."""

@@ -213,7 +213,7 @@ def _place(a: Axis, move: Move) -> int | None:
     """The number of the profile in the track of the axis that is all of a move; None where there is none."""
     k = bisect_right(a.starts, move.start_time) - 1
     while k >= 0 and a.starts[k] == move.start_time:
-        if a.feedback is None and _is_of(a.profiles[k], move.profile):
+        if _is_of(a.profiles[k], move.profile):
             return k + (0 if a.older is None else a.older.count)
         k -= 1
     return None
@@ -251,6 +251,11 @@ class Profiles:
     def count(self) -> int:
         """How many there are."""
         return self._parts.count
+
+    @property
+    def first(self) -> int:
+        """The number of the oldest that is kept."""
+        return self._parts.first
 
     def take_from(self, a: Axis, most: int) -> int:
         """Pack a part of the axis's profiles, the oldest ones, at most so many of them: how many those were."""

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
+from motionlang.controller.joined import Joined
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-    from typing import Any
+    from collections.abc import Sequence
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
     from motionlang.controller.move import Move
-    from motionlang.controller.record.moves import Profiles
     from motionlang.controller.scale import Scale
     from motionlang.controller.servo.feedback import Feedback
     from motionlang.profile import Profile, State
@@ -29,8 +29,8 @@ class WholeTrack:
         self.starts: Sequence[float] = a.starts
         self.profiles: Sequence[Profile] = a.profiles
         if older is not None:
-            self.starts = _Joined(older, 0, a.starts)  # type: ignore[assignment]
-            self.profiles = _Joined(older, 1, a.profiles)  # type: ignore[assignment]
+            self.starts = Joined(a, 0)  # type: ignore[assignment]
+            self.profiles = Joined(a, 1)  # type: ignore[assignment]
 
     @property
     def scale(self) -> Scale:
@@ -72,33 +72,6 @@ class WholeTrack:
             return self.starts, self.profiles
         some = slice(max(self.place(begin) - 1, 0), self.place(end) + 1)
         return self.starts[some], self.profiles[some]
-
-
-class _Joined:
-    """Packed profiles, or their starts, and those of now, as one sequence."""
-
-    __slots__ = ("_column", "_now", "_older")
-
-    def __init__(self, older: Profiles, column: int, now: list[Any]) -> None:
-        self._older, self._column, self._now = older, column, now
-
-    def __len__(self) -> int:
-        return self._older.count + len(self._now)
-
-    def __iter__(self) -> Iterator[Any]:
-        column = self._column
-        for pair in self._older:
-            yield pair[column]
-        yield from self._now
-
-    def __getitem__(self, index: int | slice) -> Any:
-        if isinstance(index, slice):
-            return [self[i] for i in range(*index.indices(len(self)))]
-        index += len(self) if index < 0 else 0
-        behind = index - self._older.count
-        if behind >= 0:
-            return self._now[behind]
-        return self._older.profile(index) if self._column else self._older.start(index)
 
 
 class Recorded:

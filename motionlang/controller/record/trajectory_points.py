@@ -39,9 +39,7 @@ class Points:
         track = WholeTrack(axis)
         self._profiles, self._period = track.profiles, period
         self._starts = np.array(list(track.starts))
-        generator = Generator(track, period)
-        generator.offset(len(track.profiles) - 1)
-        self._offsets = np.array(generator.offsets)
+        self._offsets = Generator(track, period).offsets(0, len(track.profiles))
         # The cycle from which on a profile is in force, and when the profile begins for its points.
         self._first = np.ceil(self._starts / period - AT_ONCE).astype(np.int64)
         self._begins, late = self._starts.copy(), 0.0

@@ -7,6 +7,7 @@ loop interpolates between the points in straight lines (TN1069).
 
 from __future__ import annotations
 
+from array import array
 from bisect import bisect_right
 from math import floor
 from typing import TYPE_CHECKING, Protocol
@@ -27,6 +28,7 @@ SHORT = 200
 ONE_PROFILE = 1000
 """The same where all of them lie on one profile."""
 _JUMP = 1e-6
+_NEAR = 8
 _AT_ONCE = 1e-9
 
 
@@ -66,26 +68,63 @@ class Generator:
     profile are plain floats.
     """
 
-    __slots__ = ("few", "offsets", "period", "track")
+    __slots__ = ("_at", "_known", "_offsets", "_since", "few", "period", "track")
 
     def __init__(self, track: Demanded, period: float, few: int = SHORT) -> None:
         self.track, self.period, self.few = track, period, few
-        self.offsets = [0.0]
+        # The profile that was last found in force: the next one is near, and a long track is not searched.
+        self._at = 0
+        # The offsets, the profiles from which on they hold, and up to which profile they are known.
+        self._offsets, self._since, self._known = array("d", [0.0]), array("q", [0]), 0
 
     def in_force(self, cycle: int) -> int:
         """The number of the profile that makes the point for the end of `cycle`."""
-        return max(bisect_right(self.track.starts, (cycle - _AT_ONCE) * self.period) - 1, 0)
+        return self.in_force_at((cycle - _AT_ONCE) * self.period)
+
+    def in_force_at(self, time: float) -> int:
+        """The number of the profile that is in force at a time; that of the first one before it."""
+        starts = self.track.starts
+        last = len(starts) - 1
+        k = min(self._at, last)
+        for _ in range(_NEAR):
+            if k < last and starts[k + 1] <= time:
+                k += 1
+            elif k > 0 and starts[k] > time:
+                k -= 1
+            else:
+                break
+        else:
+            k = max(bisect_right(starts, time) - 1, 0)
+        self._at = k
+        return k
 
     def offset(self, profile: int) -> float:
         """Counts to add to the track while `profile` is in force."""
+        if profile > self._known:
+            self._get_to_know(profile)
+        k = len(self._since) - 1
+        while self._since[k] > profile:
+            k -= 1
+        return self._offsets[k]
+
+    def offsets(self, first: int, past: int) -> NDArray[np.float64]:
+        """Those of the profiles from one to another, not included."""
+        import numpy as np
+
+        self.offset(past - 1)
+        places = np.searchsorted(np.array(self._since), np.arange(first, past), "right") - 1
+        made: NDArray[np.float64] = np.array(self._offsets)[places]
+        return made
+
+    def _get_to_know(self, profile: int) -> None:
         starts, profiles = self.track.starts, self.track.profiles
-        while len(self.offsets) <= profile:
-            k = len(self.offsets)
+        for k in range(self._known + 1, profile + 1):
             before, after = profiles[k - 1], profiles[k]
             gap = after.start - before.position(starts[k] - starts[k - 1])
-            real = abs(gap) > _JUMP + 1e-12 * abs(after.start)
-            self.offsets.append(self.offsets[-1] - gap if real else self.offsets[-1])
-        return self.offsets[profile]
+            if abs(gap) > _JUMP + 1e-12 * abs(after.start):
+                self._since.append(k)
+                self._offsets.append(self._offsets[-1] - gap)
+        self._known = profile
 
     def shifts(self, first: int, until: int, rate: float) -> list[tuple[int, float]]:
         """The samples from `first` to `until` (not included) at which the offset changes, and what it is then.
@@ -93,7 +132,7 @@ class Generator:
         A sample at the very moment of a change comes before it.
         """
         starts = self.track.starts
-        now = max(bisect_right(starts, (first - _AT_ONCE) / rate) - 1, 0)
+        now = self.in_force_at((first - _AT_ONCE) / rate)
         found = [(first, self.offset(now))]
         for k in range(now + 1, len(starts)):
             sample = floor(starts[k] * rate + _AT_ONCE) + 1
@@ -112,7 +151,12 @@ class Generator:
         self.offset(k)
         track = self.track
         here = track.profiles[k].position(cycle * self.period - track.starts[k])
-        self.offsets[k:] = [position - here]
+        while self._since and self._since[-1] >= k:
+            self._since.pop()
+            self._offsets.pop()
+        self._since.append(k)
+        self._offsets.append(position - here)
+        self._known = k
 
     def first(self, cycle: int = 0) -> float:
         """The point at the beginning of `cycle`, before anything has moved."""
@@ -156,7 +200,7 @@ class Generator:
             if offset:
                 made += offset
             return made
-        offsets = np.array(self.offsets[first : last + 1])
+        offsets = self.offsets(first, last + 1)
         if offsets.any():
             owners = (
                 np.searchsorted(starts, np.arange(cycle + 1, cycle + count + 1) * self.period, "right") - 1

@@ -16,6 +16,7 @@ import numpy as np
 
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import FOLLOWING_ERROR, Refusal
+from motionlang.controller.joined import Followed
 from motionlang.controller.servo.ahead import Ahead, seen_of
 from motionlang.controller.servo.axis_loop import axis_loop
 from motionlang.controller.servo.lookahead import (
@@ -253,7 +254,7 @@ class Feedback:
         axis.target = here
         controller.extend_track(axis, hold(here))
         self.closed = True
-        self._do(len(axis.starts) - 1)
+        self._do(len(Followed(axis).starts) - 1)
 
     def changed(self) -> None:
         """The axis has a new profile."""
@@ -343,7 +344,7 @@ class Feedback:
             return
         self.chosen = self._choose()
         self.first_loop = self.chosen.loop
-        servo = Ahead(self.first_loop, self.plant, self._axis, columns=seen(self.plant))
+        servo = Ahead(self.first_loop, self.plant, Followed(self._axis), columns=seen(self.plant))
         self._servo = servo
         last = None
         for change in self.changes:

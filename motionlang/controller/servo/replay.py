@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from math import floor
 from typing import TYPE_CHECKING
 
@@ -62,8 +61,9 @@ def parts(servo: Servo, sample: int) -> Iterator[ServoTrace]:
 def stands(servo: Servo, count: int, until: int) -> bool:
     """Whether the demand has been at rest for the last `count` samples and goes on so to sample `until`."""
     starts, rate = servo.track.starts, servo.loop.servo_rate
-    k = bisect_right(starts, (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate) - 1
-    if k < 0 or servo.track.profiles[k].shape != "hold":
+    since = (servo.sample - count) / rate - 1.0 / servo.loop.trajectory_rate
+    k = servo.in_force_at(since)
+    if starts[k] > since or servo.track.profiles[k].shape != "hold":
         return False
     return k + 1 == len(starts) or starts[k + 1] > until / rate
 

@@ -185,6 +185,10 @@ class Servo:
         """What it follows."""
         return self._generator.track
 
+    def in_force_at(self, time: float) -> int:
+        """The number of the profile of its track that is in force at a time."""
+        return self._generator.in_force_at(time)
+
     @property
     def state(self) -> State:
         """The plant's state and the loop's memory before the next sample."""

@@ -48,6 +48,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(stream, name, value)
     monkeypatch.setattr(stream.Store.__init__, "__defaults__", (400, stream.DISK))
     monkeypatch.setattr(log_module, "MOST_PROFILES", 16)
+    monkeypatch.setattr(log_module, "MOST_FOLLOWED", 16)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
 
 
@@ -87,6 +88,33 @@ def test_a_move_takes_at_most_200_bytes_and_none_stays_an_object(monkeypatch: py
     assert {move.line for move in log.moves} == {5, 9}
     assert log.moves[700].profile is not None
     assert log.moves[700].profile.distance == 20.0
+
+
+FOLLOWED = """
+Dim n As Integer
+SPEED(0) = 10000 : ACCEL(0) = 500000 : DECEL(0) = 500000
+For n = 1 To 30
+  MOVER(0) = 300 : GO(0) : PAUSE IDLE(0)
+  If n = 7 Then TORQUE(0) = 5 : WAIT(9) : CANCEL(0)
+  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+  If n % 5 = 0 Then POS(0) = 40
+  PRINT TIME, " ", POS(0), " ", FOLERROR(0)
+Next
+"""
+
+
+def test_what_a_motor_follows_is_packed_and_followed_all_the_same(request: pytest.FixtureRequest) -> None:
+    """Readings, report and trace of a motor are what they are without packing: positions renamed, loops opened."""
+    machine = {"axis.0.plant.load_inertia": 4e-5, "axis.0.plant.load_torque": 0.002}
+    source = Source("followed.mnt", FOLLOWED)
+    expected = figures(run(source, machine=machine, cache=False))
+    request.getfixturevalue("small")
+    result = run(source, machine=machine, cache=False)
+    a = result.controller.axes[0]
+    assert a.older is not None
+    assert a.older.count > 80
+    assert len(a.starts) < 30
+    assert figures(result) == expected
 
 
 def test_what_a_program_waited_for_is_in_the_log() -> None:

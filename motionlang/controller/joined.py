@@ -1,0 +1,57 @@
+"""The track of an axis from power-up on, whatever of it is packed by now, read like two lists."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+    from typing import Any
+
+    from motionlang.controller.axis import Axis
+    from motionlang.profile import Profile
+
+
+class Joined:
+    """The starts (column 0) or the profiles (column 1) of an axis; for one that was forgotten, the oldest one kept."""
+
+    __slots__ = ("_axis", "_column")
+
+    def __init__(self, axis: Axis, column: int) -> None:
+        self._axis, self._column = axis, column
+
+    def __len__(self) -> int:
+        older = self._axis.older
+        return (0 if older is None else older.count) + len(self._axis.starts)
+
+    def __iter__(self) -> Iterator[Any]:
+        column = self._column
+        for pair in self._axis.older or ():
+            yield pair[column]
+        yield from self._now()
+
+    def __getitem__(self, index: int | slice) -> Any:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        index += len(self) if index < 0 else 0
+        older = self._axis.older
+        behind = index if older is None else index - older.count
+        if behind >= 0:
+            return self._now()[behind]
+        assert older is not None
+        index = max(index, older.first)
+        if index == older.count:
+            return self._now()[0]
+        return older.profile(index) if self._column else older.start(index)
+
+    def _now(self) -> Sequence[Any]:
+        return self._axis.profiles if self._column else self._axis.starts
+
+
+class Followed:
+    """The track of an axis for who follows it while it goes on, and while older parts of it are packed."""
+
+    __slots__ = ("profiles", "starts")
+
+    def __init__(self, axis: Axis) -> None:
+        self.starts: Sequence[float] = Joined(axis, 0)  # type: ignore[assignment]
+        self.profiles: Sequence[Profile] = Joined(axis, 1)  # type: ignore[assignment]
