@@ -96,7 +96,7 @@ def alone(reading: Reading, axis: int, motion: Motion | None = None) -> str:
     needs = reading.probe.needs.replace("{a}", str(axis)).replace("{b}", str(axis + 1))
     first = [f"First: {needs}."] if needs else []
     if motion is not None and reading.probe.motion:
-        first.append(_promise(reading.probe.language, motion))
+        first.append(_reach(reading.probe, motion))
     above = [f"{reading.name}: {reading.question}", *first, *meanings(reading)]
     told = ["Then: motionlang probe --answers LOG, where LOG is what the terminal showed."]
     if REFUSED in reading.probe.answers:
@@ -157,6 +157,15 @@ def lines_of(probe: Probe, axis: int, step: float) -> tuple[list[str], str, list
         return text.replace("{2d}", f"{2 * step:g}").replace("{d}", f"{step:g}")
 
     return [filled(each) for each in probe.before], filled(probe.ask), [filled(each) for each in probe.after]
+
+
+def _reach(probe: Probe, motion: Motion) -> str:
+    """How far a question of its own moves which axes; whether they come back is what it says itself."""
+    both = any("{b}" in line for line in (*probe.before, probe.ask, *probe.after))
+    axes = f"axes {motion.axis} and {motion.axis + 1}" if both else f"axis {motion.axis}"
+    where = "they stand" if both else "it stands"
+    within = f"within {motion.distance:g} user units of where {where}"
+    return f"It moves {axes} {within}. Enable what moves; stop it as any motion."
 
 
 def _promise(language: str, motion: Motion | None) -> str:

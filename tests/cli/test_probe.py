@@ -103,6 +103,10 @@ def test_a_question_that_moves_says_how_far(tmp_path: Path, capsys: pytest.Captu
     status, text, _ = probe(tmp_path, capsys, "mint.second-offset", "--motion", "20")
     assert status == 0
     assert "It moves axis 0 within 20 user units of where it stands" in text
+    status, text, _ = probe(tmp_path, capsys, "mint.follow-0", "--motion", "20")
+    assert "the axes do not come" in text
+    assert "It moves axes 0 and 1 within 20 user units of where they stand" in text
+    assert "puts back" not in text
 
 
 def test_the_questions_about_a_word_are_listed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
