@@ -87,7 +87,7 @@ class WaitsInTurn:
             while not interrupts:
                 if known is not self._known:
                     self._known = known = list(map(_WAIT_OF, tasks))
-                    if None in known:
+                    if None in known or len(known) == 1:
                         break
                     self._names = names = [(task.name,) for task in tasks]
                     self._surely = surely = [INFINITY if wait.ends is None else wait.ends for wait in known]
@@ -112,7 +112,7 @@ class WaitsInTurn:
                 else:
                     surely[place] = INFINITY
                     clock.now = first
-                self.began = self.turn_began = first
+                self.began = first
                 self.current, self._alone, last = found, place == last, place
                 self._turn, self._place, found.wait, known[place] = place + 1, place, None, None
                 stands = wait.place
@@ -130,9 +130,9 @@ class WaitsInTurn:
                 found.wait = after
                 began = self.began
                 if after is None or found.look is not None or not began <= time < clock.horizon:
-                    self._stalls = 0
                     if went + self._went > 1:
                         self._calm = 0
+                    self._stalls, self.turn_began = 0, began
                     self._waiting[:] = [task for task in tasks if task is not found]
                     self._leave(found, self._event, time, True)
                     return True
@@ -214,7 +214,7 @@ class WaitsInTurn:
             clock.now = end
         place, log = self._place, self._log
         log.turns.append((began, since, self._names[place], (since - began,)))  # type: ignore[arg-type]
-        self.began = self.turn_began = end
+        self.began = end
         self._alone = True
         self._went = went = self._went + 1
         if not went & 1023:

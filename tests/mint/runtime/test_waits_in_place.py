@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from motionlang import execution
@@ -70,6 +72,79 @@ PAUSE IDLE(0)
 PRINT TIME; POS(0)
 MOVER(0) = 5 : GO(0)
 """,
+    "a task that begins and one that is ended": """
+Dim k As Integer
+Run Beside
+WAIT(3)
+End Beside
+WAIT(7.5)
+PRINT TIME; k
+Run Beside
+WAIT(20)
+PRINT TIME; k
+End Beside
+WAIT(100)
+PRINT TIME; k
+End
+Task Beside
+  While 1
+    k = k + 1
+    WAIT(0.5)
+  Wend
+End Task
+""",
+    "inputs with and without a handler": """
+Dim n As Integer
+Dim i As Integer
+For i = 1 To 40
+  WAIT(6)
+  PRINT TIME; INX(1); INX(2); n
+Next
+End
+Event IN1
+  n = n + 1
+  WAIT(2)
+End Event
+""",
+    "a handler that a statement calls": """
+SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
+MOVER(0) = 50 : GO(0)
+WAIT(100)
+CANCEL(0)
+WAIT(100)
+PRINT TIME; POS(0)
+TIMEREVENT = 5
+EVENTDISABLE = 4095
+WAIT(12)
+EVENTDISABLE = 0
+WAIT(11)
+PRINT TIME
+End
+Event AXISIDLE
+  PRINT TIME
+  WAIT(30)
+End Event
+Event TIMER
+  PRINT TIME
+  WAIT(2)
+End Event
+""",
+    "waits in a sub, and of all lengths": """
+Dim i As Integer
+For i = 1 To 5
+  Twice(i)
+  Twice(i / 3000.0)
+Next
+WAIT(50000000)
+WAIT(0.7)
+PRINT TIME
+End
+Sub Twice(x As Float)
+  WAIT(x)
+  WAIT(x)
+  PRINT TIME
+End Sub
+""",
     "two tasks": f"""
 Dim k As Integer
 Run Beside
@@ -88,11 +163,38 @@ End Task
 }
 
 
+INPUTS: dict[str, object] = {
+    "input": [
+        {"channel": 1, "at": 0.02, "for": 0.01, "every": 0.043, "times": 5},
+        {"channel": 2, "at": 0.01, "for": 0.003, "every": 0.017, "times": 9},
+    ]
+}
+
+
+@pytest.mark.parametrize("until", [None, 0.0121, 0.006, 0.03505])
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_a_wait_is_over_at_once_or_waited_out(name: str) -> None:
+def test_a_wait_is_over_at_once_or_waited_out(name: str, until: float | None) -> None:
+    """To the end of the program, and to a moment in the middle of a wait or at the end of one."""
     source = Source("waits.mnt", PROGRAMS[name])
-    at_once = execution.run(source, cache=False)
-    waited_out = execution.run(source, cache=False, pace=lambda now: None)  # somebody follows the clock
-    assert at_once.output
+    at_once = execution.run(source, machine=INPUTS, cache=False, until=until)
+    # Somebody follows the clock.
+    waited_out = execution.run(source, machine=INPUTS, cache=False, until=until, pace=lambda now: None)
+    assert at_once.output or until
     assert text(at_once) == text(waited_out)
     assert list(at_once.machine.log.waits) == list(waited_out.machine.log.waits)
+
+
+@pytest.mark.parametrize(("written", "told"), [("-1", "-1"), ("0 - 5", "-5"), ("1e308 * 10", "inf")])
+def test_a_wait_is_no_less_than_nothing_and_has_an_end(written: str, told: str) -> None:
+    result = execution.run(Source("waits.mnt", f"Dim x As Float\nx = {written}\nWAIT(x)\n"), cache=False)
+    assert [each.message for each in result.diagnostics] == [f"WAIT cannot be {told}"]
+
+
+def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
+    program = "Dim n As Integer\nFor n = 1 To 30000\n  WAIT(1)\nNext\n"
+    waits = execution.run(Source("waits.mnt", program), cache=False).machine.log.waits
+    assert waits.packed > 0
+    assert len(waits) == 30_000
+    # A turn is a WAIT of 1 ms, and it and its Next cost 10 µs each.
+    assert [round(wait.since, 9) for wait in waits[:3]] == [1e-5, 0.00103, 0.00205]
+    assert all(before.until < wait.since for before, wait in pairwise(waits))
