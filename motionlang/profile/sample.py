@@ -8,7 +8,7 @@ sampled together on one grid of small blocks, and the points between a knot and 
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -91,13 +91,14 @@ class PieceTable:
         edges = np.append(edges[used], n)
         columns = _derivative(self.columns[:, used], order)
         origins = self.origins[used] - t0
+        asked = _Asked(out, edges, origins, columns, dt)
         long = np.diff(edges) >= LONG
-        _sample_short(out, edges, origins, columns, dt, _runs(~long))
+        _sample_short(asked, _runs(~long))
         wavy = columns[4] != 0.0
         still = ~columns[1:5].any(axis=0)
         for k in np.flatnonzero(long & still):
             out[edges[k] : edges[k + 1]] = columns[0, k] + 0.0
-        _sample_cubics(out, edges, origins, columns, dt, np.flatnonzero(long & ~wavy & ~still))
+        _sample_cubics(asked, np.flatnonzero(long & ~wavy & ~still))
         for i in np.flatnonzero(long & wavy):
             _sample_wave(out[edges[i] : edges[i + 1]], columns[:, i], edges[i] * dt - origins[i], dt)
         for start, end, profile in self._formulas:
@@ -153,17 +154,21 @@ def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(turns[::2], turns[1::2], strict=True)]
 
 
-def _sample_cubics(
-    out: Array,
-    edges: NDArray[np.int64],
-    origins: Array,
-    columns: Array,
-    dt: float,
-    which: NDArray[np.int64],
-) -> None:
+class _Asked(NamedTuple):
+    """The points that are asked for: where they go, the first one of each piece, and the pieces."""
+
+    out: Array
+    edges: NDArray[np.int64]
+    origins: Array
+    columns: Array
+    dt: float
+
+
+def _sample_cubics(asked: _Asked, which: NDArray[np.int64]) -> None:
     """The long cubic pieces: all their blocks re-centred together, then one product for each piece."""
     if not len(which):
         return
+    out, edges, origins, columns, dt = asked
     blocks = -(-(edges[which + 1] - edges[which]) // BLOCK)
     ends = np.cumsum(blocks)
     piece = np.repeat(which, blocks)
@@ -212,15 +217,9 @@ def _multiply(local: Array, basis: Array, out: Array) -> None:
         np.matmul(local[i : i + rows], basis, out=out[i : i + rows])
 
 
-def _sample_short(
-    out: Array,
-    edges: NDArray[np.int64],
-    origins: Array,
-    columns: Array,
-    dt: float,
-    runs: list[tuple[int, int]],
-) -> None:
+def _sample_short(asked: _Asked, runs: list[tuple[int, int]]) -> None:
     """Runs of short pieces, as many together as CHUNK points allow; a longer run in parts."""
+    edges = asked.edges
     together: list[tuple[int, int]] = []
     points = 0
     for begin, finish in runs:
@@ -234,23 +233,17 @@ def _sample_short(
                 continue
             count = int(edges[b] - edges[a])
             if together and points + count > CHUNK:
-                _sample_runs(out, edges, origins, columns, dt, together)
+                _sample_runs(asked, together)
                 together, points = [], 0
             together.append((a, b))
             points += count
     if together:
-        _sample_runs(out, edges, origins, columns, dt, together)
+        _sample_runs(asked, together)
 
 
-def _sample_runs(
-    out: Array,
-    edges: NDArray[np.int64],
-    origins: Array,
-    columns: Array,
-    dt: float,
-    runs: list[tuple[int, int]],
-) -> None:
+def _sample_runs(asked: _Asked, runs: list[tuple[int, int]]) -> None:
     """A grid of small blocks a run, each from the piece its first point is in; then what follows a knot, again."""
+    out, edges, origins, columns, dt = asked
     piece = np.concatenate([np.arange(a, b) for a, b in runs])
     bounds = edges.take([a for a, _ in runs]), edges.take([b for _, b in runs])
     begins, ends, origins, columns = edges[piece], edges[piece + 1], origins[piece], columns[:, piece]
