@@ -11,13 +11,18 @@ if TYPE_CHECKING:
     from motionlang.profile import Profile
 
 
+_MOST_UNPACKED = 1024
+
+
 class Joined:
     """The starts (column 0) or the profiles (column 1) of an axis; for one that was forgotten, the oldest one kept."""
 
-    __slots__ = ("_axis", "_column")
+    __slots__ = ("_axis", "_column", "_unpacked")
 
     def __init__(self, axis: Axis, column: int) -> None:
         self._axis, self._column = axis, column
+        # Profiles that were asked for, by their numbers: who goes along the track asks for each a few times.
+        self._unpacked: dict[int, Profile] = {}
 
     def __len__(self) -> int:
         older = self._axis.older
@@ -41,7 +46,14 @@ class Joined:
         index = max(index, older.first)
         if index == older.count:
             return self._now()[0]
-        return older.profile(index) if self._column else older.start(index)
+        if not self._column:
+            return older.start(index)
+        found = self._unpacked.get(index)
+        if found is None:
+            if len(self._unpacked) >= _MOST_UNPACKED:
+                self._unpacked.clear()
+            found = self._unpacked[index] = older.profile(index)
+        return found
 
     def _now(self) -> Sequence[Any]:
         return self._axis.profiles if self._column else self._axis.starts

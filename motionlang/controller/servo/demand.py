@@ -28,7 +28,6 @@ SHORT = 200
 ONE_PROFILE = 1000
 """The same where all of them lie on one profile."""
 _JUMP = 1e-6
-_NEAR = 8
 _AT_ONCE = 1e-9
 
 
@@ -85,16 +84,17 @@ class Generator:
         """The number of the profile that is in force at a time; that of the first one before it."""
         starts = self.track.starts
         last = len(starts) - 1
-        k = min(self._at, last)
-        for _ in range(_NEAR):
-            if k < last and starts[k + 1] <= time:
-                k += 1
-            elif k > 0 and starts[k] > time:
-                k -= 1
-            else:
-                break
+        k, step = min(self._at, last), 1
+        if starts[k] <= time:  # further and further on from there: it lies from `k` on, and before `past`
+            past = k + 1
+            while past <= last and starts[past] <= time:
+                k, past, step = past, past + step, 2 * step
         else:
-            k = max(bisect_right(starts, time) - 1, 0)
+            past = k
+            while k > 0 and starts[k] > time:
+                k, past, step = max(k - step, 0), k, 2 * step
+        if k + 1 < past:
+            k = max(bisect_right(starts, time, k, min(past, last + 1)) - 1, 0)
         self._at = k
         return k
 

@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from motionlang.controller.servo.closed_form import SEEN
 from motionlang.controller.servo.demand import SHORT, Generator, Track
@@ -53,8 +55,8 @@ def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
 
 
 def test_an_override_holds_for_one_update_unless_it_says_so() -> None:
-    for given in ({}, {"override_hold": 1}):
-        made = make_loop({"override_steps": 5, "dac_bits": 12, **given}).override
+    for options in ({}, {"override_hold": 1}):
+        made = make_loop({"override_steps": 5, "dac_bits": 12, **options}).override
         assert made is not None
         assert (made.steps, made.hold) == (5, 1)
 
@@ -72,3 +74,16 @@ def test_another_zero_at_a_sample_moves_no_motor() -> None:
             track = Track([0.0, time], [hold(0.0), hold(100.0)])
             for count in (SHORT, SHORT + 1):
                 assert not np.any(Generator(track, 1e-3).points(0, count))
+
+
+@given(
+    starts=st.lists(st.integers(0, 60), min_size=1, max_size=40).map(sorted),
+    times=st.lists(st.integers(-2, 62), min_size=1, max_size=12),
+)
+def test_the_profile_in_force_is_found_from_wherever_one_was_found_before(
+    starts: list[int], times: list[int]
+) -> None:
+    generator = Generator(Track([float(start) for start in starts], [hold(0.0)] * len(starts)), 1e-3)
+    for time in times:
+        begun = sum(start <= time for start in starts)
+        assert generator.in_force_at(float(time)) == max(begun - 1, 0)
