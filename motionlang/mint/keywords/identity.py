@@ -12,7 +12,14 @@ AXES = 0
 
 
 def _word(
-    name: str, short: str, access: str, index: str, unit: str, verb: str, help: str, default: float = 0.0
+    name: str,
+    short: str,
+    access: str,
+    index: str,
+    unit: str,
+    verb: str,
+    help: str,
+    default: float | None = 0.0,
 ) -> Keyword:
     where = "" if index == "none" else "(0)"
     kind = "setting" if "W" in access else "reading"
@@ -30,7 +37,8 @@ ROWS = (
           "The controller: controller.model of the machine file, or Virtual Controller."),
     _word("FIRMWAREVERSION", "", "R", "none", "text", "version", "The version of this program."),
     _word("NUMBEROF", "no", "R", "item", "integer", "count",
-          "How many there are of something: _noAXES counts the axes; of other things the machine file knows."),
+          "How many there are of something: _noAXES counts the axes; of other things the machine file knows.",
+          default=None),
     Keyword("_noAXES", "", "constant", "R", "none", "integer", str(AXES), "NUMBEROF: axes.", "PRINT NUMBEROF(_noAXES)",
             group="constants"),
     Keyword("_egCONTROLLER", "", "constant", "R", "none", "integer", "3",

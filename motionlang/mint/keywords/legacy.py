@@ -9,9 +9,9 @@ _FAIL = "\nEnd\nEvent ONERROR\n  PRINT {0}\nEnd Event"
 _CONTOUR = "CONTOURMODE(0) = {}\n{}(0)\nPRINT CONTOURMODE(0)"
 
 
-def _last(name: str, verb: str, help: str) -> Keyword:
+def _last(name: str, verb: str, help: str, default: float = 0.0) -> Keyword:
     return Keyword(name, "", "reading", "R", "none", "integer", f"legacy.{verb}", help,
-                   f"SPEED(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL.format(name)}", default=0.0, group=GROUP)  # fmt: skip
+                   f"SPEED(0) = 0\nMOVER(0) = 1\nGO(0){_FAIL.format(name)}", default=default, group=GROUP)  # fmt: skip
 
 
 def _contour(name: str, before: int, help: str) -> Keyword:
@@ -22,7 +22,8 @@ def _contour(name: str, before: int, help: str) -> Keyword:
 ROWS = (
     _last("ERR", "error", "Number of the last error, 0 before the first one (v4; ERRCODE in MintMT)."),
     _last("ERL", "error_line", "Line of the last error, 0 before the first one (v4; ERRLINE in MintMT)."),
-    _last("ERRAXIS", "error_axis", "Axis of the last error that an axis had, -1 before the first one (v4)."),
+    _last("ERRAXIS", "error_axis", "Axis of the last error that an axis had, -1 before the first one (v4).",
+          default=-1.0),
     Keyword("MODE", "", "reading", "R", "axis", "bits", "sensing.axis_mode",
             "Kind of motion of an axis (v4; AXISMODE in MintMT).", "MOVER(0) = 100\nGO(0)\nPRINT MODE(0)",
             default=0.0, group=GROUP),

@@ -36,12 +36,12 @@ def _word(
                    group="remote")  # fmt: skip
 
 
-def _bus(name: str, verb: str, help: str) -> tuple[Keyword, Keyword]:
+def _bus(name: str, verb: str, help: str, default: float = 0.0) -> tuple[Keyword, Keyword]:
     """A word of the bus, and the older word that says CAN."""
     words = (f"BUS{name}", "CANBUSSTATE" if name == "STATE" else f"CAN{name}")
     rest = ("", " The older word for CAN buses.")
     new, old = (
-        _word(word, "R", "bus", "integer", verb, help + more, f"PRINT {word}(1)")
+        _word(word, "R", "bus", "integer", verb, help + more, f"PRINT {word}(1)", default=default)
         for word, more in zip(words, rest, strict=True)
     )
     return new, old
@@ -62,7 +62,7 @@ ROWS = (
           "Code of the next event of a bus, which is taken off its queue; 0 when there is none."),
     *_bus("EVENTINFO", "event_info",
           "What the event that was taken last is about: the number of the node."),
-    *_bus("STATE", "bus_state", "State of a bus: 1 operational, 2 passive, 3 off."),
+    *_bus("STATE", "bus_state", "State of a bus: 1 operational, 2 passive, 3 off.", default=1.0),
     _reset("BUSRESET"),
     _reset("CANBUSRESET"),
     _word("BUSNODE", "RW", "bus", "integer", "network.groups.own_node", "The controller's own node number on a bus.",
@@ -122,7 +122,7 @@ ROWS = (
           "REMOTEPDOOUT(1, 2, 0x0F)"),
     _word("REMOTEPDOVALID", "R", "bus, node", "bool", "process_data_valid",
           "1 while the process data of a node is of now, which is while the node lives.",
-          "PRINT REMOTEPDOVALID(1, 2)"),
+          "PRINT REMOTEPDOVALID(1, 2)", default=1.0),
     _word("CONNECT", "RW", "bus, from, to", "bool", "network.groups.connection",
           "The connection of two nodes: 1 makes it, 0 breaks it; both must answer.",
           "CONNECT(1, 2, 7) = 1\nPRINT CONNECT(1, 2, 7)"),

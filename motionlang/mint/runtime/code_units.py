@@ -138,9 +138,8 @@ class Code:
     def payload(self) -> tuple[object, ...]:
         """Everything in a form that `marshal` takes, for `loaded`."""
         units = [unit.payload() for unit in self.units]
-        places = memoryview(bytearray(8 * len(self.places))).cast(
-            "q"
-        )  # as an array, whose import takes longer
+        # What `array` would be: to import that takes longer than to write this.
+        places = memoryview(bytearray(8 * len(self.places))).cast("q")
         for line, place in enumerate(self.places):
             places[line] = place
         return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()

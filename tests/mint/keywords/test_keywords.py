@@ -29,6 +29,27 @@ def test_the_example_runs(row: Keyword) -> None:
     assert result.status == "ended"
 
 
+# An index with which a word is read that a machine has without saying so.
+INDICES = {"none": "", "axis": "(0)", "channel": "(0)", "bus": "(1)", "bus, node": "(1, 2)", "bank": "(0)"}
+
+
+def test_a_word_reads_its_default_at_power_up() -> None:
+    read = [
+        row
+        for row in SIMULATED
+        if "R" in row.access and isinstance(row.default, float | int) and row.index in INDICES
+    ]
+    text = "".join(f"PRINT {row.name}{INDICES[row.index]} USING 1, 3\n" for row in read)
+    assert len(read) > 250
+    told = run(Source("power-up.mnt", text), cache=False).output
+    # What tells the time of the statement that reads it is 0 before the first one.
+    assert {
+        row.name
+        for row, value in zip(read, told, strict=True)
+        if abs(float(value) - float(row.default or 0.0)) > 5e-4
+    } == {"SYSTEMSECONDS", "TIME"}
+
+
 # What changes nothing that a program could print, and INPUT, for which nobody is there.
 SILENT = {"NOP", "TRON", "TROFF", "BEEPON", "BEEPOFF", "REMOTEPDOOUT", "Input", "Rem"}
 
