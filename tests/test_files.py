@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import errno
 import os
+import re
 import stat
 import sys
 from collections.abc import Callable
@@ -20,6 +21,8 @@ from motionlang.files import InUse, Lock, replacing, same_file, unwritable
 PACKAGE = Path(motionlang.__file__).parent
 # What is no file of the user's: the null device, a history that prompt_toolkit appends to, a build.
 ELSEWHERE = {"files.py", "cli/__init__.py", "repl/history.py", "_wheel.py"}
+# The flags of what only reads.
+READING = {"O_RDONLY", "O_BINARY"}
 WRITERS = {
     "write_text",
     "write_bytes",
@@ -110,7 +113,8 @@ def writes(node: ast.Call) -> bool:
             for each in modes
         )
     if called == "os.open":
-        return True
+        flags = set(re.findall(r"\bO_\w+", ast.unparse(node)))
+        return not flags or not flags <= READING
     where, _, name = called.rpartition(".")
     if name in ("replace", "rename", "symlink", "link"):
         return where in ("os", "path", "shutil")
