@@ -39,6 +39,8 @@ _SHORT, _SHORT_FORM = 64, 256
 _WORTHWHILE = 48
 # Samples of plain steps behind one that breaks a limit; as many again each time that was too early, up to the most.
 _PATIENCE, _MOST_PATIENCE = 32, 1024
+# Samples that a new loop goes by plain steps first: its table takes as long to make as some thousands of them.
+_TRIAL = 256
 
 
 class Ahead(Servo):
@@ -49,9 +51,12 @@ class Ahead(Servo):
     @property
     def short(self) -> int:
         """Samples of the first block behind something that may be followed by something else."""
-        return _SHORT if self._form is None else _SHORT_FORM
+        return _SHORT if self._form(self._sample + _SHORT_FORM) is None else _SHORT_FORM
 
     _form_of: tuple[Loop, ClosedForm | None] | None = None
+    # The loop that was in charge last, and the sample from which it counts as one that stays.
+    _loop: Loop | None = None
+    _stays = 0
     # Where it stood at the beginning of each stretch of the last block.
     _marks: Sequence[Mark] = ()
 
@@ -73,11 +78,14 @@ class Ahead(Servo):
     def look(self, count: int) -> Array:
         """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
         self._marks = [self._mark()]
-        form = self._form
+        first, until = self._sample, self._sample + count
+        form = self._form(until)
         if form is None:
             return seen_of(self.run(count))
-        first, until = self._sample, self._sample + count
         made = np.empty((len(SEEN), count))
+        if first < self._stays:
+            self._step(self._stays, made)
+            self._marks.append(self._mark())
         while self._sample < until:
             cubic, begin, stop = self._next_cubic(form, until)
             if self._sample < begin:
@@ -140,10 +148,17 @@ class Ahead(Servo):
         self._row = {"demand": encoder + error, "measured": encoder, "velocity": velocity,
                      "output": output, "current": current}  # fmt: skip
 
-    @property
-    def _form(self) -> ClosedForm | None:
-        """The closed form of the loop in charge."""
+    def _form(self, until: int) -> ClosedForm | None:
+        """The closed form of the loop in charge; None where none of it comes before sample `until`.
+
+        The first loop stays, one that comes later after a while: a torque that rises makes one a cycle.
+        """
         loop = self._in_charge
+        if loop is not self._loop:
+            self._stays = 0 if self._loop is None else self._sample + _TRIAL
+            self._loop = loop
+        if until <= self._stays:
+            return None
         if self._form_of is None or self._form_of[0] is not loop:
             self._form_of = loop, closed_form(loop, self.plant)
         return self._form_of[1]

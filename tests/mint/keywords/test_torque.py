@@ -7,6 +7,7 @@ from math import pi
 import pytest
 
 from motionlang import run
+from motionlang.controller.servo.closed_form import closed_form
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -29,6 +30,14 @@ def ran(text: str, **machine: object) -> Run:
 
 def numbers(text: str, **machine: object) -> list[float]:
     return [float(line) for line in ran(text, **machine).output]
+
+
+def test_a_torque_that_rises_makes_no_table_for_each_of_its_values() -> None:
+    """A loop a millisecond for half a second: the one before it and the one behind it stay, and are worth one."""
+    before = closed_form.cache_info().misses
+    text = "TORQUEREFRISETIME(0) = 1000\nTORQUEREF(0) = 50 : WAIT = 1000\nPRINT TORQUEDEMAND(0)\nCANCEL(0)"
+    assert numbers(text) == [50.0]
+    assert closed_form.cache_info().misses - before <= 4
 
 
 def test_at_once_it_is_the_output() -> None:
