@@ -30,13 +30,18 @@ def folder() -> str:
     named = os.environ.get("MOTIONLANG_CACHE")
     if named:
         return named
+    return own_folder("Caches", "XDG_CACHE_HOME", ".cache")
+
+
+def own_folder(on_a_mac: str, variable: str, elsewhere: str) -> str:
+    """The user's folder for motionlang of one kind: in ~/Library, where a variable says, or else below the home."""
     home = os.path.expanduser("~")
     if sys.platform == "win32":
         root = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
     elif sys.platform == "darwin":
-        root = os.path.join(home, "Library", "Caches")
+        root = os.path.join(home, "Library", on_a_mac)
     else:
-        root = os.environ.get("XDG_CACHE_HOME") or os.path.join(home, ".cache")
+        root = os.environ.get(variable) or os.path.join(home, elsewhere)
     return os.path.join(root, "motionlang")
 
 

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.profile import Profile
 
-
+# Packed profiles that are kept as objects once they have been asked for.
 _MOST_UNPACKED = 1024
 
 

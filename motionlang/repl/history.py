@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import stat
-import sys
 
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
+
+from motionlang.user_cache import own_folder
 
 # Names another file; empty: nothing is kept.
 VARIABLE = "MOTIONLANG_HISTORY"
@@ -30,14 +31,7 @@ class KeptHistory(FileHistory):
 
 def _folder() -> str:
     """The user's state folder for motionlang."""
-    home = os.path.expanduser("~")
-    if sys.platform == "win32":
-        root = os.environ.get("LOCALAPPDATA") or os.path.join(home, "AppData", "Local")
-    elif sys.platform == "darwin":
-        root = os.path.join(home, "Library", "Application Support")
-    else:
-        root = os.environ.get("XDG_STATE_HOME") or os.path.join(home, ".local", "state")
-    return os.path.join(root, "motionlang")
+    return own_folder("Application Support", "XDG_STATE_HOME", os.path.join(".local", "state"))
 
 
 def _is_writable(path: str) -> bool:

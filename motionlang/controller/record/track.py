@@ -1,4 +1,4 @@
-"""The whole motion of an axis: packed profiles and those of now, read like two lists."""
+"""What the proof, the trace and the pictures ask of an axis: its whole motion from power-up on."""
 
 from __future__ import annotations
 
