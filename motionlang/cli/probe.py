@@ -92,7 +92,10 @@ def _probe(arguments: argparse.Namespace) -> int:
         if arguments.motion is not None or arguments.axis is not None or arguments.without or arguments.list:
             parser.error("--answers reads what a probe was answered; the other options write one")
         if what is not None and what not in dialects():
-            parser.error(f"{what!r} is not one of {', '.join(dialects())}")
+            said = f"{what!r} is not one of {', '.join(dialects())}"
+            parser.error(
+                f"{said}; --answers tells of each question in the log" if what in questions() else said
+            )
         return _answers(arguments.answers, what or "")
     if what is None and not arguments.list:
         parser.error("say which language the controller speaks, mint or mccl, or give --answers LOG")
@@ -135,7 +138,7 @@ def _named(parser: argparse.ArgumentParser, name: str) -> Probe:
     else:
         near = nearest(name, (*dialects(), *questions()))
         problem = f"{name!r} is not one of mint, mccl, nor a question" + (
-            f"; did you mean {near}?" if near else ""
+            f"; did you mean {near}?" if near else "; motionlang probe --list names the questions"
         )
     return parser.error(problem)
 

@@ -53,6 +53,8 @@ def test_answers_of_which_some_are_missing_are_read_and_told(
     [
         ((), "say which language the controller speaks"),
         (("basic",), "'basic' is not one of mint, mccl"),
+        (("zzzzzz",), "nor a question; motionlang probe --list names the questions"),
+        (("mint.numberof", "--answers", "log"), "--answers tells of each question in the log"),
         (("mint.truht",), "did you mean mint.truth?"),
         (("HOMESPEED",), "motionlang probe HOMESPEED --list"),
         (("mint.second-offset",), "say within which distance, such as --motion 20"),
