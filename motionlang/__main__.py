@@ -26,8 +26,10 @@ def main() -> int:
     from motionlang.cli import main as command
 
     status = command()
-    if finder is not None:
-        finder.keep()
+    if finder is not None and finder.lacks:
+        from motionlang.bytecode_writing import keep
+
+        keep(finder)
     _leave(status)
     return status
 

@@ -6,8 +6,8 @@ always.
 
 A module is taken from the file only where its source is what it was: size, time of the text and time of the last
 change, of which Python itself asks the first two. Whatever else there is (a new module, another Python, a damaged file)
-is left to Python, and put into the file when the command ends, unless no bytecode is to be written. So is what else a
-start needs and this Python always makes alike (`kept`, `remember`).
+is left to Python, and `bytecode_writing` puts it into the file when the command ends, unless no bytecode is to be
+written. So is what else a start needs and this Python always makes alike (`kept`, `remember`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import _frozen_importlib as bootstrap
 import _frozen_importlib_external as external
 import os
 import sys
-from marshal import dumps, loads
+from marshal import loads
 
 from motionlang import user_cache
 from motionlang.kept_file import KeptFile
@@ -38,24 +38,24 @@ PACKAGE = "motionlang."
 class Finder:
     """Finds modules of the package in the file, and knows which it did not find there."""
 
-    __slots__ = ("_file", "_made", "missed")
+    __slots__ = ("file", "made", "missed")
 
     # The one that `install` made; None in every process that is no command.
     of_the_command: Finder | None = None
 
     def __init__(self, folder: str) -> None:
-        self._file = KeptFile(
+        self.file = KeptFile(
             "bytecode", (folder, external.MAGIC_NUMBER, sys.flags.optimize, sys.pycache_prefix)
         )
         self.missed: list[str] = []
-        self._made: dict[str, bytes] = {}
+        self.made: dict[str, bytes] = {}
 
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
         """As every finder of `sys.meta_path` has it; None leaves the module to the next one."""
-        note: Note | None = self._file.note(name)
-        if note is None or not _holds(note):
+        note: Note | None = self.file.note(name)
+        if note is None or not holds(note):
             if name.startswith(PACKAGE):
                 self.missed.append(name)
             return None
@@ -69,7 +69,7 @@ class Finder:
 
     def code(self, name: str) -> CodeType | None:
         """The code of a module that was found; None where the file is damaged."""
-        part = self._file.part(name)
+        part = self.file.part(name)
         if part is None:
             self.missed.append(name)
             return None
@@ -78,23 +78,16 @@ class Finder:
 
     def kept(self, name: str) -> bytes | None:
         """What `remember` was told under a name that is none of a module, here or in an earlier command."""
-        return self._file.part(name)
+        return self.file.part(name)
 
     def remember(self, name: str, part: bytes) -> None:
         """Keep what depends on nothing but this Python and its own name."""
-        self._made[name] = part
+        self.made[name] = part
 
-    def keep(self) -> None:
-        """Put what was missed into the file, beside what stands there and still holds."""
-        if not (self.missed or self._made) or sys.dont_write_bytecode or not user_cache.writable():
-            return
-        new: dict[str, tuple[Note | None, bytes]] = {name: (None, part) for name, part in self._made.items()}
-        for name in self.missed:
-            compiled = _compiled(sys.modules.get(name))
-            if compiled is not None:
-                new[name] = compiled
-        if new:
-            self._file.add(new, _holds)
+    @property
+    def lacks(self) -> bool:
+        """Whether there is anything to put into the file (`bytecode_writing`)."""
+        return bool(self.missed or self.made)
 
 
 class Loader(external.SourceFileLoader):
@@ -125,21 +118,6 @@ def install() -> Finder | None:
     return finder
 
 
-def _compiled(module: ModuleType | None) -> tuple[Note, bytes] | None:
-    """A module's source and code; None for one that Python did not load from a source."""
-    spec = getattr(module, "__spec__", None)
-    if spec is None or spec.origin is None or not isinstance(spec.loader, external.SourceFileLoader):
-        return None
-    before = user_cache.state(spec.origin)
-    try:
-        code = external.SourceFileLoader.get_code(spec.loader, spec.name)
-    except (OSError, SyntaxError):  # the source is another one by now
-        return None
-    if before is None or user_cache.state(spec.origin) != before:
-        return None
-    return (spec.origin, spec.cached, before), dumps(code)
-
-
-def _holds(note: Note | None) -> bool:
+def holds(note: Note | None) -> bool:
     """Whether the source beside which a code was noted is what it was; a part without a source always holds."""
     return note is None or user_cache.state(note[0]) == note[2]

@@ -9,13 +9,12 @@ from __future__ import annotations
 import _imp
 import os
 import sys
-from marshal import dumps, loads
+from marshal import loads
 
 from motionlang import user_cache
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
     from typing import Any
 
     # What stands beside a part, where it begins and ends, and its digest.
@@ -35,7 +34,7 @@ class KeptFile:
     def __init__(self, kind: str, whose: tuple[object, ...]) -> None:
         """The file of a kind; `whose` is everything besides notes by which its parts are what they are."""
         self.name = f"{kind}-{digest(repr((sys.version, *whose)).encode('utf-8', 'backslashreplace')).hex()}"
-        self._descriptor, self._begin, self._index = _opened(self.name)
+        self._descriptor, self._begin, self._index = opened(self.name)
 
     def note(self, name: str) -> Any:
         """What stands beside a part; None where there is none of that name."""
@@ -50,25 +49,13 @@ class KeptFile:
         data = os.pread(self._descriptor, end - begin, self._begin + begin)
         return data if digest(data) == wanted else None
 
-    def add(self, parts: Mapping[str, tuple[Any, bytes]], holds: Callable[[Any], bool]) -> None:
-        """Write the file anew, with more parts, and those that it has by now and whose note holds."""
-        everything = {**_held(self.name, holds), **parts}
-        index: dict[str, Entry] = {}
-        begin = 0
-        for name, (note, part) in everything.items():
-            index[name] = note, begin, begin + len(part), digest(part)
-            begin += len(part)
-        head = dumps(index)
-        length = (NUMBER + len(head)).to_bytes(NUMBER, "little")
-        user_cache.write(self.name, [length, digest(head), head, *(part for _, part in everything.values())])
-
 
 def digest(data: bytes) -> bytes:
     """The digest of a part."""
     return _imp.source_hash(LAYOUT, data)
 
 
-def _opened(name: str) -> tuple[int | None, int, dict[str, Entry]]:
+def opened(name: str) -> tuple[int | None, int, dict[str, Entry]]:
     """The file's descriptor, where its parts begin, and its index; no parts in a file that cannot be trusted."""
     file = user_cache.opened(name)
     if file is None:
@@ -80,18 +67,3 @@ def _opened(name: str) -> tuple[int | None, int, dict[str, Entry]]:
             return file, NUMBER + length, loads(data[NUMBER:])
     os.close(file)
     return None, 0, {}
-
-
-def _held(name: str, holds: Callable[[Any], bool]) -> dict[str, tuple[Any, bytes]]:
-    """What stands in the file now, as another process may have written it, as far as its notes hold."""
-    file, first, index = _opened(name)
-    if file is None:
-        return {}
-    with open(file, "rb") as whole:
-        whole.seek(first)
-        data = whole.read()
-    return {
-        name: (note, part)
-        for name, (note, begin, end, wanted) in index.items()
-        if holds(note) and digest(part := data[begin:end]) == wanted
-    }

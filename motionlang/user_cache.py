@@ -1,4 +1,4 @@
-"""The user's cache folder: where it is, and how an entry of it is opened and written.
+"""The user's cache folder: where it is, and how an entry of it is opened.
 
 An entry is used only if it belongs to this user and nobody else may write it, nor anything beside it. No trouble with
 the cache is ever an error of a command.
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     # Size, time of the text and time of the last change.
     State = tuple[int, int, int]
 
-ENTRIES = 512
 OFF = "MOTIONLANG_NO_CACHE"
 
 
@@ -51,42 +50,15 @@ def opened(name: str) -> int | None:
         return None
     place = folder()
     try:
-        if not _private(os.stat(place)):
+        if not is_private(os.stat(place)):
             return None
         file = os.open(os.path.join(place, name), os.O_RDONLY | getattr(os, "O_BINARY", 0))
     except OSError:
         return None
-    if _private(os.fstat(file)):
+    if is_private(os.fstat(file)):
         return file
     os.close(file)
     return None
-
-
-def writable() -> bool:
-    """Whether the folder is there and an entry may be written into it; it is made where it is not there yet."""
-    if not wanted():
-        return False
-    place = folder()
-    try:
-        os.makedirs(place, 0o700, exist_ok=True)
-        return _private(os.stat(place)) and os.access(place, os.W_OK)
-    except OSError:
-        return False
-
-
-def write(name: str, parts: Iterable[bytes]) -> None:
-    """Write an entry; no reader sees half of it, and the oldest entries make room."""
-    if not writable():
-        return
-    from motionlang.files import replacing
-
-    place = folder()
-    try:
-        with replacing(os.path.join(place, name), private=True) as file:
-            file.write(b"".join(parts))
-        _prune(place)
-    except OSError:
-        pass
 
 
 def state(place: str) -> State | None:
@@ -114,25 +86,8 @@ def unchanged(states: Iterable[tuple[str, State]]) -> bool:
     return True
 
 
-def _private(status: os.stat_result) -> bool:
+def is_private(status: os.stat_result) -> bool:
     """Whether a file or folder is this user's own and closed to writers; Windows folders are per user already."""
     if not hasattr(os, "getuid"):
         return True
     return status.st_uid == os.getuid() and not status.st_mode & 0o022
-
-
-def _prune(place: str) -> None:
-    """Drop the oldest half once there are too many."""
-    entries = [entry for entry in os.scandir(place) if entry.is_file()]
-    if len(entries) <= ENTRIES:
-        return
-    entries.sort(key=lambda entry: entry.stat().st_mtime)
-    for entry in entries[: len(entries) - ENTRIES // 2]:
-        _remove(entry.path)
-
-
-def _remove(path: str) -> None:
-    try:
-        os.remove(path)
-    except OSError:
-        pass

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import inspect
 import os
+import re
 import subprocess
 import sys
+import traceback
+from collections.abc import Callable
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
@@ -14,6 +17,7 @@ import pytest
 
 from motionlang import bytecode, user_cache
 from motionlang.bytecode import Finder
+from motionlang.bytecode_writing import keep
 from tests.cases import cases
 
 ROOT = Path(__file__).parent.parent
@@ -71,7 +75,7 @@ def source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     place.write_text('"""A gauge."""\n\ndef read():\n    """What it shows."""\n    return 1\n')
     first = finder()
     assert not is_of_the_file(imported(first, place, monkeypatch))
-    first.keep()
+    keep(first)
     return place
 
 
@@ -88,9 +92,88 @@ def test_a_module_of_the_file_is_what_python_makes_of_its_source(
     spec = spec_from_file_location("motionlang.gauge", source)
     assert spec is not None
     assert (module.__file__, module.__cached__) == (spec.origin, spec.cached)
-    assert (module.__doc__, module.read(), module.read.__doc__) == ("A gauge.", 1, "What it shows.")
+    assert module.read() == 1
     assert inspect.getsource(module.read).startswith("def read():")
     assert module.read.__code__.co_filename == str(source)
+
+
+SHOWN = '''\
+"""What no command shows."""
+from __future__ import annotations
+from dataclasses import dataclass
+
+@dataclass
+class Gauge:
+    """A gauge."""
+    unit: str
+    value: float = 0.0
+
+    def read(self, places: int = 1, *, sign: bool = False) -> str:
+        """What it shows."""
+        assert places > 0, "places"
+        return f"{self.value:.{places}f} {self.unit}"
+
+def is_plain(text: str, /, *more: object, **others: object) -> bool:
+    """Nothing but what is asked for."""
+
+if True:
+    async def later() -> None:
+        "It comes."
+        raise ValueError("later")
+'''
+
+
+def test_docstrings_and_annotations_of_functions_are_left_out_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place = tmp_path / "shown.py"
+    place.write_text(SHOWN)
+    first = finder()
+    whole = imported(first, place, monkeypatch)
+    keep(first)
+    module = imported(finder(), place, monkeypatch)
+    assert is_of_the_file(module)
+    functions = [(each.Gauge.read, each.is_plain, each.later) for each in (whole, module)]
+    assert [each.__doc__ for each in functions[0]] == [
+        "What it shows.",
+        "Nothing but what is asked for.",
+        "It comes.",
+    ]
+    assert [(each.__doc__, each.__annotations__) for each in functions[1]] == [(None, {})] * 3
+    assert (whole.__doc__, module.__doc__) == ("What no command shows.", None)
+    assert module.is_plain("", 1, more=2) is None
+    # Fields of a dataclass are annotations of a class.
+    assert module.Gauge("bar", 2.5).read() == "2.5 bar"
+    assert module.Gauge.__annotations__ == whole.Gauge.__annotations__ == {"unit": "str", "value": "float"}
+    with pytest.raises(AssertionError, match="places"):
+        module.Gauge("bar").read(0)
+    # What Python says of an error, and what it shows of its place, is as it was.
+    for whole_one, one in ((whole.Gauge.read, module.Gauge.read), (whole.later, module.later)):
+        places = [list(each.__code__.co_positions()) for each in (whole_one, one)]
+        assert places[0] == places[1]
+        assert one.__code__.co_firstlineno == whole_one.__code__.co_firstlineno
+    shown = [said(each.Gauge("bar").read) for each in (whole, module)]
+    assert shown[0] == shown[1]
+    assert 'assert places > 0, "places"' in shown[0]
+
+
+def said(read: Callable[[int], str]) -> str:
+    """The traceback of a wrong call."""
+    try:
+        return read(0)
+    except AssertionError as error:
+        return "".join(traceback.format_exception(error))
+
+
+def test_no_module_asks_for_what_is_left_out() -> None:
+    package = Path(bytecode.__file__).parent
+    asks = re.compile(r"__doc__|__annotations__|getdoc|get_type_hints|singledispatch")
+    found = {
+        path.relative_to(package).as_posix()
+        for path in package.rglob("*.py")
+        if asks.search(path.read_text())
+    }
+    assert not found
 
 
 def test_a_changed_source_is_read_anew(source: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -98,7 +181,7 @@ def test_a_changed_source_is_read_anew(source: Path, monkeypatch: pytest.MonkeyP
     second = finder()
     module = imported(second, source, monkeypatch)
     assert (is_of_the_file(module), module.read()) == (False, 22)
-    second.keep()
+    keep(second)
     module = imported(finder(), source, monkeypatch)
     assert (is_of_the_file(module), module.read()) == (True, 22)
 
@@ -128,7 +211,7 @@ def test_a_damaged_file_is_ignored_and_replaced(
         second = finder()
         assert imported(second, source, monkeypatch).read() == 1
         assert second.missed == ["motionlang.gauge"]
-        second.keep()
+        keep(second)
         assert the_file(folder).read_bytes() == whole
 
 
@@ -141,7 +224,7 @@ def test_no_damaged_byte_is_executed(source: Path, folder: Path, monkeypatch: py
         second = finder()
         assert imported(second, source, monkeypatch).read() == 1
         assert second.missed == ["motionlang.gauge"]
-    second.keep()
+    keep(second)
     assert the_file(folder).read_bytes() == whole
 
 
@@ -172,8 +255,8 @@ def test_two_commands_at_once_lose_nothing(
     third.write_text("force = 6\n")
     imported(one, other, monkeypatch)
     imported(two, third, monkeypatch)
-    one.keep()
-    two.keep()
+    keep(one)
+    keep(two)
     assert imported(one, source, monkeypatch).read() == 1  # the file that it began with
     assert all(is_of_the_file(imported(finder(), each, monkeypatch)) for each in (source, other, third))
 
@@ -186,7 +269,7 @@ def test_what_is_no_longer_there_leaves_the_file(
     other.write_text("length = 5\n")
     second = finder()
     imported(second, other, monkeypatch)
-    second.keep()
+    keep(second)
     assert b"ruler" in the_file(folder).read_bytes()
     assert b"gauge" not in the_file(folder).read_bytes()
 
@@ -200,7 +283,7 @@ def test_nothing_is_written_where_python_may_write_no_bytecode(
     second = finder()
     imported(second, other, monkeypatch)
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    second.keep()
+    keep(second)
     assert the_file(folder).read_bytes() == before
 
 
@@ -208,7 +291,7 @@ def test_a_name_that_is_no_module_is_left_to_python(source: Path, folder: Path) 
     before = the_file(folder).stat().st_mtime_ns
     second = finder()
     assert [second.find_spec(name) for name in ("motionlang.no_such", "elsewhere")] == [None, None]
-    second.keep()
+    keep(second)
     assert the_file(folder).stat().st_mtime_ns == before
 
 

@@ -73,7 +73,9 @@ class Entry:
             return  # what was kept is of other files than what has been added
         self._states = states
         data = dumps((self._whose, [*states.items()], payload))
-        user_cache.write(self._name, (digest(data), data))
+        from motionlang.user_cache_writing import write
+
+        write(self._name, (digest(data), data))
 
 
 def program_entry(package: str, *parts: str) -> Entry:

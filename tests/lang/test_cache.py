@@ -12,7 +12,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from motionlang import execution, user_cache
+from motionlang import execution, user_cache, user_cache_writing
 from motionlang.lang import cache
 from motionlang.lang.cache import Entry, machine_entry, program_entry
 from motionlang.source import Source
@@ -104,7 +104,7 @@ def test_the_environment_turns_it_off(folder: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_old_entries_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(user_cache, "ENTRIES", 4)
+    monkeypatch.setattr(user_cache_writing, "ENTRIES", 4)
     for k in range(5):
         entry(str(k)).put(b"program")
     assert len(list(folder.iterdir())) == 2
@@ -155,7 +155,14 @@ def test_an_entry_has_every_module_of_the_compiler_beside_it(tmp_path: Path, fol
     _, compiler, _ = loads(the_file(folder).read_bytes()[cache.DIGEST :])
     beside = {Path(place).relative_to(root).as_posix() for place, _ in compiler}
     # What __init__.py of the package says of versions is not compiled in, and what keeps files keeps any.
-    assert modules - beside == {"__init__.py", "bytecode.py", "files.py", "kept_file.py", "user_cache.py"}
+    assert modules - beside == {
+        "__init__.py",
+        "bytecode.py",
+        "files.py",
+        "kept_file.py",
+        "user_cache.py",
+        "user_cache_writing.py",
+    }
 
 
 def test_a_change_in_a_module_of_the_compiler_makes_an_entry_void(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ import pytest
 
 from motionlang import user_cache
 from motionlang.bytecode import Finder
+from motionlang.bytecode_writing import keep
 from motionlang.lang.parsing.patterns import compiled
 from motionlang.mccl.syntax import tables as mccl
 from motionlang.mint.syntax import tables as mint
@@ -38,7 +39,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def begin(monkeypatch: pytest.MonkeyPatch) -> Finder:
     """Begin a command; a later one has what an earlier one kept."""
     if Finder.of_the_command is not None:
-        Finder.of_the_command.keep()
+        keep(Finder.of_the_command)
     finder = Finder("/somewhere/motionlang")
     monkeypatch.setattr(Finder, "of_the_command", finder)
     return finder
