@@ -35,6 +35,7 @@ LAZY = {
     "profile/packed.py": "ahead chain composed rate summed",
     "profile/shapes.py": "jerk parabolic scurve",
     # The plainest runs, which load as little as they can.
+    "profile/trapezoid.py": "approach",
     "cli/__init__.py": "commands complaints crash options run",
     "cli/input_files.py": "complaints",
     "cli/run.py": "certify complaints crash event_status keyboard output_files run_progress",
@@ -42,7 +43,7 @@ LAZY = {
     "mint/compile/expressions.py": "compile.calls compile.words",
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
-    "profile/curve.py": "chain",
+    "profile/curve.py": "chain crossing",
     "profile/formula.py": "chain",
     # What few programs, or few commands, come to.
     "client/client.py": "virtual",

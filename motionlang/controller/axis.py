@@ -42,7 +42,23 @@ DEFAULTS: dict[str, float] = {
     "ramp": 0.1,
     "buffer_size": 2.0,
 }
-
+# Settings that may act on a move in progress (`motion/feedrate.py`).
+LIVE = frozenset(
+    {
+        "speed",
+        "accel",
+        "decel",
+        "accel_time",
+        "decel_time",
+        "override",
+        "feedrate_mode",
+        "max_speed",
+        "max_accel",
+        "max_decel",
+    }
+)
+# Why an axis is suspended: by a word of the program, by an input. It goes on when no reason is left.
+BY_WORD, BY_INPUT = 1, 2
 
 # The jerk of a rate that is there at once.
 _AT_ONCE = LARGEST
@@ -147,7 +163,7 @@ class Axis:
         self.own_rates: tuple[float | None, float | None, float | None] | None = None
         # Its own rates, and the times for them, while others are lent to it.
         self.lent: dict[str, float | None] = {}
-        self.held = 0  # the reasons for which it is suspended, bits of `triggers.conditions`
+        self.held = 0  # the reasons for which it is suspended, `BY_WORD`, `BY_INPUT` or both
         self.held_with: tuple[Axis, ...] = ()  # the axes that one word has suspended with it
         self.suspend_time = 0.1  # seconds in which a profile that is played comes to rest
         # Limits that paths keep, whatever their master asks for.

@@ -6,14 +6,11 @@ stand with the life of a move in `core`).
 
 from __future__ import annotations
 
-from motionlang.controller.axis import Axis
+from motionlang.controller import motion, moves, triggers
+from motionlang.controller.axis import BY_WORD, LIVE, Axis
 from motionlang.controller.core import Core
 from motionlang.controller.faults import Refusal
-from motionlang.controller.motion import feedrate, halt
 from motionlang.controller.move import Move
-from motionlang.controller.moves import buffer
-from motionlang.controller.triggers import events
-from motionlang.controller.triggers.conditions import BY_WORD, release
 from motionlang.profile import hold
 
 TYPE_CHECKING = False
@@ -66,10 +63,10 @@ class AxisVerbs(Core):
         """Set one of `SETTINGS`; a rate and the time for it replace each other."""
         assert name in SETTINGS, name
         a = self.axes[axis]
-        if a.move is not None and name in feedrate.LIVE and feedrate.unchanged(a, name, value):
+        if a.move is not None and name in LIVE and motion.feedrate.unchanged(a, name, value):
             return
         if name == "override" and a.move is not None:
-            events.note(self, "override", a, float(value))  # type: ignore[arg-type]
+            triggers.events.note(self, "override", a, float(value))  # type: ignore[arg-type]
         if getattr(a, name) != value:
             self.log.settings.add((self.clock.now, axis, name, value))
         setattr(a, name, value)
@@ -77,8 +74,8 @@ class AxisVerbs(Core):
             a.accel_time = None
         elif name == "decel":
             a.decel_time = None
-        if a.move is not None and name in feedrate.LIVE:
-            feedrate.changed(self, a, name)
+        if a.move is not None and name in LIVE:
+            motion.feedrate.changed(self, a, name)
 
     def restore(self, axis: int) -> None:
         """Give an axis at rest all `SETTINGS` as they are at power-up."""
@@ -150,7 +147,7 @@ class AxisVerbs(Core):
             words = f"the enable input of axis {axis}, input {self.interlocks[axis]}, is off"
             raise Refusal("enable-input", words, "the drive can be enabled while it is on")
         a.enabled = True
-        events.cleared(self, a)
+        triggers.events.cleared(self, a)
         a.faults = 0
         if a.feedback is not None:
             a.feedback.take_over(self)
@@ -170,7 +167,7 @@ class AxisVerbs(Core):
     def clear_faults(self, axis: int) -> None:
         """Forget an axis's faults."""
         a = self.axes[axis]
-        events.cleared(self, a)
+        triggers.events.cleared(self, a)
         a.faults = 0
         if a.feedback is not None:
             a.feedback.look_again()
@@ -201,26 +198,26 @@ class AxisVerbs(Core):
         return a.buffer_size - len(a._buffer if a.loaded is None else a.buffer)
 
     def load_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Put a move to `position` into the buffer."""
-        buffer.put(self.movable(axis), Move(axis, command, line, position))
+        """Put a move to `position` into the moves.buffer."""
+        moves.buffer.put(self.movable(axis), Move(axis, command, line, position))
 
     def load_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Put a move by `distance` into the buffer, counted from where the axis is when it starts."""
         a = self.movable(axis)
-        buffer.known_end(a)
-        buffer.put(a, buffer.counted(a, distance, command, line))
+        moves.buffer.known_end(a)
+        moves.buffer.put(a, moves.buffer.counted(a, distance, command, line))
 
     def load_dwell(self, axis: int, duration: float, command: str = "", line: int = 0) -> None:
-        """Put a rest of `duration` seconds into the buffer."""
-        buffer.put_action(self.movable(axis), buffer.Dwell(duration), command, line)
+        """Put a rest of `duration` seconds into the moves.buffer."""
+        moves.buffer.put_action(self.movable(axis), moves.buffer.Dwell(duration), command, line)
 
     def load_output(self, axis: int, values: Mapping[int, float], command: str = "", line: int = 0) -> None:
         """Put a change of outputs, channel to value, into the buffer; it takes no time."""
-        buffer.put_action(self.movable(axis), buffer.Outputs(dict(values)), command, line)
+        moves.buffer.put_action(self.movable(axis), moves.buffer.Outputs(dict(values)), command, line)
 
     def load_pulse(self, axis: int, channel: int, duration: float, command: str = "", line: int = 0) -> None:
         """Put a pulse of an output, `duration` seconds long, into the buffer; what follows does not wait for it."""
-        buffer.put_action(self.movable(axis), buffer.Pulse(channel, duration), command, line)
+        moves.buffer.put_action(self.movable(axis), moves.buffer.Pulse(channel, duration), command, line)
 
     def go(self, axes: Iterable[int]) -> None:
         """Release all moves in the buffers of `axes`; those of idle axes start now, together."""
@@ -244,8 +241,8 @@ class AxisVerbs(Core):
         """Let the move in progress end at `position`; an axis at rest starts at once. What waits keeps its end."""
         a = self.movable(axis)
         before = a.target
-        halt.retarget(self, a, position, command, line)
-        buffer.keep_ends(a, position - before)
+        motion.halt.retarget(self, a, position, command, line)
+        moves.buffer.keep_ends(a, position - before)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Let the move in progress end `distance` further on; an axis at rest starts at once."""
@@ -299,33 +296,33 @@ class AxisVerbs(Core):
             a.target = a.move.target = profile.end
 
     def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
-        """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the buffer."""
+        """Decelerate to rest at the set rate (at `error_decel` where it is to be `hard`) and empty the moves.buffer."""
         a = self.axes[axis]
         if ended == "stop":
-            events.stopped(self, a, ended)
+            triggers.events.stopped(self, a, ended)
         self._hold(a)
-        freed = release(a)
+        freed = triggers.conditions.release(a)
         if a.sequence is not None:
             a.sequence.cancel()
         if a.move is None or a.move.action is None or not a.move.action.stop(self, a, ended, hard):
             self.empty(a, ended)
-            halt.stop(self, a, ended, hard)
+            motion.halt.stop(self, a, ended, hard)
         for each in freed:
             if each is not a and not each.suspended:
                 self.start_next(each)
 
     def come_to_rest(self, axis: int, ended: str = "") -> None:
         """Decelerate to rest at the set rate and keep what the buffer holds: it is next."""
-        halt.stop(self, self.axes[axis], ended)
+        motion.halt.stop(self, self.axes[axis], ended)
 
     def suspend(self, axis: int, reason: int = BY_WORD) -> None:
         """Ramp to rest and keep the move, and those of the buffer, until `resume` has taken every reason off."""
-        halt.suspend(self, self.axes[axis], reason)
+        motion.halt.suspend(self, self.axes[axis], reason)
 
     def resume(self, axis: int, reason: int = BY_WORD) -> None:
         """Take a reason to be suspended off; go on where none is left."""
         a = self.axes[axis]
-        halt.resume(self, a, reason)
+        motion.halt.resume(self, a, reason)
         if not a.suspended and a.move is None and a.buffer:
             self.start_next(a)
 
@@ -334,17 +331,17 @@ class AxisVerbs(Core):
         return self.axes[axis].suspended
 
     def abort(self, axis: int, ended: str = "cancel") -> None:
-        """Come to rest at once and empty the buffer."""
+        """Come to rest at once and empty the moves.buffer."""
         a = self.axes[axis]
         if ended == "cancel":
-            events.stopped(self, a, ended)
+            triggers.events.stopped(self, a, ended)
         self.freeze(a, ended)
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
         """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it."""
         if action != "ignore":
-            events.raised(self, self.axes[axis], bit, action)
+            triggers.events.raised(self, self.axes[axis], bit, action)
         self.axes[axis].faults |= bit
         if action in ("stop", "error-stop"):
             self.stop(axis, "fault", hard=action == "error-stop")

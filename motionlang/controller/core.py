@@ -6,15 +6,11 @@ its end; `_arrive` starts the next move of the buffer, if `go` (in `axis_verbs`)
 
 from __future__ import annotations
 
+from motionlang.controller import motion, moves, triggers
 from motionlang.controller.clock import INFINITY
 from motionlang.controller.faults import Refusal
-from motionlang.controller.motion import halt
 from motionlang.controller.move import MOST_PIECES, Move
-from motionlang.controller.moves import buffer
 from motionlang.controller.readings import Readings
-from motionlang.controller.triggers import events
-from motionlang.controller.triggers.conditions import Together, refuse_motion, release
-from motionlang.controller.triggers.next_watches import follow, free_way
 from motionlang.profile import hold
 from motionlang.profile.trapezoid import from_rest, plan_trapezoid
 
@@ -23,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from motionlang.controller.axis import Axis
+    from motionlang.controller.triggers.conditions import Together
     from motionlang.profile import Profile
 
 
@@ -32,7 +29,7 @@ class Core(Readings):
     def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
         """Move to `position` now, from whatever the axis is doing."""
         a = self.movable(axis)
-        move = buffer.stamped(a, Move(axis, command, line, position))
+        move = moves.buffer.stamped(a, Move(axis, command, line, position))
         profile = self.plan_move(a, move)
         self.end_move(a, "retarget")
         self.run_profile(a, move, profile)
@@ -50,7 +47,7 @@ class Core(Readings):
         other.
         """
         a = self.axes[axis]
-        refuse_motion(self, a)
+        triggers.conditions.refuse_motion(self, a)
         if a.move is not None and a.move.action is not None and a.move.action.exclusive:
             words = f"axis {axis} is in {a.move.command}, which takes no other motion"
             raise Refusal("moving", words, "stop it before another motion")
@@ -93,10 +90,10 @@ class Core(Readings):
         move.asked = speed
         if a.limited:
             if speed > a.max_speed:
-                events.clamped(self, a, move.line, speed)
+                triggers.events.clamped(self, a, move.line, speed)
             speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
         if a.suspended or not speed:
-            return halt.standing(self, a)
+            return motion.halt.standing(self, a)
         last, shape = a.profiles[-1], a.shape
         try:
             if last.shape == "hold" and shape == "trapezoid":  # nearly every move there is
@@ -131,7 +128,7 @@ class Core(Readings):
 
     def together(self) -> Together:
         """A block in which several axes are given their motion: limits act when all have it."""
-        return Together(self)
+        return triggers.conditions.Together(self)
 
     def append_profile(self, a: Axis, profile: Profile) -> None:
         """Follow `profile` from now on, and be told when it is done."""
@@ -158,7 +155,7 @@ class Core(Readings):
             a.feedback.changed()
         else:
             if a.watches.all:
-                follow(a, self.clock)
+                triggers.next_watches.follow(a, self.clock)
             if a.present is not profile:  # what was passed has given it another one, and told of that
                 return
         for follower in tuple(a.followers):
@@ -201,7 +198,7 @@ class Core(Readings):
             target += a.target - base
         watches = a.watches
         if watches.all or a.limits:
-            low, high = watches.free or free_way(a, start)
+            low, high = watches.free or triggers.next_watches.free_way(a, start)
             if not (low < start < high and low < target < high):
                 return False
         way = target - start
@@ -294,7 +291,7 @@ class Core(Readings):
             self.take_entry(a)
             try:
                 if move.action is None:
-                    buffer.resolve(a, move)
+                    moves.buffer.resolve(a, move)
                     self.start_move(a, move)
                 else:
                     move.action.begin(self, a, move)
@@ -303,10 +300,10 @@ class Core(Readings):
                 raise
 
     def take_entry(self, a: Axis, place: int = 0) -> None:
-        """An entry, the first one unless said otherwise, leaves the buffer."""
+        """An entry, the first one unless said otherwise, leaves the moves.buffer."""
         a.last_id = a.buffer.pop(place).id
         if a.buffer_low >= 0:
-            buffer.taken(self, a)
+            moves.buffer.taken(self, a)
 
     def empty(self, a: Axis, ended: str) -> None:
         """Throw away what the buffer holds, and what belongs to it in the buffers of other axes; the log tells."""
@@ -369,7 +366,7 @@ class Core(Readings):
         """Stand still at once where the axis is."""
         if self.orders is not None:
             self.orders.freeze(a, ended)
-        release(a)
+        triggers.conditions.release(a)
         if a.sequence is not None:
             a.sequence.cancel()
         self.empty(a, ended)
@@ -378,7 +375,7 @@ class Core(Readings):
             a.arrival = None
         if a.move is None:
             return
-        events.jumped(self, a, ended)
+        triggers.events.jumped(self, a, ended)
         self.end_move(a, ended)
         a.target = a.position(self.clock.now)
         self.extend_track(a, hold(a.target))

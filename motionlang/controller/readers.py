@@ -6,8 +6,8 @@ for what is read, it is told of each reading, with what says when that passes th
 
 from __future__ import annotations
 
+from motionlang.controller.axis import LIVE
 from motionlang.controller.axis_verbs import SETTINGS
-from motionlang.controller.motion import feedrate
 from motionlang.controller.scale import POWERS
 
 try:  # what operator and functools add to these is not needed, and every run would wait for it
@@ -166,7 +166,7 @@ def writer(controller: AxisVerbs, name: str, axis: int, unit: str = "") -> Write
     """What `configure` does to one of `SETTINGS`, bound to an axis, of a value in `unit`."""
     a, configure = controller.axes[axis], controller.configure
     clock, add = controller.clock, controller.log.settings.add
-    live, time = name in feedrate.LIVE, f"{name}_time" if name in ("accel", "decel") else ""
+    live, time = name in LIVE, f"{name}_time" if name in ("accel", "decel") else ""
     power, factors = POWERS.get(unit), a.scale.factors
 
     def write(value: Any) -> None:

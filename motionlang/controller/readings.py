@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import atan2, degrees
 
+from motionlang.controller import triggers
 from motionlang.controller.axis import Axis
 from motionlang.controller.clock import INFINITY, Clock
 from motionlang.controller.io.inputs import Channels
 from motionlang.controller.listeners import Listeners
-from motionlang.controller.triggers.watch import Watch, arm
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from motionlang.controller.triggers.conditions import Condition
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.latch import Latch
+    from motionlang.controller.triggers.watch import Watch
 
 
 class Readings:
@@ -282,9 +283,9 @@ class Readings:
     def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
         a = self.axes[axis]
-        watch = Watch(position, call, physical)
+        watch = triggers.watch.Watch(position, call, physical)
         a.watches.append(watch)
-        arm(a, watch, self.clock, self.clock.now)
+        triggers.watch.arm(a, watch, self.clock, self.clock.now)
         return watch
 
     def unwatch(self, axis: int, watch: Watch) -> None:

@@ -7,7 +7,6 @@ The planners are brought in when they are first asked for: a program that moves 
 from __future__ import annotations
 
 from motionlang.profile.curve import Phase, Profile, State, hold
-from motionlang.profile.halted import halted, rest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,7 +45,6 @@ __all__ = [
     "Phase",
     "Profile",
     "State",
-    "halted",
     "hold",
     "on_line",
     "path_length",
@@ -58,6 +56,5 @@ __all__ = [
     "plan_stop",
     "plan_trapezoid",
     "plan_velocity",
-    "rest",
     "scaled",
 ]

@@ -54,6 +54,19 @@ class Ramps:
         self.bounds = bounds
 
 
+def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:
+    """Symmetrical ramps that take `stretch` times the trapezoid's: T = stretch |dv|/A, S = T (v1 + v2)/2."""
+    up = stretch / accel
+    down = stretch / decel
+
+    def peak(u: float, size: float) -> float:
+        return sqrt((2.0 * size + u * u * up) / (up + down))
+
+    return Ramps(
+        shape, lambda a, b: ((b - a) * up, kind), lambda a, b: ((a - b) * down, kind), peak, (up, down)
+    )
+
+
 def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float) -> Profile:
     """The move from `start` at velocity `v0` to rest at `target`.
 

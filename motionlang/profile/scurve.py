@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from math import pi
 
-from motionlang.profile.approach import approach, from_rest
+from motionlang.profile.approach import approach, from_rest, stretched
 from motionlang.profile.curve import Profile
 from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, check_ramp, too_large
 from motionlang.profile.ramps import SINE
-from motionlang.profile.trapezoid import stretched
 
 
 def plan_sinusoidal(

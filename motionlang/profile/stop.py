@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import copysign, inf, isfinite, pi
 
-from motionlang.profile.approach import Ramps
+from motionlang.profile.approach import Ramps, stretched
 from motionlang.profile.curve import Profile, far_end, relabelled
 from motionlang.profile.fade import fade, faded
 from motionlang.profile.jerk import jerk_ramps
@@ -12,7 +12,6 @@ from motionlang.profile.limits import STILL, check_finite, check_positive, check
 from motionlang.profile.parabolic import parabolic_ramps
 from motionlang.profile.ramps import SINE, ramp_distance
 from motionlang.profile.total import total
-from motionlang.profile.trapezoid import stretched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

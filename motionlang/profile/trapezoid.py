@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from math import inf, sqrt
 
-from motionlang.profile.approach import Ramps, approach
 from motionlang.profile.curve import Profile
 from motionlang.profile.limits import LARGEST, SMALLEST, check_finite, check_positive, too_large
 
@@ -27,6 +26,9 @@ def plan_trapezoid(
         check_positive(speed=speed, acceleration=accel, deceleration=decel)
         raise too_large()
     check_finite(position=start, target=target, start_velocity=v0)
+    # From rest it is asked for by numbers alone, by nearly every program.
+    from motionlang.profile.approach import approach, stretched
+
     return approach(stretched("trapezoid", accel, decel, 0.0, 1.0), start, target, speed, v0)
 
 
@@ -58,16 +60,3 @@ def from_rest(
     if distance < 0.0:
         v = -v
     return duration, (0.0, rise, 0.0, v, slew, 0.0, v, fall, 0.0, 0.0)
-
-
-def stretched(shape: str, accel: float, decel: float, kind: float, stretch: float) -> Ramps:
-    """Symmetrical ramps that take `stretch` times the trapezoid's: T = stretch |dv|/A, S = T (v1 + v2)/2."""
-    up = stretch / accel
-    down = stretch / decel
-
-    def peak(u: float, size: float) -> float:
-        return sqrt((2.0 * size + u * u * up) / (up + down))
-
-    return Ramps(
-        shape, lambda a, b: ((b - a) * up, kind), lambda a, b: ((a - b) * down, kind), peak, (up, down)
-    )

@@ -11,9 +11,7 @@ if TYPE_CHECKING:
     from motionlang.controller.axis import Axis
     from motionlang.controller.core import Core
 
-# Settings that may act on a move in progress.
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
-LIVE = _LIMITS | {"speed", "accel", "decel", "accel_time", "decel_time", "override", "feedrate_mode"}
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
 
 

@@ -11,9 +11,10 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.motion import halt
 from motionlang.controller.motion.profile_playback import Played
 from motionlang.controller.move import Action, Move
-from motionlang.profile import hold, plan, plan_velocity, rest
+from motionlang.profile import hold, plan, plan_velocity
 from motionlang.profile.chain import Chain
 from motionlang.profile.curve import relabelled
+from motionlang.profile.halted import rest
 from motionlang.profile.summed import added
 
 TYPE_CHECKING = False

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from motionlang.controller.axis import BY_WORD
 from motionlang.controller.faults import Refusal
 from motionlang.controller.move import Action
-from motionlang.controller.triggers.conditions import BY_WORD, release
-from motionlang.profile import halted
+from motionlang.controller.triggers.conditions import release
+from motionlang.profile.halted import halted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -11,9 +11,10 @@ from bisect import bisect_right
 from motionlang.controller.faults import Refusal
 from motionlang.controller.motion.halt import Stopping
 from motionlang.controller.move import Action
-from motionlang.profile import halted, hold, plan_stop, plan_velocity
+from motionlang.profile import hold, plan_stop, plan_velocity
 from motionlang.profile.composed import Composed
 from motionlang.profile.curve import relabelled
+from motionlang.profile.halted import halted
 from motionlang.profile.pvt.motion import pvt_segment
 from motionlang.profile.stop import running
 

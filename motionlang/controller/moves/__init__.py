@@ -1,1 +1,14 @@
 """What the move buffer holds: moves, paths, cams, offsets, dwells."""
+
+from __future__ import annotations
+
+from motionlang.controller import door
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.controller.moves import buffer
+
+# A program whose moves are plain comes to none of these.
+__getattr__ = door(__name__, "buffer")
+
+__all__ = ["buffer"]

@@ -10,9 +10,10 @@ from motionlang.controller.motion import halt
 from motionlang.controller.motion.follow import Follow, FollowMove, check_chain, follows
 from motionlang.controller.move import Action, Move
 from motionlang.controller.moves import buffer
-from motionlang.profile import hold, rest
+from motionlang.profile import hold
 from motionlang.profile.composed import travelled
 from motionlang.profile.curve import from_curve
+from motionlang.profile.halted import rest
 from motionlang.profile.table_motion import table_curve
 
 TYPE_CHECKING = False

@@ -11,8 +11,9 @@ from motionlang.controller.faults import Refusal
 from motionlang.controller.moves.buffer import motions, reach
 from motionlang.controller.moves.geometry import corner
 from motionlang.controller.triggers.conditions import release
-from motionlang.profile import halted, hold
+from motionlang.profile import Profile, hold
 from motionlang.profile.composed import travelled
+from motionlang.profile.halted import halted
 from motionlang.profile.lookahead import plan_course
 from motionlang.profile.relief import onset, stop_under_way
 from motionlang.profile.summed import added
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from motionlang.controller.core import Core
     from motionlang.controller.moves.geometry import Segment
     from motionlang.controller.moves.path import PathMove
-    from motionlang.profile import Profile
     from motionlang.profile.lookahead import Pace
 
 # What a path may overshoot its end by, as a part of its length, before it counts as overshooting.

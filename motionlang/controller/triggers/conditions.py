@@ -7,6 +7,7 @@ and where a profile turns into one that is met, an event looks again at that ver
 
 from __future__ import annotations
 
+from motionlang.controller.axis import BY_WORD
 from motionlang.controller.faults import Refusal, names
 from motionlang.profile.direction import sets_off
 
@@ -19,8 +20,6 @@ if TYPE_CHECKING:
 
 # What an axis does about a fault. "stop" uses DECEL, "error-stop" ERRORDECEL; "event" only tells of it.
 ACTIONS = ("ignore", "stop", "error-stop", "abort", "off", "event")
-# Why an axis is suspended: by a word of the program, by an input. It goes on when no reason is left.
-BY_WORD, BY_INPUT = 1, 2
 # Seconds by which a turn may be early: an event's time is as fine as the clock's numbers are.
 _NOW = 1e-9
 

@@ -5,8 +5,8 @@ An assignment is a channel, -1 for none. What an input means happens when its st
 
 from __future__ import annotations
 
+from motionlang.controller.axis import BY_INPUT
 from motionlang.controller.faults import ERROR_INPUT, LIMIT_FORWARD, LIMIT_REVERSE
-from motionlang.controller.triggers.conditions import BY_INPUT
 from motionlang.mint.keywords.axis_settings import Settings, reading, writing
 from motionlang.mint.keywords.io_inputs import Inputs
 from motionlang.mint.keywords.limits_operations import ACTIONS, AxisErrors

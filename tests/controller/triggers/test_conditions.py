@@ -17,9 +17,10 @@ from math import cos
 
 import pytest
 
+from motionlang.controller.axis import BY_INPUT, BY_WORD
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import LIMIT_FORWARD, LIMIT_REVERSE, SOFT_LIMIT_FORWARD, Refusal
-from motionlang.controller.triggers.conditions import ACTIONS, BY_INPUT, BY_WORD
+from motionlang.controller.triggers.conditions import ACTIONS
 from motionlang.controller.triggers.homing import Homing
 from motionlang.controller.triggers.limit import Limit
 from motionlang.lang.machine.machine import Machine

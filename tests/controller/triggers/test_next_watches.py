@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from motionlang.controller import core
+from motionlang.controller import triggers
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Refusal
 from motionlang.controller.triggers.watch import arm
@@ -126,7 +126,7 @@ def compare(seeds: range, monkeypatch: pytest.MonkeyPatch) -> int:
     for seed in seeds:
         ours = Story(seed).tell()
         with monkeypatch.context() as patch:
-            patch.setattr(core, "follow", solve_all)
+            patch.setattr(triggers.next_watches, "follow", solve_all)
             plain = Story(seed).tell()
         for k, (one, other) in enumerate(zip(ours, plain, strict=False)):
             assert one == other, f"story {seed}, line {k}"
