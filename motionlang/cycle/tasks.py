@@ -14,11 +14,10 @@ from operator import itemgetter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.record.records import Waited
+    from motionlang.controller.record.records import Waited, Whole
     from motionlang.result import Run
 
-    # The fields of a `Waited`.
-    Wait = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]
+    Wait = Whole
 
 
 class TaskTime:
@@ -47,8 +46,10 @@ def waits_of(run: Run) -> dict[str, list[Waited]]:
 
 def kept_waits(run: Run) -> dict[str, list[Wait]]:
     """The same as plain tuples: a long run has tens of thousands."""
+    from motionlang.controller.record.records import whole
+
     found: dict[str, list[Wait]] = {}
-    for name, waits in groupby(run.machine.log.waits.as_kept(), itemgetter(0)):
+    for name, waits in groupby(map(whole, run.machine.log.waits.as_kept()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
     scheduler = run.machine.scheduler
     for task in (*scheduler.tasks, *scheduler.interrupts) if scheduler is not None else ():

@@ -7,6 +7,7 @@ so and ends.
 
 from __future__ import annotations
 
+from motionlang.lang.statement_time import NEVER, StatementTime
 from motionlang.lang.task import ROUNDING
 from motionlang.lang.waits_in_turn import INFINITY, QUANTUM, TURN, WaitsInTurn
 
@@ -71,8 +72,9 @@ class Scheduler(WaitsInTurn):
         self.outside = outside
         # Whether the clock goes on with nobody but the tasks being asked.
         self.by_itself = pace is None and outside is None
-        # Whether anybody may act while the task that runs waits.
-        self.several = True
+        # Which knows whether anybody may act while the task that runs waits.
+        self._statements = getattr(machine, "statements", None) or StatementTime(0.0)
+        self._statements.share()
         # When the program had ended, while motion goes on.
         self.ended: float | None = None
         # When the running task was resumed, when its turn began, whether no other could have had it, and when it ends;
@@ -133,7 +135,7 @@ class Scheduler(WaitsInTurn):
 
     def run_program(self, until: float = INFINITY) -> bool:
         """Run tasks until the parent ends; False when `until` came first."""
-        clock, outside = self.clock, self.outside is not None
+        clock, statements, outside = self.clock, self._statements, self.outside is not None
         self.until, self._end, self._asleep = until, 0.0, False
         while not self.parent.done:
             if self._asleep and self._wake_in_turn(until):
@@ -147,7 +149,7 @@ class Scheduler(WaitsInTurn):
                 continue
             horizon = min(clock.next_time(), until)
             several = outside or len(self.tasks) > 1
-            self.several = several or not self.by_itself
+            statements.alone, statements.free = self.by_itself and not several, NEVER
             event, self.began = horizon, now
             if not self._end:
                 self.turn_began = now

@@ -13,24 +13,34 @@ INFINITY = float("inf")
 UNITS = 1e11
 # So many units and fewer are each a float of its own.
 EXACT = 2.0**52
+# The same in seconds.
+LATEST = EXACT / UNITS
+NEVER = -INFINITY
 
 
 class StatementTime:
     """The time of the task that runs; `base` is the machine time, s, of its statement 0, `cost` what one takes, s.
 
     `count` is the statement at which the last task stopped, `reached` its time: whoever goes on there counts on.
+    `until` is the horizon of the one that runs, and `free`, up to which nobody but that one can act and the time is a
+    whole number of units; `NEVER` where it is not `alone`.
     """
 
-    __slots__ = ("base", "cost", "count", "reached", "until")
+    __slots__ = ("alone", "base", "cost", "count", "free", "reached", "until")
 
     def __init__(self, cost: float) -> None:
         self.cost = cost
         self.base = self.count = 0.0
         self.reached, self.until = -1.0, INFINITY
+        self.alone, self.free = False, NEVER
 
     def at(self, count: float) -> float:
         """The time of a statement."""
         return self.base + count * self.cost
+
+    def share(self) -> None:
+        """Others may act while the task that runs waits."""
+        self.alone, self.free = False, NEVER
 
     def go_on(self, now: float, horizon: float) -> tuple[float, float]:
         """A task goes on at `now`: at which statement, and the first one not before `horizon`, as `limit` finds it."""
@@ -39,6 +49,8 @@ class StatementTime:
         else:
             base, count = self.base, self.count
         self.until = horizon
+        if self.alone:
+            self.free = horizon if horizon < LATEST else LATEST
         if horizon == INFINITY:
             return count, INFINITY
         cost = self.cost
@@ -61,6 +73,8 @@ class StatementTime:
     def limit(self, horizon: float) -> float:
         """The first statement that is not before `horizon`, up to which the running task may go."""
         self.until = horizon
+        if self.alone:
+            self.free = horizon if horizon < LATEST else LATEST
         return self.first(horizon)
 
     def first(self, moment: float) -> float:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.record.log import Log
+    from motionlang.lang.statement_time import StatementTime
     from motionlang.lang.task import Task, Wait
 
 INFINITY = float("inf")
@@ -37,7 +38,6 @@ class WaitsInTurn:
     clock: Clock
     current: Task
     interrupts: list[Task]
-    several: bool
     tasks: list[Task]
     turn_began: float
     until: float
@@ -47,6 +47,7 @@ class WaitsInTurn:
     _left: int
     _log: Log
     _stalls: int
+    _statements: StatementTime
     _turn: int
     _waiting: list[Task]
 
@@ -155,7 +156,8 @@ class WaitsInTurn:
 
     def stir(self) -> None:
         """The running task has changed what another one waits for, or which tasks there are."""
-        self.several, self.next_turn, self._known = True, -INFINITY, []
+        self._statements.share()
+        self.next_turn, self._known = -INFINITY, []
 
     def _horizon(self, task: Task, now: float, due: float) -> float:
         """How far a task may go that wakes now: another one goes on at `due`."""

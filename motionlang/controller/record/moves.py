@@ -47,7 +47,7 @@ class Moves(Stream[Move]):
 
     def show(self, row: Row, move: Move) -> None:
         """Somebody looks at a plain move: from now on it is the `Move` that he sees."""
-        tail = self._tail
+        tail = self.tail
         for place in range(len(tail) - 1, -1, -1):
             if tail[place] is row:  # type: ignore[comparison-overlap]
                 tail[place] = move
@@ -55,7 +55,7 @@ class Moves(Stream[Move]):
 
     def has(self, row: Row) -> bool:
         """Whether a plain move that begins now is in the log."""
-        return any(each is row for each in reversed(self._tail))  # type: ignore[comparison-overlap]
+        return any(each is row for each in reversed(self.tail))  # type: ignore[comparison-overlap]
 
     def pack(self, count: int) -> None:
         """Pack the oldest records of the tail, so many of them."""
@@ -66,7 +66,7 @@ class Moves(Stream[Move]):
         for number in range(len(self._parts)):
             yield from self._parts.part(number)
         self._live()
-        rows: list[Any] = self._tail[:]
+        rows: list[Any] = self.tail[:]
         for each in rows:  # one at a time, as who goes through many wants none of them back
             yield move_of(each) if each.__class__ is tuple else each
 
@@ -79,11 +79,11 @@ class Moves(Stream[Move]):
         """The axes that have moved."""
         parts = (self._parts.part(number) for number in range(len(self._parts)))
         found = {move.axis for part in parts for move in part}
-        rows: list[Any] = self._tail
+        rows: list[Any] = self.tail
         return found | {each[0] if each.__class__ is tuple else each.axis for each in rows}
 
     def _newest(self, place: int) -> Move:
-        tail: list[Any] = self._tail
+        tail: list[Any] = self.tail
         self._live()
         if tail[place].__class__ is tuple:
             tail[place] = move_of(tail[place])
@@ -104,7 +104,7 @@ class Moves(Stream[Move]):
             self._waiting = 0
 
     def _replace(self, move: Move, other: Move) -> None:
-        tail = self._tail
+        tail = self.tail
         for place in range(len(tail) - 1, -1, -1):
             if tail[place] is move:
                 tail[place] = other

@@ -7,7 +7,11 @@ machine's clock. `at` is a place in the program, a token number, of which the di
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from typing import Any
 
 
 class Changed(NamedTuple):
@@ -45,6 +49,21 @@ class Waited(NamedTuple):
     what: tuple[int, ...]
     why: str
     callers: tuple[int, ...] = ()
+
+
+# The fields of a `Waited`; and as a wait for a time is written, of which programs have millions: what does not change
+# at its place (task, place, callers, what a statement costs), the moment from which the task counts its statements, how
+# many it had carried out, and the end.
+Whole = tuple[str, int, float, float, str, tuple[int, ...], str, tuple[int, ...]]
+Short = tuple[tuple[str, int, tuple[int, ...], float], float, float, float]
+
+
+def whole(wait: Whole | Short) -> Whole:
+    """All fields of a wait."""
+    if len(wait) == 8:
+        return wait
+    (task, at, callers, cost), base, count, until = wait
+    return task, at, base + count * cost, until, "time", (), "", callers
 
 
 class Turns(NamedTuple):
@@ -105,3 +124,9 @@ class Setting(NamedTuple):
     axis: int
     name: str
     value: object
+
+
+# What makes a record of a kind of what was written.
+makers: Mapping[str, Callable[[Any], Any]] = {
+    kind.__name__: kind._make for kind in (Changed, Printed, Turns, Event, Setting)
+} | {"Waited": lambda wait: Waited._make(whole(wait))}

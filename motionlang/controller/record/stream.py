@@ -176,27 +176,28 @@ class Stream(_Of[T]):
     where one is given. A subclass that keeps something else says how that is packed.
     """
 
-    __slots__ = ("_kind", "_parts", "_tail", "_total", "append")
+    __slots__ = ("_kind", "_parts", "_total", "append", "tail")
 
     def __init__(self, store: Store, kind: str = "") -> None:
         self._kind = kind
         self._total = 0  # how many records there are, while a packed part takes the place of some
         self._parts = Parts(store, self._records)
-        self._tail: list[T] = []
+        # The newest, which are not packed.
+        self.tail: list[T] = []
         # Appends a record without a look whether some are to be packed, for who looks himself.
-        self.append = self._tail.append
+        self.append = self.tail.append
 
     def add(self, record: T | tuple[object, ...]) -> None:
         """Append a record."""
-        tail = self._tail
+        tail = self.tail
         tail.append(record)  # type: ignore[arg-type]
         if len(tail) >= MOST:
             self.pack(MOST - LEFT)
 
     def trim(self) -> None:
         """Pack some where there are many, for who appends."""
-        if len(self._tail) >= MOST:
-            self.pack(len(self._tail) - LEFT)
+        if len(self.tail) >= MOST:
+            self.pack(len(self.tail) - LEFT)
 
     @property
     def first(self) -> int:
@@ -209,23 +210,23 @@ class Stream(_Of[T]):
         return self._parts.count
 
     def __len__(self) -> int:
-        return self._parts.count + len(self._tail)
+        return self._parts.count + len(self.tail)
 
     def __bool__(self) -> bool:
-        return bool(self._tail) or len(self._parts) > 0
+        return bool(self.tail) or len(self._parts) > 0
 
     def __iter__(self) -> Iterator[T]:
         for number in range(len(self._parts)):
             yield from self._parts.part(number)
-        yield from self._typed(self._tail)
+        yield from self._typed(self.tail)
 
     def as_kept(self) -> Iterator[Any]:
         """All of them with nothing made of them: those that are not packed as the plain tuples that were written."""
         parts = map(self._parts.part, range(len(self._parts)))
-        return chain(chain.from_iterable(parts), self._tail)
+        return chain(chain.from_iterable(parts), self.tail)
 
     def __reversed__(self) -> Iterator[T]:
-        yield from reversed(self._typed(self._tail))
+        yield from reversed(self._typed(self.tail))
         for number in reversed(range(len(self._parts))):
             yield from reversed(self._parts.part(number))
 
@@ -253,19 +254,19 @@ class Stream(_Of[T]):
         """Forget all but the newest records, about `kept` of them; the numbers of the others stay what they are."""
         while len(self._parts) and len(self) - self._parts.first > 2 * kept:
             self._parts.forget()
-        if not len(self._parts) and len(self._tail) > 2 * kept:
-            gone = len(self._tail) - kept
-            del self._tail[:gone]
+        if not len(self._parts) and len(self.tail) > 2 * kept:
+            gone = len(self.tail) - kept
+            del self.tail[:gone]
             self._parts.count += gone
 
     def pack(self, count: int) -> None:
         """Pack the oldest records of the tail, so many of them."""
         while count > 0:
-            part = self._tail[: min(PART, count)]
+            part = self.tail[: min(PART, count)]
             place = self._parts.pack(self._rows(part, self._parts.count))
             self._total = len(self)
             self._parts.append(place, len(part))
-            del self._tail[: len(part)]
+            del self.tail[: len(part)]
             self._total = 0
             count -= len(part)
 
@@ -273,7 +274,7 @@ class Stream(_Of[T]):
         """Complete what was half packed, or forget that part, as somebody ended the run at that moment."""
         self._parts.keep_whole()
         if self._total:
-            del self._tail[: len(self) - self._total]
+            del self.tail[: len(self) - self._total]
             self._total = 0
 
     # ------------------------------------------------------------------------------- what a subclass says
@@ -288,7 +289,7 @@ class Stream(_Of[T]):
 
     def _newest(self, place: int) -> T:
         """The record of a place among those that are not packed."""
-        return self._typed([self._tail[place]])[0]
+        return self._typed([self.tail[place]])[0]
 
     # -------------------------------------------------------------------------------------------- inside
 
@@ -297,6 +298,6 @@ class Stream(_Of[T]):
             return rows
         if not rows:  # most reports tell of no event, and need not import what one is
             return []
-        from motionlang.controller.record import records
+        from motionlang.controller.record.records import makers
 
-        return list(map(getattr(records, self._kind)._make, rows))
+        return list(map(makers[self._kind], rows))

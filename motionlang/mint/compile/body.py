@@ -158,13 +158,15 @@ class Whole:
         return name
 
     def described(self) -> list[Spec]:
-        """What the `kN` are, now that it is known which of them loops that poll use."""
+        """What the `kN` are, now that it is known which of them loops that poll use, and what was cut into parts."""
         if self.rewritten:
             numbers = {name: number for number, name in enumerate(self.spec_names.values())}
             for (how, row, _), name in self._operations.items():
                 if how in ("write", "do") and row in self.rewritten:
                     number = numbers[name]
                     self.specs[number] = (f"re{how}", *self.specs[number][1:])
+        if self.parts:  # whose places have callers
+            self.specs = [(*spec[:3], False) if spec[0] == "wait" else spec for spec in self.specs]
         return self.specs
 
     def called(self, how: str, row: Keyword, where: list[str]) -> tuple[str, list[str]]:

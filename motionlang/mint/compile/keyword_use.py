@@ -475,5 +475,10 @@ def wait(b: Body, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> N
     text = _value(b, values[0], row)
     b.flush()
     b.settle()
-    b.wait("E.wait", f"{b.whole.use('env', 'rest')}(t, {text}, {b.at}) or ")
+    own = b.function.kind != "sub" and not b.function.jumps and not b.whole.typed
+    try:
+        rest, given = b.whole.use("wait", b.at, float(text), own), ""
+    except ValueError:
+        rest, given = b.whole.use("wait", b.at, None, own), f", {text}"
+    b.wait("E.wait", f"{rest}(t{given}) or ")
     b.pending += 1

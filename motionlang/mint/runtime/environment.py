@@ -82,6 +82,7 @@ class Environment(Waits):
         self.attention = Attention(machine.clock)
         self._waited = machine.log.waits.add
         self._ends = {}
+        self._rests = None
         # The moment from which the parent task's TIME counts; event handlers belong to the parent.
         self.timer = [self.clock.now]
         # How often the program has done something; a loop that polls does nothing.
@@ -159,6 +160,8 @@ class Environment(Waits):
             return Site(self, bool(details[0]), bool(details[1]))
         if how == "env":
             return getattr(self, str(details[0]))
+        if how == "wait":
+            return self.rest_at(*details)  # type: ignore[arg-type]
         if how == "fn":
             from motionlang.mint.runtime import functions
 

@@ -23,11 +23,22 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.task import MintTask
 
+    # The statement after a wait that is over, and its horizon; nothing where the task gives way.
+    Gone = tuple[float, float] | None
+    Resting = Callable[..., Gone]
+    # What all records of a place have: task, place, callers, and what a statement costs.
+    Site = tuple[str, int, tuple[int, ...], float]
+
 INFINITY = float("inf")
 # Seconds that are more than rounding.
 SHORTEST = 1e-9
-# After so many waits it is looked whether some are to be packed.
-MANY = 1024
+# After so many waits it is looked whether some are to be packed; Python has whole numbers of that size ready.
+MANY = 256
+# The statement after a wait, and its horizon, where nothing else will happen.
+UNBOUNDED = 0.0, INFINITY
+NAN = INFINITY - INFINITY
+# A wait of more milliseconds is not reckoned in whole units: its seconds may be rounded to another one.
+LONGEST = 1e6
 
 
 class Waits:
@@ -43,6 +54,7 @@ class Waits:
     task: MintTask
     wait: Wait
     _ends: dict[tuple[int, ...], Callable[[], float]]
+    _rests: Callable[[int, float | None, bool], Resting] | None
     # Where the program notes what goes wrong, as it has a handler for it or asks: that is no statement's that waits.
     _errors: Errors | None
     _waited: Callable[[tuple[object, ...]], None]
@@ -52,64 +64,15 @@ class Waits:
         @property
         def controller(self) -> Controller: ...
 
-    @property
-    def rest(self) -> Callable[[float, float, int], tuple[float, float] | None]:
-        """`WAIT` at a place: the statement after it, and its horizon; nothing where others act meanwhile: `wait`.
+    def rest_at(self, at: int, milliseconds: float | None, own: bool) -> Resting:
+        """`WAIT` at a place: the statement after it, and its horizon; where the task gives way None, and `wait`.
 
-        Where nothing can happen meanwhile the time is added and the wait written down, which is all there is to it.
+        The length is given here where it is a number, else when it is called. `own`: the place is in the body of a task
+        itself, and so has no callers.
         """
-        environment, machine, clock, statements = self, self.machine, self.clock, self.statements
-        waits, cost = machine.log.waits, statements.cost
-        append: Callable[[Any], object] = waits.append
-        # The end of the last wait, and what that is in whole units; how many more are written until some are packed.
-        known, known_units, left = 0.0, 0.0, MANY
-
-        def rest(t: float, milliseconds: float, at: int) -> tuple[float, float] | None:
-            nonlocal known, known_units, left
-            base, passed, seconds = statements.base, t * cost, milliseconds / 1000.0
-            if base != known:
-                known, known_units = base, float(units(base))
-            # As a float is rounded where it has no places left behind the point.
-            end_units = known_units + ((passed + seconds) * UNITS + EXACT - EXACT)
-            end, task = end_units / UNITS, environment.task
-            callers = () if _getframe(1) is task.frame else task.callers()
-            scheduler = machine.scheduler
-            if end_units < EXACT and seconds >= SHORTEST and scheduler is not None:
-                if not scheduler.several:
-                    horizon = (statements.until - end) / cost - 1.0  # one less, whatever rounding makes of it
-                    if horizon >= 1.0:
-                        append((task.name, at, base + passed, end, "time", (), "", callers))
-                        statements.base = known = clock.now = end
-                        known_units = end_units
-                        left -= 1
-                        if not left:
-                            left = MANY
-                            waits.trim()
-                        return 0.0, horizon
-                elif end < scheduler.next_turn and task.look is None and task.in_vain is None:
-                    reach = scheduler.passes_in_turn(base + passed, end, False)
-                    if reach:
-                        waits.add((task.name, at, base + passed, end, "time", (), "", callers))
-                        known, known_units = end, end_units
-                        return statements.go_on(end, reach)
-            elif not 0 <= milliseconds < INFINITY:
-                raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
-            else:  # so late that whole units are no floats of their own, or so short
-                end = (units(base) + round((passed + seconds) * UNITS)) / UNITS
-            statements.count, statements.reached = t, base + passed
-            wait = task.delay
-            if wait is None:
-                task.delay = wait = Delay(clock, base + passed, end, (at, callers))
-            else:
-                wait.since, wait.ends, wait.place = base + passed, end, (at, callers)
-            environment.wait = wait
-            if scheduler is None or scheduler.several or environment._errors is not None:
-                return None
-            return (
-                environment._gone_on(wait.since, "time", "", at, callers) if scheduler.passes(wait) else None
-            )
-
-        return rest
+        if self._rests is None:
+            self._rests = _rests(self)
+        return self._rests(at, milliseconds, own)
 
     def tick(self, t: float) -> Wait:
         """Wait for the next tick of the profiler."""
@@ -199,6 +162,136 @@ class Waits:
             statements.base = now
             t = 0.0
         return t, statements.limit(horizon if horizon < scheduler.until else scheduler.until)
+
+
+def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
+    """What makes `rest_at` of an environment.
+
+    Where nothing can happen meanwhile the time is added and the wait written down, which is all there is to it.
+    """
+    machine, clock, statements = environment.machine, environment.clock, environment.statements
+    waits, cost = machine.log.waits, statements.cost
+    tail: list[Any] = waits.tail
+    cost_units = _whole(cost * UNITS)
+    # The end of the last wait, and what that is in whole units; how many more are written until some are packed.
+    known, known_units, left = -1.0, 0.0, MANY
+
+    def rest_at(at: int, milliseconds: float | None, own: bool) -> Resting:
+        if own and milliseconds is not None and milliseconds / 1000.0 >= SHORTEST and milliseconds <= LONGEST:
+            wait_units = _whole(milliseconds * (UNITS / 1000.0))
+            if wait_units and cost_units:
+                return here(at, cost_units, wait_units)
+        return anywhere(at, milliseconds, own)
+
+    def here(at: int, cost_units: float, wait_units: float) -> Resting:
+        """Of a number: all of it is whole units, and exact as a float."""
+        site: Site | None = None
+        units_here = NAN  # until its task is known
+
+        def rest(t: float) -> Gone:
+            nonlocal known, known_units, left, site, units_here
+            base = statements.base
+            if base is not known:
+                known, known_units = base, _units(base)
+            end_units = known_units + t * cost_units + units_here
+            end = end_units / UNITS
+            if end < statements.free:
+                tail.append((site, base, t, end))
+                statements.base = known = clock.now = end
+                known_units = end_units
+                left -= 1
+                if not left:
+                    left = MANY
+                    waits.trim()
+                until = statements.until
+                return UNBOUNDED if until == INFINITY else (0.0, (until - end) / cost - 1.0)
+            if site is None:
+                site, units_here = (environment.task.name, at, (), cost), wait_units
+                return rest(t)
+            if end_units < EXACT:
+                return in_turn(t, site, end, end_units)
+            return give_way(t, site, (units(base) + int(t * cost_units + wait_units)) / UNITS)
+
+        return rest
+
+    def anywhere(at: int, given: float | None, own: bool) -> Resting:
+        site: Site | None = None
+
+        def rest(t: float, milliseconds: float = given or 0.0) -> Gone:
+            nonlocal known, known_units, left, site
+            base = statements.base
+            if base is not known:
+                known, known_units = base, _units(base)
+            seconds = milliseconds / 1000.0
+            # As a float is rounded where it has no places left behind the point.
+            end_units = known_units + ((t * cost + seconds) * UNITS + EXACT - EXACT)
+            task = environment.task
+            callers = () if own or _getframe(1) is task.frame else task.callers()
+            if site is None or site[2] != callers or site[0] is not task.name:
+                site = task.name, at, callers, cost
+            if seconds >= SHORTEST:
+                end = end_units / UNITS
+                if end < statements.free:
+                    tail.append((site, base, t, end))
+                    statements.base = known = clock.now = end
+                    known_units = end_units
+                    left -= 1
+                    if not left:
+                        left = MANY
+                        waits.trim()
+                    until = statements.until
+                    return UNBOUNDED if until == INFINITY else (0.0, (until - end) / cost - 1.0)
+                if end_units < EXACT:
+                    return in_turn(t, site, end, end_units)
+            if not 0 <= milliseconds < INFINITY:
+                raise Refusal("range", f"WAIT cannot be {milliseconds:g}", "a wait lasts 0 ms or longer")
+            # So late that whole units are no floats of their own, or so short.
+            return give_way(t, site, (units(base) + round((t * cost + seconds) * UNITS)) / UNITS)
+
+        return rest
+
+    def in_turn(t: float, site: Site, end: float, end_units: float) -> Gone:
+        """Others act meanwhile: the task goes on where it stands if it is the next one to do so."""
+        nonlocal known, known_units
+        task, scheduler = environment.task, machine.scheduler
+        if scheduler is not None and end < scheduler.next_turn and task.look is None and task.in_vain is None:
+            base = statements.base
+            reach = scheduler.passes_in_turn(base + t * cost, end, False)
+            if reach:
+                waits.add((site, base, t, end))
+                known, known_units = end, end_units
+                return statements.go_on(end, reach)
+        return give_way(t, site, end)
+
+    def give_way(t: float, site: Site, end: float) -> Gone:
+        """Something may happen meanwhile: it passes where it stands if that is nothing but events."""
+        since = statements.base + t * cost
+        statements.count, statements.reached = t, since
+        task, (_, at, callers, _) = environment.task, site
+        wait = task.delay
+        if wait is None:
+            task.delay = wait = Delay(clock, since, end, (at, callers))
+        else:
+            wait.since, wait.ends, wait.place = since, end, (at, callers)
+        environment.wait = wait
+        scheduler = machine.scheduler
+        if scheduler is None or not statements.alone or environment._errors is not None:
+            return None
+        return environment._gone_on(wait.since, "time", "", at, callers) if scheduler.passes(wait) else None
+
+    return rest_at
+
+
+def _units(moment: float) -> float:
+    """A moment in whole units, as a float that is exact up to `EXACT`."""
+    nearest = moment * UNITS + EXACT - EXACT
+    return nearest if nearest / UNITS == moment else float(units(moment))
+
+
+def _whole(amount: float) -> float:
+    """An amount of units that is a whole number but for rounding; else 0."""
+    nearest = float(round(amount))
+    return nearest if abs(amount - nearest) < 1e-6 else 0.0
 
 
 class Rest(Wait):

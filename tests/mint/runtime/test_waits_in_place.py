@@ -7,6 +7,8 @@ from itertools import pairwise
 import pytest
 
 from motionlang import execution
+from motionlang.controller.record.records import Waited
+from motionlang.mint import DIALECT as MINT
 from motionlang.report import text
 from motionlang.source import Source
 
@@ -145,6 +147,17 @@ Sub Twice(x As Float)
   PRINT TIME
 End Sub
 """,
+    "a body that is compiled in parts": "Dim n As Integer\n"
+    + "WAIT(0.5) : WAIT(n) : n = n + 1 : PRINT TIME\n" * 300,
+    "a jump back": """
+Dim n As Integer
+again:
+WAIT(2)
+WAIT(n / 2)
+n = n + 1
+If n < 20 Then Goto again
+PRINT TIME
+""",
     "two tasks": f"""
 Dim k As Integer
 Run Beside
@@ -161,6 +174,10 @@ Task Beside
 End Task
 """,
 }
+
+
+def waits_of(program: str) -> list[Waited]:
+    return list(execution.run(Source("waits.mnt", program), cache=False).machine.log.waits)
 
 
 INPUTS: dict[str, object] = {
@@ -190,6 +207,60 @@ def test_a_wait_is_no_less_than_nothing_and_has_an_end(written: str, told: str) 
     assert [each.message for each in result.diagnostics] == [f"WAIT cannot be {told}"]
 
 
+def test_a_wait_of_a_number_ends_when_one_of_the_same_value_does() -> None:
+    """At a place of a number its units are known before the program starts; of a value each time."""
+    waits = "".join(f"WAIT({{{k}}})\n" for k in range(6))
+    lengths = ("1", "0.3", "7.77", "0.000001", "0.123456789", "500000")
+    begin = "Dim a As Float, b As Float, c As Float, d As Float, e As Float, f As Float, i As Integer\n"
+    begin += "".join(f"{name} = {length}\n" for name, length in zip("abcdef", lengths, strict=True))
+    loop = f"{begin}For i = 1 To 40\n{waits}Next\n"
+    numbers, values = waits_of(loop.format(*lengths)), waits_of(loop.format(*"abcdef"))
+    assert [wait[2:] for wait in numbers] == [wait[2:] for wait in values]
+    assert len(numbers) == 240
+
+
+def test_a_wait_in_a_sub_is_told_with_the_calls_that_led_there() -> None:
+    program = """
+Dim i As Integer
+For i = 1 To 2
+  Twice(3)
+  Twice(4)
+Next
+End
+Sub Twice(x As Float)
+  WAIT(x)
+  WAIT(5)
+End Sub
+"""
+    waits = waits_of(program)
+    first, second = (MINT.locate(Source("waits.mnt", program), waits[k].callers[0])[0] for k in (0, 2))
+    assert (first, second) == (4, 5)
+    assert [wait.callers for wait in waits] == [waits[k].callers for k in (0, 0, 2, 2) * 2]
+    assert [round(1e3 * (wait.until - wait.since), 6) for wait in waits] == [3, 5, 4, 5] * 2
+
+
+def test_the_task_of_a_wait_is_the_one_that_runs_its_place() -> None:
+    program = """
+Run One
+Run Other
+WAIT(30)
+End
+Task One
+  WAIT(3)
+  Beside()
+End Task
+Task Other
+  WAIT(5)
+  Beside()
+End Task
+Sub Beside()
+  WAIT(1)
+End Sub
+"""
+    told = [(wait.task, round(wait.since, 3)) for wait in waits_of(program)]
+    assert told == [("one", 0.0), ("one", 0.003), ("other", 0.0), ("other", 0.005), ("ParentTask", 0.0)]
+
+
 def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
     program = "Dim n As Integer\nFor n = 1 To 30000\n  WAIT(1)\nNext\n"
     waits = execution.run(Source("waits.mnt", program), cache=False).machine.log.waits
@@ -198,3 +269,4 @@ def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
     # A turn is a WAIT of 1 ms, and it and its Next cost 10 µs each.
     assert [round(wait.since, 9) for wait in waits[:3]] == [1e-5, 0.00103, 0.00205]
     assert all(before.until < wait.since for before, wait in pairwise(waits))
+    assert waits[0][4:] == waits[-1][4:] == ("time", (), "", ())  # packed or not
