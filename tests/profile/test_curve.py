@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.profile import Profile, hold, on_line, path_length, plan_trapezoid, scaled
 from motionlang.profile.curve import from_curve
+from motionlang.profile.evaluate import positions
 from motionlang.profile.pvt.motion import plan_pvt
 from motionlang.profile.verify import verify
 from tests.profile.cases import Move, moves, quick
@@ -46,8 +48,11 @@ def test_the_crossing_is_not_before_the_time_asked_for(move: Move, part: float) 
 def test_positions_one_after_the_other_are_the_same_to_the_last_bit(move: Move, shares: list[float]) -> None:
     made = move.planned()
     times = sorted([*(share * made.duration for share in shares), *made.knots])
-    assert made.positions(times) == [made.position(time) for time in times]
-    assert hold(3.5).positions([-1.0, 0.0, 1e9]) == [3.5, 3.5, 3.5]
+    one_by_one = [made.position(time) for time in times]
+    assert made.positions(times) == one_by_one
+    assert positions(made, np.array(times)).tolist() == one_by_one
+    rest = [-1.0, 0.0, 1e9]
+    assert hold(3.5).positions(rest) == positions(hold(3.5), np.array(rest)).tolist() == [3.5, 3.5, 3.5]
 
 
 def test_the_end_is_reached_at_the_end() -> None:

@@ -7,15 +7,18 @@ is in.
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from motionlang.controller.servo.closed_form import SEEN, closed_form
 from motionlang.controller.servo.cubics import cubic_behind, moved, value
-from motionlang.controller.servo.demand import ONE_PROFILE
+from motionlang.controller.servo.discrete import discretise
+from motionlang.controller.servo.foreseen import Foreseen
 from motionlang.controller.servo.servo import Servo
-from motionlang.controller.servo.steps import MEMORY
+from motionlang.controller.servo.steps import MEMORY, put
+from motionlang.controller.servo.stretch import run_steps
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,6 +29,7 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.demand import Cubic
     from motionlang.controller.servo.loop import Loop
     from motionlang.controller.servo.steps import State
+    from motionlang.controller.servo.stretch import Floats, Stretch
     from motionlang.controller.servo.trace import ServoTrace
 
     Array = NDArray[np.float64]
@@ -46,7 +50,7 @@ _TRIAL = 256
 class Ahead(Servo):
     """One axis under servo, seen before its time."""
 
-    few = ONE_PROFILE
+    points_of = Foreseen
 
     @property
     def short(self) -> int:
@@ -59,6 +63,8 @@ class Ahead(Servo):
     _stays = 0
     # Where it stood at the beginning of each stretch of the last block.
     _marks: Sequence[Mark] = ()
+    # The last block, where all of it was plain steps: it has marks of its own.
+    _stepped: Stretch | None = None
 
     @property
     def began(self) -> State:
@@ -69,6 +75,9 @@ class Ahead(Servo):
         """Stand before a sample of the last block again; gains and the track are as they are now."""
         mark = next(each for each in reversed(self._marks) if each[1] <= sample)
         self._state, self._sample, self._points, self._row = mark
+        if self._stepped is not None and (nearer := self._stepped.mark_before(sample - self._sample)):
+            done, self._state, self._points = nearer
+            self._sample += done
         if self._sample < sample:
             self.look(sample - self._sample)
 
@@ -77,11 +86,11 @@ class Ahead(Servo):
 
     def look(self, count: int) -> Array:
         """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
-        self._marks = [self._mark()]
+        self._marks, self._stepped = [self._mark()], None
         first, until = self._sample, self._sample + count
         form = self._form(until)
         if form is None:
-            return seen_of(self.run(count))
+            return self._look_by_steps(count)
         made = np.empty((len(SEEN), count))
         if first < self._stays:
             self._step(self._stays, made)
@@ -95,6 +104,31 @@ class Ahead(Servo):
                 self._glide(form, cubic, min(stop, until), made[:, begin - first :])
                 self._marks.append(self._mark())
         return made
+
+    def _look_by_steps(self, count: int) -> Array:
+        """The same with no closed form."""
+        self._run(self._sample + count)
+        made, stretch = np.empty((len(SEEN), count)), self._stretch
+        columns, encoder = dict(zip(self._columns, stretch.columns, strict=True)), made[0]
+        put(columns["position"], encoder)
+        put(columns["velocity"], made[1])
+        put(columns["output"], made[3])
+        put(columns["current"], made[4])
+        at_load, whole = self._encoding
+        if at_load:
+            encoder -= columns["twist"]
+        if whole:
+            np.rint(encoder, out=encoder)
+        np.subtract(stretch.demand(count), encoder, out=made[2])
+        self._tell(made[:, -1])
+        self._stepped = stretch
+        return made
+
+    @cached_property
+    def _encoding(self) -> tuple[bool, bool]:
+        """Whether the encoder is at the load, and whether it gives whole counts."""
+        made = discretise(self.plant, self.loop.period)
+        return made.load_encoder, made.quantised or self.loop.arithmetic != "real"
 
     def _next_cubic(self, form: ClosedForm, until: int) -> tuple[Cubic | None, int, int]:
         """The next cubic that is worth it, from which sample to which; None where there is none before `until`.
@@ -141,6 +175,11 @@ class Ahead(Servo):
                 stop = first + -(-(done + patience) // unit) * unit
                 self._step(min(stop, until), out[:, done:])
                 patience = min(2 * patience, _MOST_PATIENCE)
+
+    def _stretched(self, points: Floats, part: int, count: int) -> tuple[Stretch, State]:
+        if self._in_charge.is_linear and self.plant.is_linear:
+            return super()._stretched(points, part, count)
+        return run_steps(self._in_charge, self.plant, self._columns, points, part, count, self._state)
 
     def _tell(self, seen: Array) -> None:
         """The last sample was this."""

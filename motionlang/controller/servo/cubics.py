@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.demand import Cubic, Generator
     from motionlang.profile import Profile
 
-FOR_EVER = 1 << 62
-"""The cycle at which what never ends does."""
 # The first moment of a profile behind its beginning.
 _BEGUN = 5e-324
 
@@ -23,14 +21,8 @@ def cubic_behind(generator: Generator, cycle: int, least: int = 1) -> tuple[Cubi
     less than `least` cycles.
     """
     period, track = generator.period, generator.track
-    starts, k = track.starts, generator.in_force(cycle)
-    start, until = starts[k], FOR_EVER
-    if k + 1 < len(starts):
-        until = ceil(starts[k + 1] / period)
-        while generator.in_force(until) <= k:
-            until += 1
-        while generator.in_force(until - 1) > k:
-            until -= 1
+    k = generator.in_force(cycle)
+    start, until = track.starts[k], generator.past(k)
     piece, origin, end = _piece(track.profiles[k], (cycle + 1) * period - start)
     if end < inf:
         over = ceil((start + end) / period) - 1

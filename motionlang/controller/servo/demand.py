@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
-from math import floor
+from math import ceil, floor
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 SHORT = 200
 """Below this many points plain floats are quicker than making a table of the pieces."""
-ONE_PROFILE = 1000
-"""The same where all of them lie on one profile."""
+FOR_EVER = 1 << 62
+"""The cycle at which what never ends does."""
 _JUMP = 1e-6
 _AT_ONCE = 1e-9
 
@@ -63,14 +63,13 @@ class Generator:
     """Points of a track, cycle by cycle; `period` is the trajectory cycle in seconds.
 
     A track jumps where the program gives a position another name (POS = 0, DH): the motor does not move then, so
-    the jump is kept in `offset` (counts to add to the track) and taken out of the points. Up to `few` points of one
-    profile are plain floats.
+    the jump is kept in `offset` (counts to add to the track) and taken out of the points.
     """
 
-    __slots__ = ("_at", "_known", "_offsets", "_since", "few", "period", "track")
+    __slots__ = ("_at", "_known", "_offsets", "_since", "period", "track")
 
-    def __init__(self, track: Demanded, period: float, few: int = SHORT) -> None:
-        self.track, self.period, self.few = track, period, few
+    def __init__(self, track: Demanded, period: float) -> None:
+        self.track, self.period = track, period
         # The profile that was last found in force: the next one is near, and a long track is not searched.
         self._at = 0
         # The offsets, the profiles from which on they hold, and up to which profile they are known.
@@ -97,6 +96,18 @@ class Generator:
             k = max(bisect_right(starts, time, k, min(past, last + 1)) - 1, 0)
         self._at = k
         return k
+
+    def past(self, profile: int) -> int:
+        """The first cycle whose point a later profile makes; `FOR_EVER` for the last one."""
+        starts = self.track.starts
+        if profile + 1 >= len(starts):
+            return FOR_EVER
+        until = ceil(starts[profile + 1] / self.period)
+        while self.in_force(until) <= profile:
+            until += 1
+        while self.in_force(until - 1) > profile:
+            until -= 1
+        return until
 
     def offset(self, profile: int) -> float:
         """Counts to add to the track while `profile` is in force."""
@@ -167,13 +178,12 @@ class Generator:
         self, cycle: int, count: int, known: Sequence[float] = ()
     ) -> Sequence[float] | NDArray[np.float64]:
         """`known`, then the points at the ends of `count` cycles from `cycle` on; many of them as an array."""
-        k = self.in_force(cycle)
-        is_one = k == self.in_force(cycle + count - 1)
-        if count > (self.few if is_one else SHORT):
+        if count > SHORT:
             import numpy as np
 
             return np.concatenate((known, self.table(cycle, count)))
-        if not is_one:
+        k = self.in_force(cycle)
+        if k != self.in_force(cycle + count - 1):
             return [*known, *(self.point(i) for i in range(cycle, cycle + count))]
         period, start, offset = self.period, self.track.starts[k], self.offset(k)
         times = [i * period - start for i in range(cycle + 1, cycle + count + 1)]

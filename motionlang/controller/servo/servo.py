@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import floor, inf
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.demand import SHORT, Generator
+from motionlang.controller.servo.demand import Generator
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.steps import COLUMNS, initial_state
 from motionlang.controller.servo.stretch import Stretch, run_stretch
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.loop import Loop
     from motionlang.controller.servo.plant import Drive, Motor
     from motionlang.controller.servo.steps import State
+    from motionlang.controller.servo.stretch import Floats
     from motionlang.controller.servo.trace import ServoTrace
 
 SPAN = 1 << 18
@@ -35,8 +36,8 @@ class Servo:
     The readings are those of the last sample, of `columns` alone; `record` keeps those of all of them for `trace`.
     """
 
-    few = SHORT
-    """Points of one profile up to which they are made one by one."""
+    points_of: type[Generator] = Generator
+    """What makes the points of its track."""
 
     def __init__(
         self,
@@ -53,7 +54,7 @@ class Servo:
         self.loop, self.plant = loop, plant
         self.peak_error = 0.0
         self._columns = columns
-        self._generator = Generator(track, 1.0 / loop.trajectory_rate, self.few)
+        self._generator = self.points_of(track, 1.0 / loop.trajectory_rate)
         self._open_output: float | None = None
         self._sample = 0
         self._kept: list[Stretch] | None = [] if record else None
@@ -225,13 +226,14 @@ class Servo:
         cycles = -(-until // ratio) - cycle
         known = 3 if part else 2
         points = self._generator.points(cycle + known - 2, cycles + 2 - known, self._points[:known])
-        self._stretch, self._state = run_stretch(
-            self._in_charge, self.plant, self._columns, points, part, until - first, self._state
-        )
+        self._stretch, self._state = self._stretched(points, part, until - first)
         self._stretch.shifts = self._generator.shifts(first, until, self.loop.servo_rate)
         final = [float(point) for point in points[-3:]]
         self._points = [*final[1:], final[2]] if until % ratio == 0 else final
         self._sample = until
+
+    def _stretched(self, points: Floats, part: int, count: int) -> tuple[Stretch, State]:
+        return run_stretch(self._in_charge, self.plant, self._columns, points, part, count, self._state)
 
     def _keep(self) -> None:
         stretch = self._stretch

@@ -7,8 +7,8 @@ output held. Columns are what is true at the moment of the measurement.
 
 from __future__ import annotations
 
-from array import array
 from functools import lru_cache
+from struct import pack_into
 from typing import TYPE_CHECKING
 
 from motionlang.controller.servo.discrete import SLIDING_DOWN, SLIDING_UP, STUCK, discretise
@@ -17,12 +17,16 @@ from motionlang.controller.servo.loop import FINE_BITS
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from motionlang.controller.servo.discrete import Discrete, Regime
     from motionlang.controller.servo.loop import Loop
     from motionlang.controller.servo.plant import Drive, Motor
 
+    Row = NDArray[np.float64]
     State = tuple[float, ...]
-    Columns = tuple[array[float], ...]
+    Columns = tuple[list[float], ...]
     Stepper = Callable[[Sequence[float], Sequence[float], State, Columns], State]
 
 COLUMNS = ("position", "velocity", "current", "twist", "integral", "output")
@@ -59,8 +63,16 @@ def initial_state(plant: Discrete, position: float) -> State:
 
 
 def empty_columns(columns: tuple[str, ...]) -> Columns:
-    """One empty column of doubles for each name."""
-    return tuple(array("d") for _ in columns)
+    """One empty column for each name: a list, to which Python appends in a quarter of the time of an array."""
+    return tuple([] for _ in columns)
+
+
+def put(values: Sequence[float] | Row, row: Row) -> None:
+    """Write a column into as many doubles; a list in a third of the time that NumPy takes to look at each value."""
+    if isinstance(values, list):
+        pack_into(f"{len(values)}d", row, 0, *values)  # type: ignore[arg-type]
+    else:
+        row[:] = values
 
 
 def source(
@@ -82,7 +94,7 @@ def source(
     lines = [
         "def run(demand, feed, state, columns):",
         f"    {state} = state",
-        *(f"    a{i} = columns[{i}].append" for i in range(len(columns))),
+        *(f"    a{i} = columns[{i}]" for i in range(len(columns))),
         f"    {head}",
         *("        " + line for line in body),
         f"    return {state}",
@@ -243,7 +255,7 @@ def _write_down(loop: Loop, plant: Discrete, columns: tuple[str, ...]) -> list[s
         "integral": integral,
         "output": "u",
     }
-    return [f"a{i}({texts[name]})" for i, name in enumerate(columns)]
+    return [f"a{i}.append({texts[name]})" for i, name in enumerate(columns)]
 
 
 def _velocity_memory(loop: Loop) -> list[str]:

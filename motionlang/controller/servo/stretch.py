@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from motionlang.controller.servo.steps import MEMORY, empty_columns, stepper
+from motionlang.controller.servo.steps import MEMORY, empty_columns, put, stepper
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 
 LONG = 1000
 """Samples from which NumPy pays."""
+MARKED = 64
+"""Plain steps from one state that is kept to the next, where any are."""
+# Samples that are stepped in one go: as lists they are four times as large as in an array.
+_CHUNK = 1 << 13
 # Modes in which the demand does not decide whether the integral acts.
 _STEADFAST = frozenset(("always", "never"))
 _STILL = 1e-9
@@ -31,12 +35,22 @@ _WAIT = MEMORY.index("derivative_wait") - len(MEMORY)
 
 
 class Stretch:
-    """What a number of samples were: the columns in the order asked for, and the points they ran between."""
+    """What a number of samples were: the columns in the order asked for, and the points they ran between.
 
-    __slots__ = ("columns", "part", "points", "ratio", "shifts")
+    `marks` are states on the way, each with the number of samples before it.
+    """
 
-    def __init__(self, points: Floats, part: int, ratio: int, columns: Sequence[Floats]) -> None:
-        self.points, self.part, self.ratio, self.columns = points, part, ratio, columns
+    __slots__ = ("columns", "marks", "part", "points", "ratio", "shifts")
+
+    def __init__(
+        self,
+        points: Floats,
+        part: int,
+        ratio: int,
+        columns: Sequence[Floats],
+        marks: Sequence[tuple[int, State]] = (),
+    ) -> None:
+        self.points, self.part, self.ratio, self.columns, self.marks = points, part, ratio, columns, marks
         # From which sample of the run on the program's zero is moved by how much.
         self.shifts: list[tuple[int, float]] = [(0, 0.0)]
 
@@ -48,6 +62,14 @@ class Stretch:
 
         every = interpolated(np.asarray(self.points, dtype=np.float64), self.ratio)
         return every[self.part : self.part + count]
+
+    def mark_before(self, sample: int) -> tuple[int, State, list[float]] | None:
+        """The last mark before a sample: its own number, the state, and the points around it; None where none is."""
+        for done, state in reversed(self.marks):
+            cycle = (self.part + done) // self.ratio
+            if done < sample and cycle:
+                return done, state, [float(point) for point in self.points[cycle - 1 : cycle + 2]]
+        return None
 
     def last_demand(self, count: int) -> float:
         """The demanded position of sample `count` - 1."""
@@ -70,11 +92,11 @@ def run_stretch(
     `points` are the trajectory points: the one before the first cycle, its beginning, and the end of every cycle.
     """
     if count < LONG:
-        return _run_short(loop, plant, columns, points, part, count, state)
+        return run_steps(loop, plant, columns, points, part, count, state)
     return _run_long(loop, plant, columns, points, part, count, state)
 
 
-def _run_short(
+def run_steps(
     loop: Loop,
     plant: Motor | Drive,
     columns: tuple[str, ...],
@@ -83,28 +105,49 @@ def _run_short(
     count: int,
     state: State,
 ) -> tuple[Stretch, State]:
-    ratio = loop.ratio
-    near: list[float] = points if isinstance(points, list) else points.tolist()  # type: ignore[union-attr]
-    demand = near[1:-1]
-    if ratio > 1:
-        demand = []
-        for here, there in pairwise(near[1:]):
-            slope = (there - here) / ratio
-            demand += [here + k * slope for k in range(ratio)]
-    feed = _feed(loop, near) if loop.has_feed_forward else []
-    acting = [True]
-    if loop.integral_mode not in _STEADFAST:
-        acting = [_acts(loop.integral_mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
-    out = empty_columns(columns)
-    demand = demand[part : part + count]
+    """The same by plain steps however many they are: a sample is the same to the last bit whatever is asked for."""
+    samples = slice(part, part + count)
+    if isinstance(points, list):
+        demand, feed = _given(loop, points, samples)
+    else:
+        demand, feed = _given_at_once(loop, points, samples)  # type: ignore[arg-type]
+    acting, out, marks = _acting(loop, points), empty_columns(columns), []
     for begin, end, integrating, clears in _spans(loop, acting, part, count):
         state = _cleared(state) if clears else state
         step = stepper(loop, plant, columns, integrating)
-        steady = feed[begin:end]
-        if ratio > 1 and feed:
-            steady = [feed[(part + i) // ratio] for i in range(begin, end)]
-        state = step(demand[begin:end], steady, state, out)
-    return Stretch(points[1:], part, ratio, out), state
+        for first in range(begin, end, MARKED):
+            marks.append((first, state))
+            until = min(first + MARKED, end)
+            state = step(demand[first:until], feed[first:until], state, out)
+    return Stretch(points[1:], part, loop.ratio, out, marks), state
+
+
+def _given(loop: Loop, points: Sequence[float], samples: slice) -> tuple[list[float], list[float]]:
+    """Demand and feed-forward of some of the samples between points; no feed-forward where the loop has none."""
+    ratio = loop.ratio
+    feed = _feed(loop, points) if loop.has_feed_forward else []
+    if ratio == 1:
+        return list(points[1:-1])[samples], feed[samples]
+    demand = []
+    for here, there in pairwise(points[1:]):
+        slope = (there - here) / ratio
+        demand += [here + k * slope for k in range(ratio)]
+    steady = [feed[i // ratio] for i in range(samples.start, samples.stop)] if feed else []
+    return demand[samples], steady
+
+
+def _given_at_once(loop: Loop, points: Array, samples: slice) -> tuple[list[float], list[float]]:
+    """The same of points in an array, to the last bit."""
+    import numpy as np
+
+    ratio = loop.ratio
+    moved = points[1:] - points[:-1]
+    feed = _feeds(loop, moved)
+    if ratio == 1:
+        return points[1:-1][samples].tolist(), feed[samples].tolist()
+    demand = np.multiply.outer(moved[1:] / ratio, np.arange(ratio))
+    demand += points[1:-1, None]
+    return demand.reshape(-1)[samples].tolist(), np.repeat(feed, ratio)[samples].tolist()
 
 
 def _run_long(
@@ -120,11 +163,9 @@ def _run_long(
 
     at = np.asarray(points, dtype=np.float64)
     run = _LongRun(loop, plant, columns, at[1:], _feeds(loop, np.diff(at)), part, count)
-    if loop.integral_mode in _STEADFAST or not loop.has_integral:
+    if not loop.has_integral:
         return run.made, run.span(0, count, True, state)
-    near = at.tolist()
-    acting = [_acts(loop.integral_mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
-    for begin, end, integrating, clears in _spans(loop, acting, part, count):
+    for begin, end, integrating, clears in _spans(loop, _acting(loop, at), part, count):
         state = run.span(begin, end, integrating, _cleared(state) if clears else state)
     return run.made, state
 
@@ -177,15 +218,18 @@ class _LongRun:
 
         if begin == end:
             return state
-        ratio = self.loop.ratio
-        first, past = (self.part + begin) // ratio, -(-(self.part + end) // ratio)
-        inside = slice(self.part + begin - first * ratio, self.part + end - first * ratio)
-        demand = interpolated(self.points[first : past + 1], ratio)[inside].tolist()
-        steady = np.repeat(self.feed[first:past], ratio)[inside].tolist()
-        made = empty_columns(self.columns)
-        state = stepper(self.loop, self.plant, self.columns, integrating)(demand, steady, state, made)
-        for column, values in zip(self.out, made, strict=True):
-            column[begin:end] = values
+        ratio, part = self.loop.ratio, self.part
+        step = stepper(self.loop, self.plant, self.columns, integrating)
+        for done in range(begin, end, _CHUNK):
+            until = min(done + _CHUNK, end)
+            first, past = (part + done) // ratio, -(-(part + until) // ratio)
+            inside = slice(part + done - first * ratio, part + until - first * ratio)
+            demand = interpolated(self.points[first : past + 1], ratio)[inside].tolist()
+            steady = np.repeat(self.feed[first:past], ratio)[inside].tolist()
+            made = empty_columns(self.columns)
+            state = step(demand, steady, state, made)
+            for column, values in zip(self.out, made, strict=True):
+                put(values, column[done:until])
         return state
 
 
@@ -212,15 +256,23 @@ def _feeds(loop: Loop, speed: Array) -> Array:
         return np.zeros(0)
     rate, last, now = loop.trajectory_rate, speed[:-1], speed[1:]
     change = now - last
-    gain = np.where(change * (now + last) < 0.0, loop.decel_ff, loop.accel_ff)
-    made: Array = (loop.velocity_ff * rate) * now + gain * rate * rate * change
+    accel, decel = loop.accel_ff * rate * rate, loop.decel_ff * rate * rate
+    gain = accel if accel == decel else np.where(change * (now + last) < 0.0, decel, accel)
+    made: Array = (loop.velocity_ff * rate) * now + gain * change
     return made
+
+
+def _acting(loop: Loop, points: Floats) -> list[bool]:
+    """Whether the integral acts, in each cycle or in all of them."""
+    mode = loop.integral_mode
+    if mode in _STEADFAST:
+        return [True]
+    near = points if isinstance(points, list) else points.tolist()  # type: ignore[union-attr]
+    return [_acts(mode, *each) for each in zip(near, near[1:], near[2:], strict=False)]
 
 
 def _acts(mode: str, before: float, here: float, there: float) -> bool:
     """Whether the integral acts in a cycle, by `loop.INTEGRAL_MODES`."""
-    if mode in _STEADFAST:
-        return True
     change = there - 2.0 * here + before if mode == "steady" else there - here
     return abs(change) <= _STILL + 4.0 * _ROUNDING * abs(here)
 
