@@ -3,8 +3,6 @@
 `run` is the whole of it in one call; what it returns knows the report, the trace and the output.
 """
 
-from __future__ import annotations
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.execution import run

@@ -4,8 +4,6 @@ Until `main` listens to signals, Ctrl-C ends the process without a word, as it e
 report, and Python would show a traceback through its imports. After `main` it is so again.
 """
 
-from __future__ import annotations
-
 import _signal  # type: ignore[import-not-found]  # signal itself imports enum
 
 if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:

@@ -8,9 +8,9 @@ A module is taken from the file only where its source is what it was: size, time
 change, of which Python itself asks the first two. Whatever else there is (a new module, another Python, a damaged file)
 is left to Python, and `bytecode_writing` puts it into the file when the command ends, unless no bytecode is to be
 written. So is what else a start needs and this Python always makes alike (`kept`, `remember`).
-"""
 
-from __future__ import annotations
+What stands here, and what it imports, is looked for by Python itself, and so imports no other file: `__future__` is one.
+"""
 
 import _frozen_importlib as bootstrap
 import _frozen_importlib_external as external
@@ -41,7 +41,7 @@ class Finder:
     __slots__ = ("file", "made", "missed")
 
     # The one that `install` made; None in every process that is no command.
-    of_the_command: Finder | None = None
+    of_the_command: "Finder | None" = None
 
     def __init__(self, folder: str) -> None:
         self.file = KeptFile(
@@ -51,8 +51,8 @@ class Finder:
         self.made: dict[str, bytes] = {}
 
     def find_spec(
-        self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
+        self, name: str, path: "Sequence[str] | None" = None, target: "ModuleType | None" = None
+    ) -> "ModuleSpec | None":
         """As every finder of `sys.meta_path` has it; None leaves the module to the next one."""
         note: Note | None = self.file.note(name)
         if note is None or not holds(note):
@@ -67,7 +67,7 @@ class Finder:
             spec.submodule_search_locations = [os.path.dirname(source)]
         return spec
 
-    def code(self, name: str) -> CodeType | None:
+    def code(self, name: str) -> "CodeType | None":
         """The code of a module that was found; None where the file is damaged."""
         part = self.file.part(name)
         if part is None:
@@ -97,7 +97,7 @@ class Loader(external.SourceFileLoader):
         super().__init__(name, path)
         self._finder = finder
 
-    def get_code(self, fullname: str) -> CodeType | None:
+    def get_code(self, fullname: str) -> "CodeType | None":
         """The code in the file, or else what Python makes of the source."""
         return self._finder.code(fullname) or super().get_code(fullname)
 
@@ -118,6 +118,6 @@ def install() -> Finder | None:
     return finder
 
 
-def holds(note: Note | None) -> bool:
+def holds(note: "Note | None") -> bool:
     """Whether the source beside which a code was noted is what it was; a part without a source always holds."""
     return note is None or user_cache.state(note[0]) == note[2]

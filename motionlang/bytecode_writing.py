@@ -1,10 +1,12 @@
 """What a command missed in the file of the package's bytecode, made and put there as the command ends.
 
 A module is compiled from its source without what no command shows: docstrings, and annotations of functions, which are
-a seventh of the code that a start reads. Everything else, the numbers of its lines too, is as Python itself makes it.
+a seventh of the code that a start reads. What it says of the language (`from __future__`) holds, but is not imported.
+Everything else, the numbers of its lines too, is as Python itself makes it.
 """
 
 from __future__ import annotations
+import __future__
 
 import ast
 import sys
@@ -51,12 +53,21 @@ def _compiled(module: ModuleType | None) -> tuple[Note, bytes] | None:
     try:
         tree = ast.parse(spec.loader.get_data(spec.origin), spec.origin)
         _leave_out(tree)
-        code = spec.loader.source_to_code(tree, spec.origin)
+        code = compile(tree, spec.origin, "exec", _features(tree), dont_inherit=True)
     except (OSError, SyntaxError):  # the source is another one by now
         return None
     if before is None or state(spec.origin) != before:
         return None
     return (spec.origin, spec.cached, before), dumps(code)
+
+
+def _features(module: ast.Module) -> int:
+    """The features of the language that a module asks for, as `compile` takes them, and no longer by an import."""
+    asks = [each for each in module.body if isinstance(each, ast.ImportFrom) and each.module == "__future__"]
+    for each in asks:
+        module.body.remove(each)
+    names = {alias.name for each in asks for alias in each.names}
+    return sum(getattr(__future__, name).compiler_flag for name in names)
 
 
 def _leave_out(node: ast.AST) -> None:

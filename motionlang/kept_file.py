@@ -4,8 +4,6 @@ Every part has a note beside it and a digest of its own. A damaged or foreign fi
 none. The digest is that which Python has for sources: it is there already, and takes a twentieth of SHA-256's time.
 """
 
-from __future__ import annotations
-
 import _imp
 import os
 import sys
@@ -36,7 +34,7 @@ class KeptFile:
         self.name = f"{kind}-{digest(repr((sys.version, *whose)).encode('utf-8', 'backslashreplace')).hex()}"
         self._descriptor, self._begin, self._index = opened(self.name)
 
-    def note(self, name: str) -> Any:
+    def note(self, name: str) -> "Any":
         """What stands beside a part; None where there is none of that name."""
         entry = self._index.get(name)
         return None if entry is None else entry[0]
@@ -55,7 +53,7 @@ def digest(data: bytes) -> bytes:
     return _imp.source_hash(LAYOUT, data)
 
 
-def opened(name: str) -> tuple[int | None, int, dict[str, Entry]]:
+def opened(name: str) -> "tuple[int | None, int, dict[str, Entry]]":
     """The file's descriptor, where its parts begin, and its index; no parts in a file that cannot be trusted."""
     file = user_cache.opened(name)
     if file is None:

@@ -4,8 +4,6 @@ An entry is used only if it belongs to this user and nobody else may write it, n
 the cache is ever an error of a command.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 
@@ -61,7 +59,7 @@ def opened(name: str) -> int | None:
     return None
 
 
-def state(place: str) -> State | None:
+def state(place: str) -> "State | None":
     """By what a file can be told from what it was; None where there is none.
 
     Nobody can set the time of the last change: an installer may give all files the same time, of all versions.
@@ -73,7 +71,7 @@ def state(place: str) -> State | None:
     return status.st_size, status.st_mtime_ns, status.st_ctime_ns
 
 
-def unchanged(states: Iterable[tuple[str, State]]) -> bool:
+def unchanged(states: "Iterable[tuple[str, State]]") -> bool:
     """Whether every file is in the state that `state` once had of it."""
     stat = os.stat  # written out: a start asks for a hundred files
     try:

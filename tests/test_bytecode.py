@@ -287,6 +287,20 @@ def test_nothing_is_written_where_python_may_write_no_bytecode(
     assert the_file(folder).read_bytes() == before
 
 
+def test_a_start_looks_for_no_file_but_its_own(folder: Path) -> None:
+    script = (
+        WITNESS
+        + """
+ours = [n for n in sys.modules if n.startswith("motionlang")]
+files = [n for n, m in sys.modules.items() if getattr(m, "__file__", None) and n not in before and n not in ours]
+print(*sorted(n for n in files if not sys.modules[n].__file__.endswith((".so", ".pyd"))))
+"""
+    )
+    script = f"import sys\nbefore = set(sys.modules)\n{script}"
+    shown(script, *PLAIN)
+    assert shown(script, *PLAIN).splitlines()[-1] == ""
+
+
 def test_a_name_that_is_no_module_is_left_to_python(source: Path, folder: Path) -> None:
     before = the_file(folder).stat().st_mtime_ns
     second = finder()
@@ -297,6 +311,11 @@ def test_a_name_that_is_no_module_is_left_to_python(source: Path, folder: Path) 
 
 def counted(script: str, *words: str, **environment: str) -> list[int]:
     """How many modules a process took from the file, and how many of the package it has."""
+    return [int(word) for word in shown(script, *words, **environment).splitlines()[-1].split()]
+
+
+def shown(script: str, *words: str, **environment: str) -> str:
+    """What a process prints that begins with a script."""
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     ran = subprocess.run(
         [sys.executable, "-c", script, *words],
@@ -307,7 +326,7 @@ def counted(script: str, *words: str, **environment: str) -> list[int]:
         env=clean | environment,
     )
     assert ran.stderr == ""
-    return [int(word) for word in ran.stdout.splitlines()[-1].split()]
+    return ran.stdout
 
 
 PLAIN = ("run", HELLO, "--report", "none")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, insort
+from _bisect import bisect_left, insort_right
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class Watches:
         self.free = None
         watch.order = self.count
         self.all[watch] = self.loose[watch] = None
-        insort(self.machine if watch.physical else self.program, (watch.position, watch.order, watch))
+        insort_right(self.machine if watch.physical else self.program, (watch.position, watch.order, watch))
 
     def remove(self, watch: Watch) -> None:
         """End one, and what it waits for."""

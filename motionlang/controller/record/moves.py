@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from _bisect import bisect_right
 from marshal import dumps, loads
 
 from motionlang.controller.move import CONTINUED, Action, Move
