@@ -9,7 +9,8 @@ change, of which Python itself asks the first two. Whatever else there is (a new
 is left to Python, and `bytecode_writing` puts it into the file when the command ends, unless no bytecode is to be
 written. So is what else a start needs and this Python always makes alike (`kept`, `remember`).
 
-What stands here, and what it imports, is looked for by Python itself, and so imports no other file: `__future__` is one.
+What stands here, and what it imports, Python itself has to look for, and so it imports no other file: `__future__` is
+one.
 """
 
 import _frozen_importlib as bootstrap

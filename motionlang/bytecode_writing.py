@@ -63,11 +63,13 @@ def _compiled(module: ModuleType | None) -> tuple[Note, bytes] | None:
 
 def _features(module: ast.Module) -> int:
     """The features of the language that a module asks for, as `compile` takes them, and no longer by an import."""
-    asks = [each for each in module.body if isinstance(each, ast.ImportFrom) and each.module == "__future__"]
-    for each in asks:
-        module.body.remove(each)
-    names = {alias.name for each in asks for alias in each.names}
-    return sum(getattr(__future__, name).compiler_flag for name in names)
+    flags = 0
+    for each in [*module.body]:
+        if isinstance(each, ast.ImportFrom) and each.module == "__future__":
+            module.body.remove(each)
+            for alias in each.names:
+                flags |= getattr(__future__, alias.name).compiler_flag
+    return flags
 
 
 def _leave_out(node: ast.AST) -> None:

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from motionlang.controller.clock import Event
     from motionlang.controller.move import Move
     from motionlang.controller.plain_moves import Entry, Row
-    from motionlang.controller.record.moves import Moves, Profiles
+    from motionlang.controller.record.moves import Moves
+    from motionlang.controller.record.older_profiles import Profiles
     from motionlang.controller.servo.feedback import Feedback
     from motionlang.controller.triggers.homing import Homing
     from motionlang.controller.triggers.limit import Limit

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.move import Move
-    from motionlang.controller.record.moves import Moves, Profiles
+    from motionlang.controller.record.moves import Moves
+    from motionlang.controller.record.older_profiles import Profiles
     from motionlang.controller.record.records import Changed, Event, Printed, Setting, Turns, Waited
 
 # Profiles of all axes together that are not packed, fewer where motors follow some, whose pieces are made; and
@@ -76,7 +77,7 @@ class Log:
     # A program that moves nothing has none of these, and imports none of what they are made of: see `moves.power_up`.
     moves: Moves
     dropped: Moves
-    older: type[Profiles]
+    older: Callable[[Store], Profiles]
 
     def __init__(self, disk: int = DISK) -> None:
         self.store = store = Store(disk=disk)
