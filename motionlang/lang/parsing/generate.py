@@ -15,12 +15,14 @@ from importlib import import_module
 from lark import Lark
 
 from motionlang.files import replacing
+from motionlang.lang.parsing.driver import loop
 from motionlang.lang.parsing.flat import Flat
 from motionlang.lang.parsing.rules import Rules
 from motionlang.lang.parsing.states import States
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from types import ModuleType
     from typing import Any
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
@@ -50,7 +52,7 @@ def generate(package: str) -> str:
     """The text of the tables module of a dialect's grammar, for `motionlang.<package>`."""
     actions = import_module(f"motionlang.{package}.syntax.actions")  # a layer above: known by name only
     if hasattr(actions, "ACTIONS"):
-        return _with_reducers(f"{package}.lark", package, actions.ACTIONS)
+        return _with_reducers(f"{package}.lark", package, actions)
     return _with_pattern(f"{package}.lark", actions.RULE, actions.KEPT, actions.PIECE)
 
 
@@ -85,20 +87,28 @@ def _with_pattern(name: str, rule: str, kept: tuple[str, ...], piece: str) -> st
     return "\n".join(parts) + "\n"
 
 
-def _with_reducers(name: str, package: str, actions: dict[str, str]) -> str:
+def _with_reducers(name: str, package: str, actions: ModuleType) -> str:
     """For a grammar whose whole text is run through the table, with an action for each alternative."""
     lark = build_lark(name)
     table = lark.parser.parser._parse_table
-    rules = Rules(actions, import_module(f"motionlang.{package}.syntax.nodes"))
+    nodes = import_module(f"motionlang.{package}.syntax.nodes")
+    rules = Rules(actions.ACTIONS, nodes, actions.INLINED, actions.LEAVES.values())
     states = States(table, rules)
     literals, classes = _terminals(lark)
     token, continued = _token_patterns(lark, literals, classes)
+    numbers = {
+        action: (number, reducer) for number, (action, (_, reducer)) in enumerate(rules.leaves.items(), 1)
+    }
+    leaves = "".join(
+        "    {!r}: ({}, {}),\n".format(kind, *numbers[action]) for kind, action in actions.LEAVES.items()
+    )
     parts = [
         *_heading(name),
-        "from motionlang.lang.parsing.parser import Tables, new",
+        "from motionlang.lang.parsing.parser import SHIFT, Tables, goto, leaf, move, new",
         f"from motionlang.{package}.syntax.build import *",
         f"from motionlang.{package}.syntax.nodes import *\n",
         *rules.functions,
+        loop(rules.inlined.values(), (lines for lines, _ in rules.leaves.values())),
         f"\nTOKEN = {token!r}\n",
         f"CONTINUED = {continued!r}\n",
         f"LITERALS = {_wrapped(literals)}\n",
@@ -106,7 +116,8 @@ def _with_reducers(name: str, package: str, actions: dict[str, str]) -> str:
         f"SPELLINGS = {_wrapped(_spellings(lark))}\n",
         "RULES = (\n" + "".join(f"    {each},\n" for each in rules.rows) + ")\n",
         "ROWS = (\n" + "".join(f"    {each!r},\n" for each in states.rows) + ")\n",
-        f"TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, {states.finish})",
+        "LEAVES = {\n" + leaves + "}\n",
+        f"TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, {states.finish}, LEAVES, _run)",
     ]
     return "\n".join(parts) + "\n"
 
@@ -120,6 +131,7 @@ def _wrapped(mapping: dict[str, str]) -> str:
 
 # Texts that no terminal matches, each swallowed whole so that broken text is read once: an open string, `12abc`.
 _LEFTOVERS = r'"[^\n]*|[0-9][A-Za-z0-9_]*|.'
+_FIRST = re.compile(r"\[(?:\\.|[^\]\\])++\]|\\?.")  # every class begins with a set of characters or with one
 _JOINED = re.compile(r"(?:\\.|[^\\()\[\]+*?.])+")  # "<>" | "<=": literal texts and nothing else
 
 
@@ -151,10 +163,22 @@ def _token_patterns(lark: Lark, literals: dict[str, str], classes: dict[str, str
         each.name: each.pattern.to_regexp() for each in lark.terminals if each.name in lark.ignore_tokens
     }
     operators = [re.escape(text) for text in literals if len(text) > 1 and not text[0].isalpha()]
-    found = "|".join([*classes.values(), *operators, _LEFTOVERS])
+    found = "|".join([_signs(literals, classes), *classes.values(), *operators, _LEFTOVERS])
     blank = ignored.pop("BLANK")
     some = re.sub(r"(?<=\])\+\+$", "*+", blank)  # of one set of characters, any number: no group is as quick
     return f"{some}({found})", f"(?:{'|'.join([blank, *ignored.values()])})*({found})"
+
+
+def _signs(literals: dict[str, str], classes: dict[str, str]) -> str:
+    """The set of the signs with which no other token begins: they are the most frequent, and need one look."""
+    others = [text[0] for text in literals if len(text) > 1]
+    firsts = [re.compile(_FIRST.match(pattern)[0]) for pattern in classes.values()]  # type: ignore[index]
+    alone = [
+        text
+        for text in literals
+        if len(text) == 1 and text not in others and not any(first.match(text) for first in firsts)
+    ]
+    return f"[{re.escape(''.join(alone))}]"
 
 
 def main() -> int:

@@ -7,13 +7,13 @@ is undone by keeping the cell from before it, and "what could stand here" is fou
 
 from __future__ import annotations
 
-from motionlang.lang.parsing.parser import Action, State
+from motionlang.lang.parsing.parser import State
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from motionlang.lang.parsing.parser import Automaton
+    from motionlang.lang.parsing.parser import Automaton, Rule
 
 
 class Cell:
@@ -49,16 +49,14 @@ def feed(top: Cell, kind: str, at: int) -> tuple[Cell, bool]:
         top = _reduced(top, action, at)
 
 
-def _reduced(top: Cell, action: Action, at: int) -> Cell:
-    length, origin, _ = action.rule
+def _reduced(top: Cell, rule: Rule, at: int) -> Cell:
+    length, origin, _ = rule
     below = top
     for _ in range(length):
         at = below.at
         assert below.below
         below = below.below
-    state = below.state[origin]
-    assert isinstance(state, State)
-    return Cell(state, below, origin, at)
+    return Cell(below.state.after(rule), below, origin, at)
 
 
 def feed_all(top: Cell, kinds: tuple[str, ...], at: int) -> Cell | None:

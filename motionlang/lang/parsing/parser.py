@@ -4,11 +4,11 @@ It exists because Lark's own driver, exact as it is, is ten times slower and cos
 still decides everything: which states there are, what they shift and what they reduce. What is done here:
 
 * the text is cut up by one `re.findall`; a token's kind is looked up once for every distinct text;
-* a state is a dict from kind to action, filled from its row of the table when first visited;
-* a run of one-symbol reductions (an operand climbs eleven levels of operators) is worked out once for each
+* a state is read from its row of the table when first visited, and what it does is a look into a dict from then on;
+* a run of symbols that are only renamed (an operand climbs eleven levels of operators) is worked out once for each
   (state, kind, state below) and is one dict lookup from then on;
-* reducers work in place on the stack of values. The value of a token is its ordinal, so that every node knows
-  where it stands at no cost; its text is `texts[ordinal]`.
+* the loop itself is written for the grammar (`motionlang.lang.parsing.driver`). The value of a token is its ordinal, so
+  that every node knows where it stands at no cost; its text is `texts[ordinal]`.
 """
 
 from __future__ import annotations
@@ -23,9 +23,15 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
-    Reducer = Callable[[list[Any], list[str]], None]
-    # Number of symbols, name of the left side, reducer (None where the value stays as it is).
-    Rule = tuple[int, str, Reducer | None]
+    Moves = dict[str, Any]
+    # The stack below its topmost value, the moves of the state there, and that value: None below the first.
+    Stack = Any
+    # From the stack, the moves of the state on it, the topmost value and the texts of the tokens to stack and value.
+    Reducer = Callable[[Stack, Moves, Any, list[str]], tuple[Stack, Any]]
+    # Number of symbols, name of the left side, reducer: None where the value stays as it is, a code where the driver
+    # makes it itself.
+    Rule = tuple[int, str, Reducer | int | None]
+    Driver = Callable[[Moves, list[str], list[str]], Any]
 
 END = "$END"  # Lark's name for the end of the text
 BAD = "BAD"  # the kind of a token that no grammar knows
@@ -37,97 +43,119 @@ CONTINUING = (
 )  # what the end of a line that goes on may begin with, besides a backslash
 new = object.__new__  # for the reducers, which fill in what they make
 
+# What a state does on a kind of token is a code and what goes with it:
+SHIFT = -1  # the moves of the state that follows
+LEAF = -2  # a shift to what the token after it may show to be a value by itself: what `leaf` knows of that
+CALL = 99  # a reducer to be called, and the key of the reduction; the codes below it are reductions of the driver's own
+
 
 class Stuck(Exception):
-    """No action for a token, whose ordinal it carries: a mistake in the text."""
+    """No action for a token: a mistake in the text."""
 
 
 class TooDeep(Exception):
     """The blocks of the program are nested deeper than later stages can follow."""
 
 
-class State(dict[str, "State | Action"]):
-    """What to do on a kind of token, and where to go after a reduction."""
+class State:
+    """What to do on a kind of token, and where to go after a reduction.
 
-    __slots__ = ("default", "number", "row", "tables")
+    `moves` is what the driver has met of both by now, a plain dict, as it is looked into at every token: what is done
+    on a kind under the kind, what comes after a reduction that began here under its key, and the state itself under "".
+    """
+
+    __slots__ = ("_actions", "_row", "default", "moves", "number", "tables")
 
     def __init__(self, tables: Automaton, number: int, row: str) -> None:
-        self.tables, self.number, self.row = tables, number, row
+        self.tables, self.number, self._row = tables, number, row
+        self._actions: dict[str, State | Rule | None] = {BAD: None}
         self.default: Rule | None = None
+        self.moves: Moves = {"": self}
 
-    __hash__ = object.__hash__  # type: ignore[assignment]  # a state is a key by what it is, not holds
-    __eq__ = object.__eq__
-
-    def __missing__(self, kind: str) -> State | Action:
-        """Find the action when it is first wanted; `NOTHING`, which is not kept, where there is none."""
-        if self.row:
+    def step(self, kind: str) -> State | Rule | None:
+        """The state that a kind of token is shifted to, the rule that is reduced on it, None where it does not fit."""
+        if self._row:
             self._fill()
-            if kind in self:
-                return self[kind]
-        if self.default is None or kind not in self.tables.kinds:
-            return NOTHING
-        action = self[kind] = Action(self.default, kind)
-        return action
+        return self._actions.get(kind, self.default)
+
+    def after(self, rule: Rule) -> State:
+        """The state after a reduction by a rule that began here."""
+        return self._actions[rule[1]]  # type: ignore[return-value]  # what began here has been read
+
+    def end(self) -> None:
+        """Shift the end of the text like any token."""
+        self._actions[END] = self
 
     def _fill(self) -> None:
         """Read the row: `target=kind,kind …`, a target being a state, a rule `r5` or the default rule `d5`."""
-        row, self.row = self.row, ""
-        tables = self.tables
+        row, self._row = self._row, ""
+        tables, actions = self.tables, self._actions
         for entry in row.split():
             target, _, kinds = entry.partition("=")
             if target[0] == "d":
                 self.default = tables.rules[int(target[1:])]
             elif target[0] == "r":
-                rule = tables.rules[int(target[1:])]
-                for kind in kinds.split(","):
-                    self[kind] = Action(rule, kind)
+                actions.update(dict.fromkeys(kinds.split(","), tables.rules[int(target[1:])]))
             else:
-                state = tables.states[int(target)]
-                for kind in kinds.split(","):
-                    self[kind] = state
-
-    def step(self, kind: str) -> State | Action | None:
-        """The action on a kind, None where there is none."""
-        action = self[kind]
-        return None if action is NOTHING else action
+                actions.update(dict.fromkeys(kinds.split(","), tables.states[int(target)]))
 
 
-class Action(dict[State, "tuple[Reducer, tuple[Reducer, ...], State, State | Action]"]):
-    """A reduction on one kind: from the state below to the reducers to call, the state to go to, its action.
-
-    One reducer is all there is, mostly: the first stands apart from the others.
-    """
-
-    __slots__ = ("kind", "length", "rule")
-
-    def __init__(self, rule: Rule, kind: str) -> None:
-        self.rule, self.kind = rule, kind
-        self.length = rule[0]
-
-    def __missing__(self, below: State) -> tuple[Reducer, tuple[Reducer, ...], State, State | Action]:
-        """Follow the reductions of one symbol that come next, as far as they go."""
-        reducers: list[Reducer] = []
-        rule = self.rule
-        while True:
-            if rule[2] is not None:
-                reducers.append(rule[2])
-            state = below[rule[1]]
-            assert isinstance(state, State)
-            action = state[self.kind]
-            if not isinstance(action, Action) or action.length != 1:
-                break
-            rule = action.rule
-        first, *others = reducers or (_nothing,)
-        self[below] = found = first, tuple(others), state, action
-        return found
+# The driver calls these three where it meets something for the first time.
 
 
-def _nothing(values: list[Any], texts: list[str]) -> None:
+def move(moves: Moves, kind: str) -> tuple[int, Any]:
+    """What to do on a kind; what does not fit is shifted to where nothing fits."""
+    if not moves:
+        raise Stuck
+    state: State = moves[""]
+    action = state.step(kind)
+    if action is None:
+        return SHIFT, {}
+    if isinstance(action, State):
+        found = (LEAF, {"": (state, action, kind)}) if kind in state.tables.leaves else (SHIFT, action.moves)
+    else:
+        found = _reduction(state.tables, action, kind)
+    moves[kind] = found
+    return found
+
+
+def _reduction(tables: Automaton, rule: Rule, kind: str) -> tuple[int, Any]:
+    key = f"{id(rule):x} {kind}"
+    tables.reductions[key] = rule, kind
+    reducer = rule[2]
+    return (reducer, key) if isinstance(reducer, int) else (CALL, (reducer or _same, key))
+
+
+def _same(stack: Stack, moves: Moves, top: Any, texts: list[str]) -> tuple[Stack, Any]:
     """The reducer of a symbol that is only renamed."""
+    return stack, top
 
 
-# What a state has to do on a kind that does not fit.
-NOTHING = Action((-1, "", None), BAD)
+def goto(below: Moves, key: str) -> tuple[Moves, int, Any]:
+    """The state after a reduction and what it does, past all symbols that are only renamed."""
+    state: State = below[""]
+    rule, kind = state.tables.reductions[key]
+    while True:
+        after = state.after(rule)
+        action = after.step(kind)
+        if action.__class__ is not tuple or action[0] != 1 or action[2] is not None:
+            break
+        rule = action
+    below[key] = found = after.moves, *(after.moves.get(kind) or move(after.moves, kind))
+    return found
+
+
+def leaf(target: dict[str, Any], kind: str) -> tuple[int, Moves, int, Any]:
+    """What the kind after a token shows: which value it is by itself, or 0, the state after it and what that does."""
+    state, action, own = target[""]
+    number, reducer = state.tables.leaves[own]
+    rule = action.step(kind)
+    if isinstance(rule, tuple) and rule[2] is reducer:
+        found = number, *goto(state.moves, _reduction(state.tables, rule, kind)[1][1])
+    else:
+        found = 0, action.moves, *(action.moves.get(kind) or move(action.moves, kind))
+    target[kind] = found
+    return found
 
 
 class Kinds(dict[str, str]):
@@ -163,8 +191,12 @@ class Automaton:
         self.kinds = {*kinds, END}
         self.rules = tuple(rules)
         self.states = [State(self, number, row) for number, row in enumerate(rows)]
-        self.start, self.finish = self.states[0], self.states[finish]
-        self.finish[END] = self.finish  # the end of the text is shifted like any token
+        self.start = self.states[0]
+        self.states[finish].end()
+        # The kinds of token that may be a value by themselves: the number and the reducer of that.
+        self.leaves: dict[str, tuple[int, Reducer]] = {}
+        # The reductions that the driver has met, each a rule on a kind of token, by their keys.
+        self.reductions: dict[str, tuple[Rule, str]] = {}
 
 
 class Tables(Automaton):
@@ -179,16 +211,23 @@ class Tables(Automaton):
         rules: Iterable[Rule],
         rows: Iterable[str],
         finish: int,
+        leaves: dict[str, tuple[int, Reducer]],
+        driver: Driver,
     ) -> None:
         super().__init__({*literals.values(), *classes}, rules, rows, finish)
+        self.leaves, self._driver = leaves, driver
         self.token, self.continued = token, continued
         self._token: re.Pattern[str] | None = None
         self._continued: re.Pattern[str] | None = None
         self.kind_of = Kinds(literals, classes)
+        self._asked = "", False  # the last text that `continues` was asked for, and the answer
 
     def continues(self, text: str) -> bool:
         """May the text have lines that go on in the next one? The pattern that knows of them is slower."""
-        return "\\" in text or text.endswith("_") or any(sign in text for sign in CONTINUING)
+        if text is not self._asked[0]:
+            found = "\\" in text or text.endswith("_") or any(sign in text for sign in CONTINUING)
+            self._asked = text, found
+        return self._asked[1]
 
     def pattern(self, text: str) -> re.Pattern[str]:
         """What cuts up a text."""
@@ -218,49 +257,17 @@ class Tables(Automaton):
         """The offsets of the tokens that `texts` returns, those made up for the end left out."""
         return [match.span(1) for match in self.matches(text)]
 
-    def parse(self, texts: list[str]) -> Any:
-        """The value of the start rule; raises `Stuck` or `TooDeep`."""
+    def kinds_of(self, texts: list[str]) -> list[str]:
+        """The kinds of the tokens of a text."""
         self.kind_of.trim()
+        return [*map(self.kind_of.__getitem__, texts)]
+
+    def parse(self, texts: list[str], kinds: list[str]) -> Any:
+        """The value of the start rule; raises `Stuck` or `TooDeep`."""
         collecting = gc.isenabled()
         gc.disable()  # a tree has no cycles, and the collector would look at it again and again
         try:
-            kinds = [*map(self.kind_of.__getitem__, texts)]  # all at once: the memory is read in its order
-            return _run(self.start, kinds, texts)
+            return self._driver(self.start.moves, [*kinds, END], texts)
         finally:
             if collecting:
                 gc.enable()
-
-
-def _run(state: State, kinds: Iterable[str], texts: list[str]) -> Any:
-    """The shift-reduce loop; long, because a call for each token would cost more than the work itself.
-
-    The top of the stack is `state`, and `states` what lies below it.
-    """
-    states: list[Any] = []
-    values: list[Any] = []
-    push, pop, push_value = states.append, states.pop, values.append
-    action: Any
-    for at, kind in enumerate(kinds):
-        action = state[kind]
-        while action.__class__ is not State:
-            length = action.length
-            if length == 3:
-                pop()
-                pop()
-            elif length > 3:
-                del states[1 - length :]
-            elif length == 2:
-                pop()
-            elif length == 0:
-                push(state)
-            elif length < 0:
-                raise Stuck(at)
-            reduce, others, state, action = action[states[-1]]
-            reduce(values, texts)
-            if others:
-                for reduce in others:
-                    reduce(values, texts)
-        push(state)
-        push_value(at)
-        state = action
-    return values[0]

@@ -24,12 +24,12 @@ _SIGNS = frozenset("+-~")
 class Places:
     """Where the tokens of a source stand; everything counts from 1 but the ordinals."""
 
-    __slots__ = ("_lines", "_matches", "_spans", "_tables", "_texts", "source")
+    __slots__ = ("_lines", "_matches", "_spans", "_tables", "_tokens", "source")
 
-    def __init__(self, source: Source, tables: Tables, texts: list[str] | None = None) -> None:
+    def __init__(self, source: Source, tables: Tables, texts: list[str], kinds: list[str]) -> None:
         self.source = source
         self._tables = tables
-        self._texts = texts
+        self._tokens = texts, kinds  # until the lines are known
         self._spans: list[tuple[int, int]] = []  # those of the first tokens, and what finds the others
         self._matches: Iterator[re.Match[str]] | None = None
         self._lines: list[int] = []  # the line of each token, and of what follows the last one
@@ -98,17 +98,19 @@ class Places:
         return spans[at] if at < len(spans) else (end, end)
 
     def _find_lines(self) -> None:
-        texts, self._texts = self._texts, None
-        if texts is None or self.continues:
+        (texts, kinds), self._tokens = self._tokens, ([], [])
+        if self.continues:
             self._lines_from_spans()
             return
-        lines, line = self._lines, 1
-        for at in [
-            at for at, text in enumerate(texts) if "\n" in text
-        ]:  # a run of tokens on one line is one step
-            lines += [line] * (at + 1 - len(lines))
-            line += texts[at].count("\n")
-        lines += [line] * (len(texts) + 1 - len(lines))
+        lines, line, begin = self._lines, 1, 0
+        try:
+            while True:  # a run of tokens on one line is one step
+                end = kinds.index("_NL", begin) + 1
+                lines += [line] * (end - begin)
+                line += texts[end - 1].count("\n")
+                begin = end
+        except ValueError:
+            lines += [line] * (len(texts) + 1 - begin)
 
     def _lines_from_spans(self) -> None:
         """Lines that go on in the next one end inside no token, so the offsets have to tell."""

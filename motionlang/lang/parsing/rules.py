@@ -1,4 +1,4 @@
-"""From the rules of a grammar and their actions to reducers: one in-place function for every alternative."""
+"""From the rules of a grammar and their actions to reducers: a function for every shape of an alternative."""
 
 from __future__ import annotations
 
@@ -6,24 +6,40 @@ import ast
 import re
 from inspect import signature
 
+from motionlang.lang.parsing.driver import popped
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
     from types import ModuleType
     from typing import Any
 
 
 class Rules:
-    """Numbers the rules in the order in which they are met, and writes their reducers, where there are actions."""
+    """Numbers the rules in the order in which they are met, and writes their reducers, where there are actions.
 
-    def __init__(self, actions: dict[str, str] | None, nodes: ModuleType | None = None) -> None:
+    Of the first shape of each action in `inlined` the lines are kept for the driver instead. `leaves` are the actions
+    of tokens that are values by themselves, whose lines the driver has, too.
+    """
+
+    def __init__(
+        self,
+        actions: dict[str, str] | None,
+        nodes: ModuleType | None = None,
+        inlined: Sequence[str] = (),
+        leaves: Collection[str] = (),
+    ) -> None:
         self.actions = actions
         self._nodes = (
             {name: cls for name, cls in vars(nodes).items() if isinstance(cls, type)} if nodes else {}
         )
         self.rows: list[str] = []
         self.functions: list[str] = []
+        # What the driver does itself: the lines of each inlined action, and the lines and the reducer of each leaf.
+        self.inlined: dict[str, list[str]] = {action: [] for action in inlined}
+        self.leaves: dict[str, tuple[list[str], str]] = dict.fromkeys(leaves, ([], ""))
         self._numbers: dict[Any, int] = {}
-        self._written: dict[str, str] = {}
+        self._written: dict[tuple[str, ...], str] = {}
 
     def number(self, rule: Any) -> int:
         """The number of a rule of Lark's."""
@@ -45,11 +61,23 @@ class Rules:
         lines = self._body(self._expression(rule, alias), length)
         if not lines:
             return "None"
-        text = "\n".join(lines)
-        if text not in self._written:
-            name = self._written[text] = f"_{alias}_{len(self._written)}"
-            self.functions.append(f"\ndef {name}(V, T):\n{text}\n")
-        return self._written[text]
+        shape = (str(length), *lines)
+        if shape not in self._written:
+            if self.inlined.get(alias) == []:
+                self._written[shape] = str([*self.inlined].index(alias))
+                self.inlined[alias] = [*popped(length, _used(lines)), *_with_top(lines, length)]
+            else:
+                self._written[shape] = self._function(alias, length, lines)
+        return self._written[shape]
+
+    def _function(self, alias: str, length: int, lines: list[str]) -> str:
+        name = f"_{alias}_{len(self._written)}"
+        push = ["S = S, M, top"] if length == 0 else popped(length, _used(lines))
+        if length == 1 and self.leaves.get(alias) == ([], ""):
+            self.leaves[alias] = _with_top(lines, length, "at"), name
+        body = [*push, *_with_top(lines, length), "return S, top"]
+        self.functions.append(f"\ndef {name}(S, M, top, T):\n" + "".join(f"    {line}\n" for line in body))
+        return name
 
     def _expression(self, rule: Any, alias: str) -> str:
         """The action with its `v…` counted over the symbols that are there."""
@@ -65,20 +93,15 @@ class Rules:
         return re.sub(r"\bv(\d+)", lambda found: places[int(found[1])], self.actions[alias])
 
     def _body(self, expression: str, length: int) -> list[str]:
-        """The lines that replace the last `length` values by one, taking only what is needed off the stack."""
+        """The lines that make `top` of `length` values; none where it is the only one of them."""
         append = expression.startswith("+ ")
         value = expression.removeprefix("+ ")
-        if length == 0:
-            return [f"    V.append({value})"]
-        if value == "v0":
-            return _drop(length - 1)
-        lines = _taken({int(digits) for digits in re.findall(r"\bv(\d+)", value)}, length)
+        if value == "v0" and length == 1:
+            return []
         made = self._made(value)
-        if made and append:
-            return [*lines, f"    n = {made[0]}", *made[1:], "    V[-1].append(n)"]
-        if made:
-            return [*lines, f"    V[-1] = n = {made[0]}", *made[1:]]
-        return [*lines, f"    V[-1].append({value})" if append else f"    V[-1] = {value}"]
+        if append:
+            return [*made, f"v0.append({'n' if made else value})", "top = v0"]
+        return [*made, f"top = {'n' if made else value}"]
 
     def _made(self, value: str) -> list[str]:
         """What a call of a node's class does, written out, which is a third quicker; nothing for other values."""
@@ -90,8 +113,8 @@ class Rules:
         if not fields or any(text.startswith("*") for text in texts):
             return []
         texts += [repr(default) for _, default in fields[len(texts) :]]
-        stores = [f"    n.{name} = {text}" for (name, _), text in zip(fields, texts, strict=True)]
-        return [f"new({call.func.id})", *stores]
+        stores = [f"n.{name} = {text}" for (name, _), text in zip(fields, texts, strict=True)]
+        return [f"n = new({call.func.id})", *stores]
 
 
 def _fields(cls: type) -> list[tuple[str, Any]]:
@@ -106,15 +129,11 @@ def _fields(cls: type) -> list[tuple[str, Any]]:
     return fields if kept and len(slots) == len(fields) else []
 
 
-def _taken(used: set[int], length: int) -> list[str]:
-    """The lines that take the values in use off the stack, which keeps one place for the new one."""
-    if length > 3:
-        return [f"    v{place} = V[{place - length}]" for place in sorted(used)] + _drop(length - 1)
-    lines = [
-        f"    v{place} = V.pop()" if place in used else "    V.pop()" for place in range(length - 1, 0, -1)
-    ]
-    return [*lines, "    v0 = V[-1]"] if 0 in used else lines
+def _used(lines: list[str]) -> set[int]:
+    """The values that some lines read."""
+    return {int(digits) for digits in re.findall(r"\bv(\d+)", "\n".join(lines))}
 
 
-def _drop(count: int) -> list[str]:
-    return ["    V.pop()"] * count if count <= 2 else [f"    del V[-{count}:]"]
+def _with_top(lines: list[str], length: int, name: str = "top") -> list[str]:
+    """The same with the topmost value under the name that it has there."""
+    return [re.sub(rf"\bv{length - 1}\b", name, line) for line in lines]

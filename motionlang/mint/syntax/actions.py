@@ -2,7 +2,8 @@
 
 An action is a Python expression over the symbols of its alternative, `v0`, `v1` …, and `T`, the texts of the
 tokens. The value of a token is its ordinal, so `v0` is a place and `T[v0]` what stands there. A symbol that
-was left out of `[…]` is None. `+ x` appends `x` to the list `v0`. The functions live in `motionlang.mint.syntax.build`.
+was left out of `[…]` is None. `+ x` appends `x` to the list `v0`; `S` is the stack. The functions live in
+`motionlang.mint.syntax.build`.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ ACTIONS: dict[str, str] = {
     "type": "TypeName(v0, T[v0])",
     "sized_type": "TypeName(v0, T[v0], v2)",
     # statements
-    "body": "body(V)",
+    "body": "body(S)",
     "label_before": "label_before(v0, v1, T)",
     "if": "If(v0, v1, v4, v5)",
     "if_do": "If(v0, v1, v3, v4)",
@@ -118,3 +119,8 @@ ACTIONS: dict[str, str] = {
     "string": "String(v0, string(T[v0]))",
     "character": "Number(v0, ord(string(T[v0])))",
 }
+
+# Those that are met most often, in this order, which the driver does without a call; and the tokens that are mostly
+# values by themselves, with what these are.
+INLINED = ("binary", "more", "assign_one", "name_arg", "inner")
+LEAVES = {"NUMBER": "number", "NAME": "name"}

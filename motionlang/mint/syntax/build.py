@@ -27,6 +27,10 @@ from motionlang.mint.syntax.nodes import (
     Variable,
 )
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.lang.parsing.parser import Stack
+
 # Blocks inside one another, an ElseIf being inside its If: a limit of this program, not of Mint.
 DEEPEST = 200
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
@@ -94,9 +98,14 @@ def dotted(at: int, text: str) -> Name:
     return Name(at, name, [Number(at, NUMBERS[each]) for each in channels], True)
 
 
-def body(values: list[object]) -> list[Stmt]:
+def body(stack: Stack) -> list[Stmt]:
     """The empty list of statements with which a block begins."""
-    if len(values) > 2 * DEEPEST and sum(type(value) is list for value in values) > DEEPEST:
+    depth = 0
+    while stack:
+        stack, _, value = stack
+        if value.__class__ is list:
+            depth += 1
+    if depth > DEEPEST:
         raise TooDeep
     return []
 

@@ -49,8 +49,8 @@ class _Reader:
 
     def __init__(self, source: Source) -> None:
         self.texts = TABLES.texts(source.text)
-        self.kinds = [TABLES.kind_of[text] for text in self.texts]
-        self.places = Places(source, TABLES, self.texts)
+        self.kinds = TABLES.kinds_of(self.texts)
+        self.places = Places(source, TABLES, self.texts, self.kinds)
         self.diagnostics: list[Diagnostic] = []
         self.top = self.deepest = empty(TABLES)
         self.before = self.line = self.mark = self.top

@@ -25,13 +25,14 @@ _COMMENT = compiled(r"'[^\n]*|[Rr][Ee][Mm][^\n]*|:")
 def parse(source: Source) -> Module:
     """The tree of a program; raises ProgramError with every mistake of the text."""
     texts = TABLES.texts(source.text)
+    kinds = TABLES.kinds_of(texts)
     try:
-        module: Module = TABLES.parse(texts)
+        module: Module = TABLES.parse(texts, kinds)
     except (Stuck, TooDeep, Misuse):
         from motionlang.mint.syntax.errors import diagnose  # only a mistake pays for this import
 
         raise diagnose(source) from None
-    module.places = Places(source, TABLES, texts)
+    module.places = Places(source, TABLES, texts, kinds)
     if not _short(module.places):
         from motionlang.mint.syntax.nesting import check_depth
 

@@ -4,1356 +4,1341 @@
 # mypy: ignore-errors
 # fmt: off
 
-from motionlang.lang.parsing.parser import Tables, new
+from motionlang.lang.parsing.parser import SHIFT, Tables, goto, leaf, move, new
 from motionlang.mint.syntax.build import *
 from motionlang.mint.syntax.nodes import *
 
 
-def _none_0(V, T):
-    V.append([])
+def _none_0(S, M, top, T):
+    S = S, M, top
+    top = []
+    return S, top
 
 
-def _module_1(V, T):
-    v0 = V[-1]
-    V[-1] = module(v0)
+def _module_1(S, M, top, T):
+    top = module(top)
+    return S, top
 
 
-def _auto_2(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Auto)
-    n.at = v0
+def _auto_2(S, M, top, T):
+    n = new(Auto)
+    n.at = top
+    top = n
+    return S, top
 
 
-def _name_3(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Name)
-    n.at = v0
-    n.name = T[v0]
+def _name_3(S, M, top, T):
+    n = new(Name)
+    n.at = top
+    n.name = T[top]
     n.args = None
     n.axes = False
+    top = n
+    return S, top
 
 
-def _skip_4(V, T):
-    V.pop()
+def _skip_4(S, M, top, T):
+    S, _, v0 = S
+    top = v0
+    return S, top
 
 
-def _dotted_5(V, T):
-    v0 = V[-1]
-    V[-1] = dotted(v0, T[v0])
+def _dotted_5(S, M, top, T):
+    top = dotted(top, T[top])
+    return S, top
 
 
-def _end_6(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(End)
-    n.at = v0
+def _end_6(S, M, top, T):
+    n = new(End)
+    n.at = top
     n.name = None if None is None else T[None]
+    top = n
+    return S, top
 
 
-def _exit_7(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Exit)
-    n.at = v0
+def _exit_7(S, M, top, T):
+    n = new(Exit)
+    n.at = top
     n.kind = '' if None is None else T[None].lower()
+    top = n
+    return S, top
 
 
-def _return_8(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Return)
+def _return_8(S, M, top, T):
+    n = new(Return)
+    n.at = top
+    top = n
+    return S, top
+
+
+def _label_before_9(S, M, top, T):
+    S, _, v0 = S
+    top = label_before(v0, top, T)
+    return S, top
+
+
+def _call_10(S, M, top, T):
+    n = new(Call)
+    n.at = top.at
+    n.target = top
+    top = n
+    return S, top
+
+
+def _body_11(S, M, top, T):
+    S = S, M, top
+    top = body(S)
+    return S, top
+
+
+def _one_12(S, M, top, T):
+    top = [top]
+    return S, top
+
+
+def _const_13(S, M, top, T):
+    S, _, v0 = S
+    top = constants(v0, top)
+    return S, top
+
+
+def _plain_one_14(S, M, top, T):
+    top = [declare(top)]
+    return S, top
+
+
+def _dim_15(S, M, top, T):
+    S, _, v0 = S
+    n = new(Dim)
     n.at = v0
-
-
-def _label_before_9(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = label_before(v0, v1, T)
-
-
-def _call_10(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Call)
-    n.at = v0.at
-    n.target = v0
-
-
-def _body_11(V, T):
-    V.append(body(V))
-
-
-def _one_12(V, T):
-    v0 = V[-1]
-    V[-1] = [v0]
-
-
-def _const_13(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = constants(v0, v1)
-
-
-def _plain_one_14(V, T):
-    v0 = V[-1]
-    V[-1] = [declare(v0)]
-
-
-def _dim_15(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Dim)
-    n.at = v0
-    n.variables = v1
+    n.variables = top
     n.nv = None is not None
+    top = n
+    return S, top
 
 
-def _end_16(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(End)
+def _end_16(S, M, top, T):
+    S, _, v0 = S
+    n = new(End)
     n.at = v0
-    n.name = None if v1 is None else T[v1]
+    n.name = None if top is None else T[top]
+    top = n
+    return S, top
 
 
-def _exit_17(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Exit)
+def _exit_17(S, M, top, T):
+    S, _, v0 = S
+    n = new(Exit)
     n.at = v0
-    n.kind = '' if v1 is None else T[v1].lower()
+    n.kind = '' if top is None else T[top].lower()
+    top = n
+    return S, top
 
 
-def _gosub_18(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Jump)
+def _gosub_18(S, M, top, T):
+    S, _, v0 = S
+    n = new(Jump)
     n.at = v0
     n.kind = 'gosub'
-    n.name = T[v1]
+    n.name = T[top]
     n.unless = None
+    top = n
+    return S, top
 
 
-def _goto_19(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Jump)
+def _goto_19(S, M, top, T):
+    S, _, v0 = S
+    n = new(Jump)
     n.at = v0
     n.kind = 'goto'
-    n.name = T[v1]
+    n.name = T[top]
     n.unless = None
+    top = n
+    return S, top
 
 
-def _label_20(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Label)
+def _label_20(S, M, top, T):
+    S, _, v0 = S
+    n = new(Label)
     n.at = v0
-    n.name = T[v1]
+    n.name = T[top]
+    top = n
+    return S, top
 
 
-def _character_21(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Number)
+def _character_21(S, M, top, T):
+    n = new(Number)
+    n.at = top
+    n.value = ord(string(T[top]))
+    top = n
+    return S, top
+
+
+def _number_22(S, M, top, T):
+    n = new(Number)
+    n.at = top
+    n.value = NUMBERS[T[top]]
+    top = n
+    return S, top
+
+
+def _string_23(S, M, top, T):
+    n = new(String)
+    n.at = top
+    n.value = string(T[top])
+    top = n
+    return S, top
+
+
+def _input_24(S, M, top, T):
+    S, _, v0 = S
+    n = new(Input)
     n.at = v0
-    n.value = ord(string(T[v0]))
-
-
-def _number_22(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Number)
-    n.at = v0
-    n.value = NUMBERS[T[v0]]
-
-
-def _string_23(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(String)
-    n.at = v0
-    n.value = string(T[v0])
-
-
-def _input_24(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Input)
-    n.at = v0
-    n.target = v1
+    n.target = top
     n.prompt = None if None is None else String(None, string(T[None]))
     n.using = None or []
     n.terminal = None
+    top = n
+    return S, top
 
 
-def _bare_call_25(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Call)
+def _bare_call_25(S, M, top, T):
+    S, _, v0 = S
+    n = new(Call)
     n.at = v0
-    n.target = Name(v0, T[v0], v1)
+    n.target = Name(v0, T[v0], top)
+    top = n
+    return S, top
 
 
-def _pause_26(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Pause)
+def _pause_26(S, M, top, T):
+    S, _, v0 = S
+    n = new(Pause)
     n.at = v0
-    n.condition = v1
+    n.condition = top
+    top = n
+    return S, top
 
 
-def _print_27(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Print)
+def _print_27(S, M, top, T):
+    S, _, v0 = S
+    n = new(Print)
     n.at = v0
-    n.items = v1 if None is None else [*v1, None]
+    n.items = top if None is None else [*top, None]
     n.terminal = None
     n.word = ''
     n.line = None
+    top = n
+    return S, top
 
 
-def _run_28(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Run)
+def _run_28(S, M, top, T):
+    S, _, v0 = S
+    n = new(Run)
     n.at = v0
-    n.name = T[v1]
+    n.name = T[top]
+    top = n
+    return S, top
 
 
-def _more_29(V, T):
-    V.pop()
-    v1 = V.pop()
-    V[-1].append(v1)
-
-
-def _name_empty_30(V, T):
-    V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Name)
+def _name_empty_30(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Name)
     n.at = v0
     n.name = T[v0]
     n.args = []
     n.axes = False
+    top = n
+    return S, top
 
 
-def _dim_31(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Dim)
+def _dim_31(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    n = new(Dim)
     n.at = v0
-    n.variables = v2
+    n.variables = top
     n.nv = v1 is not None
+    top = n
+    return S, top
 
 
-def _gosub_32(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Jump)
+def _gosub_32(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Jump)
     n.at = v0
     n.kind = 'gosub'
-    n.name = T[v2]
+    n.name = T[top]
     n.unless = None
+    top = n
+    return S, top
 
 
-def _goto_33(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Jump)
+def _goto_33(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Jump)
     n.at = v0
     n.kind = 'goto'
-    n.name = T[v2]
+    n.name = T[top]
     n.unless = None
+    top = n
+    return S, top
 
 
-def _complement_34(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Unary)
+def _complement_34(S, M, top, T):
+    S, _, v0 = S
+    n = new(Unary)
     n.at = v0
     n.op = '~'
-    n.operand = v1
+    n.operand = top
+    top = n
+    return S, top
 
 
-def _minus_35(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Unary)
+def _minus_35(S, M, top, T):
+    S, _, v0 = S
+    n = new(Unary)
     n.at = v0
     n.op = '-'
-    n.operand = v1
+    n.operand = top
+    top = n
+    return S, top
 
 
-def _not_36(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Unary)
+def _not_36(S, M, top, T):
+    S, _, v0 = S
+    n = new(Unary)
     n.at = v0
     n.op = 'Not'
-    n.operand = v1
+    n.operand = top
+    top = n
+    return S, top
 
 
-def _plus_37(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Unary)
+def _plus_37(S, M, top, T):
+    S, _, v0 = S
+    n = new(Unary)
     n.at = v0
     n.op = '+'
-    n.operand = v1
+    n.operand = top
+    top = n
+    return S, top
 
 
-def _line_print_38(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = line_print(v0, T[v0], v1, v2)
+def _line_print_38(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = line_print(v0, T[v0], v1, top)
+    return S, top
 
 
-def _last_item_39(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(PrintItem)
-    n.at = v0.at
-    n.value = v0
+def _last_item_39(S, M, top, T):
+    n = new(PrintItem)
+    n.at = top.at
+    n.value = top
     n.using = []
     n.separator = ''
+    top = n
+    return S, top
 
 
-def _print_40(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Print)
+def _print_40(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    n = new(Print)
     n.at = v0
-    n.items = v1 if v2 is None else [*v1, v2]
+    n.items = v1 if top is None else [*v1, top]
     n.terminal = None
     n.word = ''
     n.line = None
+    top = n
+    return S, top
 
 
-def _none_41(V, T):
-    V[-1] = []
+def _none_41(S, M, top, T):
+    top = []
+    return S, top
 
 
-def _for_42(V, T):
-    V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = counted(v0, v1, None, T)
+def _for_42(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = counted(v0, v1, None, T)
+    return S, top
 
 
-def _for_shared_43(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = counted(v0, v1, v2, T)
+def _for_shared_43(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = counted(v0, v1, top, T)
+    return S, top
 
 
-def _member_44(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Member)
+def _member_44(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Member)
     n.at = v0.at
     n.value = v0
-    n.field = T[v2]
+    n.field = T[top]
     n.args = None
+    top = n
+    return S, top
 
 
-def _next_case_45(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = next_case(v0, v1, v2)
+def _next_case_45(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = next_case(v0, v1, top)
+    return S, top
 
 
-def _one_omitted_46(V, T):
-    v0 = V[-1]
-    V[-1] = [Omitted(v0)]
+def _one_omitted_46(S, M, top, T):
+    top = [Omitted(top)]
+    return S, top
 
 
-def _assign_one_47(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Assign)
+def _assign_48(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Assign)
     n.at = v0.at
     n.target = v0
-    n.values = [v2]
-    n.repeat = False
-
-
-def _assign_48(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Assign)
-    n.at = v0.at
-    n.target = v0
-    n.values = v2
+    n.values = top
     n.repeat = None is not None
+    top = n
+    return S, top
 
 
-def _name_arg_49(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Name)
-    n.at = v0
-    n.name = T[v0]
-    n.args = [v2]
-    n.axes = False
-
-
-def _name_args_50(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Name)
+def _name_args_50(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    n = new(Name)
     n.at = v0
     n.name = T[v0]
     n.args = v2
     n.axes = False
+    top = n
+    return S, top
 
 
-def _name_axes_51(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Name)
+def _name_axes_51(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    n = new(Name)
     n.at = v0
     n.name = T[v0]
     n.args = v2
     n.axes = True
+    top = n
+    return S, top
 
 
-def _type_52(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(TypeName)
-    n.at = v0
-    n.name = T[v0]
+def _type_52(S, M, top, T):
+    n = new(TypeName)
+    n.at = top
+    n.name = T[top]
     n.size = None
+    top = n
+    return S, top
 
 
-def _constant_53(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = Const(v0, T[v0], None, v2)
+def _constant_53(S, M, top, T):
+    (S, _, v0), _, _ = S
+    top = Const(v0, T[v0], None, top)
+    return S, top
 
 
-def _more_54(V, T):
-    v2 = V.pop()
-    V.pop()
-    V[-1].append(v2)
+def _more_54(S, M, top, T):
+    (S, _, v0), _, _ = S
+    v0.append(top)
+    top = v0
+    return S, top
 
 
-def _define_55(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Define)
+def _define_55(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    n = new(Define)
     n.at = v0
     n.name = T[v1]
-    n.value = v3
+    n.value = top
+    top = n
+    return S, top
 
 
-def _plain_more_56(V, T):
-    v2 = V.pop()
-    V.pop()
-    V[-1].append(declare(v2))
+def _plain_more_56(S, M, top, T):
+    (S, _, v0), _, _ = S
+    v0.append(declare(top))
+    top = v0
+    return S, top
 
 
-def _variable_57(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = declare(v0, v2)
+def _variable_57(S, M, top, T):
+    (S, _, v0), _, _ = S
+    top = declare(v0, top)
+    return S, top
 
 
-def _valued_variable_58(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = declare(v0, None, v2)
+def _valued_variable_58(S, M, top, T):
+    (S, _, v0), _, _ = S
+    top = declare(v0, None, top)
+    return S, top
 
 
-def _more_values_59(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = more_values(v0, v2)
+def _more_values_59(S, M, top, T):
+    (S, _, v0), _, _ = S
+    top = more_values(v0, top)
+    return S, top
 
 
-def _parameter_60(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(Parameter)
-    n.at = v0
-    n.name = T[v0]
+def _parameter_60(S, M, top, T):
+    n = new(Parameter)
+    n.at = top
+    n.name = T[top]
     n.type = None
     n.by_ref = False
     n.is_array = None is not None
+    top = n
+    return S, top
 
 
-def _none_61(V, T):
-    V.pop()
-    V[-1] = []
+def _none_61(S, M, top, T):
+    S, _, _ = S
+    top = []
+    return S, top
 
 
-def _inner_62(V, T):
-    V.pop()
-    v1 = V.pop()
-    V[-1] = v1
-
-
-def _and_63(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Binary)
+def _and_63(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Binary)
     n.at = v0.at
     n.op = 'And'
     n.left = v0
-    n.right = v2
+    n.right = top
+    top = n
+    return S, top
 
 
-def _binary_64(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Binary)
-    n.at = v0.at
-    n.op = T[v1]
-    n.left = v0
-    n.right = v2
-
-
-def _line_if_65(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(If)
+def _line_if_65(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    n = new(If)
     n.at = v0
     n.condition = v1
-    n.body = v3
+    n.body = top
     n.orelse = []
+    top = n
+    return S, top
 
 
-def _or_66(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Binary)
+def _or_66(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Binary)
     n.at = v0.at
     n.op = 'Or'
     n.left = v0
-    n.right = v2
+    n.right = top
+    top = n
+    return S, top
 
 
-def _xor_67(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Binary)
+def _xor_67(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Binary)
     n.at = v0.at
     n.op = 'Xor'
     n.left = v0
-    n.right = v2
+    n.right = top
+    top = n
+    return S, top
 
 
-def _mod_68(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Binary)
+def _mod_68(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Binary)
     n.at = v0.at
     n.op = 'Mod'
     n.left = v0
-    n.right = v2
+    n.right = top
+    top = n
+    return S, top
 
 
-def _input_69(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Input)
+def _input_69(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    n = new(Input)
     n.at = v0
-    n.target = v3
+    n.target = top
     n.prompt = None if v1 is None else String(v1, string(T[v1]))
     n.using = None or []
     n.terminal = None
+    top = n
+    return S, top
 
 
-def _input_70(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Input)
+def _input_70(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    n = new(Input)
     n.at = v0
     n.target = v1
     n.prompt = None if None is None else String(None, string(T[None]))
-    n.using = v3 or []
+    n.using = top or []
     n.terminal = None
+    top = n
+    return S, top
 
 
-def _loop_71(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Loop)
+def _loop_71(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    n = new(Loop)
     n.at = v0
     n.body = v2
+    top = n
+    return S, top
 
 
-def _rest_72(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = printed(v1, None, [], T[v0])
+def _rest_72(S, M, top, T):
+    S, _, v0 = S
+    top = printed(top, None, [], T[v0])
+    return S, top
 
 
-def _rest_last_73(V, T):
-    v1 = V.pop()
-    V[-1] = printed([], None, v1, "")
+def _rest_last_73(S, M, top, T):
+    S, _, _ = S
+    top = printed([], None, top, "")
+    return S, top
 
 
-def _print_item_74(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
+def _print_item_74(S, M, top, T):
+    (S, _, v0), _, v1 = S
     n = new(PrintItem)
     n.at = v1.at
     n.value = v1
     n.using = []
-    n.separator = T[v2]
-    V[-1].append(n)
+    n.separator = T[top]
+    v0.append(n)
+    top = v0
+    return S, top
 
 
-def _for_75(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = counted(v0, v1, v3, T)
+def _for_75(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    top = counted(v0, v1, top, T)
+    return S, top
 
 
-def _test_76(V, T):
-    v0 = V[-1]
-    V[-1] = n = new(CaseTest)
-    n.at = v0.at
+def _test_76(S, M, top, T):
+    n = new(CaseTest)
+    n.at = top.at
     n.op = '='
-    n.value = v0
+    n.value = top
     n.high = None
+    top = n
+    return S, top
 
 
-def _last_case_77(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    del V[-3:]
-    V[-1] = last_case(v0, v1)
+def _last_case_77(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    top = last_case(v0, v1)
+    return S, top
 
 
-def _one_78(V, T):
-    V.pop()
-    v0 = V[-1]
-    V[-1] = [v0]
+def _one_78(S, M, top, T):
+    S, _, v0 = S
+    top = [v0]
+    return S, top
 
 
-def _assign_same_79(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Assign)
+def _assign_same_79(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    n = new(Assign)
     n.at = v0.at
     n.target = v0
     n.values = [v2]
     n.repeat = True
+    top = n
+    return S, top
 
 
-def _next_omitted_80(V, T):
-    v1 = V.pop()
+def _next_omitted_80(S, M, top, T):
+    S, _, v0 = S
     n = new(Omitted)
-    n.at = v1
-    V[-1].append(n)
+    n.at = top
+    v0.append(n)
+    top = v0
+    return S, top
 
 
-def _last_81(V, T):
-    v1 = V.pop()
-    V[-1].append(v1)
+def _last_81(S, M, top, T):
+    S, _, v0 = S
+    v0.append(top)
+    top = v0
+    return S, top
 
 
-def _assign_82(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Assign)
+def _assign_82(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    n = new(Assign)
     n.at = v0.at
     n.target = v0
     n.values = v2
-    n.repeat = v3 is not None
+    n.repeat = top is not None
+    top = n
+    return S, top
 
 
-def _pair_83(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = [v0, v2]
+def _pair_83(S, M, top, T):
+    (S, _, v0), _, _ = S
+    top = [v0, top]
+    return S, top
 
 
-def _parameter_by_reference_84(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Parameter)
+def _parameter_by_reference_84(S, M, top, T):
+    S, _, v0 = S
+    n = new(Parameter)
     n.at = v0
-    n.name = T[v1]
+    n.name = T[top]
     n.type = None
     n.by_ref = True
     n.is_array = None is not None
+    top = n
+    return S, top
 
 
-def _parameter_by_value_85(V, T):
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Parameter)
+def _parameter_by_value_85(S, M, top, T):
+    S, _, v0 = S
+    n = new(Parameter)
     n.at = v0
-    n.name = T[v1]
+    n.name = T[top]
     n.type = None
     n.by_ref = False
     n.is_array = None is not None
+    top = n
+    return S, top
 
 
-def _if_do_86(V, T):
-    v0 = V[-5]
-    v1 = V[-4]
-    v3 = V[-2]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = n = new(If)
+def _if_do_86(S, M, top, T):
+    (((S, _, v0), _, v1), _, _), _, v3 = S
+    n = new(If)
     n.at = v0
     n.condition = v1
     n.body = v3
-    n.orelse = v4
+    n.orelse = top
+    top = n
+    return S, top
 
 
-def _input_87(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = n = new(Input)
+def _input_87(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    n = new(Input)
     n.at = v0
-    n.target = v4
+    n.target = top
     n.prompt = None if None is None else String(None, string(T[None]))
     n.using = None or []
     n.terminal = v2
+    top = n
+    return S, top
 
 
-def _rest_88(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = printed(v1, v2, [], T[v0])
+def _rest_88(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = printed(v1, top, [], T[v0])
+    return S, top
 
 
-def _print_89(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = n = new(Print)
+def _print_89(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    n = new(Print)
     n.at = v0
-    n.items = v4 if None is None else [*v4, None]
+    n.items = top if None is None else [*top, None]
     n.terminal = v2
     n.word = ''
     n.line = None
+    top = n
+    return S, top
 
 
-def _last_using_90(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(PrintItem)
+def _last_using_90(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(PrintItem)
     n.at = v0.at
     n.value = v0
-    n.using = v2
+    n.using = top
     n.separator = ''
+    top = n
+    return S, top
 
 
-def _repeat_91(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = n = new(Repeat)
+def _repeat_91(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    n = new(Repeat)
     n.at = v0
     n.body = v2
-    n.condition = v4
+    n.condition = top
+    top = n
+    return S, top
 
 
-def _select_92(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = n = new(Select)
+def _select_92(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    n = new(Select)
     n.at = v0
     n.subject = v2
-    n.cases = [v4]
+    n.cases = [top]
+    top = n
+    return S, top
 
 
-def _startup_93(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    del V[-4:]
-    V[-1] = n = new(Startup)
+def _startup_93(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    n = new(Startup)
     n.at = v0
     n.body = v2
+    top = n
+    return S, top
 
 
-def _while_94(V, T):
-    v0 = V[-5]
-    v1 = V[-4]
-    v3 = V[-2]
-    del V[-4:]
-    V[-1] = n = new(While)
+def _while_94(S, M, top, T):
+    (((S, _, v0), _, v1), _, _), _, v3 = S
+    n = new(While)
     n.at = v0
     n.condition = v1
     n.body = v3
+    top = n
+    return S, top
 
 
-def _case_else_95(V, T):
-    V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Case)
+def _case_else_95(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Case)
     n.at = v0
     n.tests = []
     n.body = []
+    top = n
+    return S, top
 
 
-def _case_96(V, T):
-    V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Case)
+def _case_96(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    n = new(Case)
     n.at = v0
     n.tests = v1
     n.body = []
+    top = n
+    return S, top
 
 
-def _sized_type_97(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(TypeName)
+def _sized_type_97(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(TypeName)
     n.at = v0
     n.name = T[v0]
-    n.size = v2
+    n.size = top
+    top = n
+    return S, top
 
 
-def _constant_98(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = Const(v0, T[v0], v2, v4)
+def _constant_98(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    top = Const(v0, T[v0], v2, top)
+    return S, top
 
 
-def _typed_variable_99(V, T):
-    v0 = V[-5]
-    v2 = V[-3]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = declare(v0, v2, v4)
+def _typed_variable_99(S, M, top, T):
+    (((S, _, v0), _, _), _, v2), _, _ = S
+    top = declare(v0, v2, top)
+    return S, top
 
 
-def _event_100(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v3 = V[-3]
-    del V[-5:]
-    V[-1] = n = new(Event)
+def _event_100(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
+    n = new(Event)
     n.at = v0
     n.name = T[v1]
     n.body = v3
+    top = n
+    return S, top
 
 
-def _parameter_101(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Parameter)
+def _parameter_101(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v0]
-    n.type = v2
+    n.type = top
     n.by_ref = False
     n.is_array = None is not None
+    top = n
+    return S, top
 
 
-def _parameter_102(V, T):
-    V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(Parameter)
+def _parameter_102(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v0]
     n.type = None
     n.by_ref = False
     n.is_array = v1 is not None
+    top = n
+    return S, top
 
 
-def _if_103(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v4 = V[-2]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = n = new(If)
+def _if_103(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, _), _, v4 = S
+    n = new(If)
     n.at = v0
     n.condition = v1
     n.body = v4
-    n.orelse = v5
+    n.orelse = top
+    top = n
+    return S, top
 
 
-def _line_if_else_104(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v3 = V[-3]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = n = new(If)
+def _line_if_else_104(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
+    n = new(If)
     n.at = v0
     n.condition = v1
     n.body = v3
-    n.orelse = v5
+    n.orelse = top
+    top = n
+    return S, top
 
 
-def _input_105(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v3 = V[-3]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = n = new(Input)
+def _input_105(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
+    n = new(Input)
     n.at = v0
     n.target = v3
     n.prompt = None if v1 is None else String(v1, string(T[v1]))
-    n.using = v5 or []
+    n.using = top or []
     n.terminal = None
+    top = n
+    return S, top
 
 
-def _rest_using_106(V, T):
-    v1 = V[-3]
-    v2 = V[-2]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = printed(v3, None, [v1], T[v2])
+def _rest_using_106(S, M, top, T):
+    ((S, _, _), _, v1), _, v2 = S
+    top = printed(top, None, [v1], T[v2])
+    return S, top
 
 
-def _print_107(V, T):
-    v0 = V[-6]
-    v2 = V[-4]
-    v4 = V[-2]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = n = new(Print)
+def _print_107(S, M, top, T):
+    ((((S, _, v0), _, _), _, v2), _, _), _, v4 = S
+    n = new(Print)
     n.at = v0
-    n.items = v4 if v5 is None else [*v4, v5]
+    n.items = v4 if top is None else [*v4, top]
     n.terminal = v2
     n.word = ''
     n.line = None
+    top = n
+    return S, top
 
 
-def _last_open_108(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(PrintItem)
+def _last_open_108(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    n = new(PrintItem)
     n.at = v0.at
     n.value = v0
     n.using = [v2]
     n.separator = ','
+    top = n
+    return S, top
 
 
-def _print_using_109(V, T):
-    v1 = V[-4]
-    v3 = V[-2]
-    v4 = V[-1]
-    del V[-4:]
+def _print_using_109(S, M, top, T):
+    (((S, _, v0), _, v1), _, _), _, v3 = S
     n = new(PrintItem)
     n.at = v1.at
     n.value = v1
     n.using = [v3]
-    n.separator = T[v4]
-    V[-1].append(n)
+    n.separator = T[top]
+    v0.append(n)
+    top = v0
+    return S, top
 
 
-def _select_nothing_110(V, T):
-    v0 = V[-6]
-    v2 = V[-4]
-    del V[-5:]
-    V[-1] = n = new(Select)
+def _select_nothing_110(S, M, top, T):
+    ((((S, _, v0), _, _), _, v2), _, _), _, _ = S
+    n = new(Select)
     n.at = v0
     n.subject = v2
     n.cases = []
+    top = n
+    return S, top
 
 
-def _task_111(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v3 = V[-3]
-    del V[-5:]
-    V[-1] = task(v0, T[v1], v3)
+def _task_111(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
+    top = task(v0, T[v1], v3)
+    return S, top
 
 
-def _user_type_112(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v3 = V[-3]
-    del V[-5:]
-    V[-1] = n = new(UserType)
+def _user_type_112(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
+    n = new(UserType)
     n.at = v0
     n.name = T[v1]
     n.members = v3
+    top = n
+    return S, top
 
 
-def _extend_113(V, T):
-    V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = extended(v0, v1)
+def _extend_113(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = extended(v0, v1)
+    return S, top
 
 
-def _shared_further_114(V, T):
-    v1 = V[-4]
-    v2 = V[-3]
-    v3 = V[-2]
-    del V[-4:]
-    V[-1].append(counted(v1, v2, v3, T))
+def _shared_further_114(S, M, top, T):
+    (((S, _, v0), _, v1), _, v2), _, v3 = S
+    v0.append(counted(v1, v2, v3, T))
+    top = v0
+    return S, top
 
 
-def _member_args_115(V, T):
-    v0 = V[-6]
-    v2 = V[-4]
-    v4 = V[-2]
-    del V[-5:]
-    V[-1] = n = new(Member)
+def _member_args_115(S, M, top, T):
+    ((((S, _, v0), _, _), _, v2), _, _), _, v4 = S
+    n = new(Member)
     n.at = v0.at
     n.value = v0
     n.field = T[v2]
     n.args = v4
+    top = n
+    return S, top
 
 
-def _test_is_116(V, T):
-    v2 = V.pop()
-    v1 = V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(CaseTest)
+def _test_is_116(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    n = new(CaseTest)
     n.at = v0
     n.op = T[v1]
-    n.value = v2
+    n.value = top
     n.high = None
+    top = n
+    return S, top
 
 
-def _test_range_117(V, T):
-    v2 = V.pop()
-    V.pop()
-    v0 = V[-1]
-    V[-1] = n = new(CaseTest)
+def _test_range_117(S, M, top, T):
+    (S, _, v0), _, _ = S
+    n = new(CaseTest)
     n.at = v0.at
     n.op = 'To'
     n.value = v0
-    n.high = v2
+    n.high = top
+    top = n
+    return S, top
 
 
-def _for_head_118(V, T):
-    v0 = V[-7]
-    v1 = V[-6]
-    v3 = V[-4]
-    v5 = V[-2]
-    del V[-6:]
-    V[-1] = n = new(For)
+def _for_head_118(S, M, top, T):
+    (((((S, _, v0), _, v1), _, _), _, v3), _, _), _, v5 = S
+    n = new(For)
     n.at = v0
     n.variable = Name(v1, T[v1])
     n.start = v3
     n.stop = v5
     n.step = None
     n.body = []
+    top = n
+    return S, top
 
 
-def _parameter_by_reference_119(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Parameter)
+def _parameter_by_reference_119(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v1]
-    n.type = v3
+    n.type = top
     n.by_ref = True
     n.is_array = None is not None
+    top = n
+    return S, top
 
 
-def _parameter_by_reference_120(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Parameter)
+def _parameter_by_reference_120(S, M, top, T):
+    ((S, _, v0), _, v1), _, v2 = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v1]
     n.type = None
     n.by_ref = True
     n.is_array = v2 is not None
+    top = n
+    return S, top
 
 
-def _parameter_by_value_121(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v3 = V[-1]
-    del V[-3:]
-    V[-1] = n = new(Parameter)
+def _parameter_by_value_121(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v1]
-    n.type = v3
+    n.type = top
     n.by_ref = False
     n.is_array = None is not None
+    top = n
+    return S, top
 
 
-def _parameter_by_value_122(V, T):
-    v0 = V[-4]
-    v1 = V[-3]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = n = new(Parameter)
+def _parameter_by_value_122(S, M, top, T):
+    ((S, _, v0), _, v1), _, v2 = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v1]
     n.type = None
     n.by_ref = False
     n.is_array = v2 is not None
+    top = n
+    return S, top
 
 
-def _function_123(V, T):
-    v0 = V[-7]
-    v1 = V[-6]
-    v2 = V[-5]
-    v4 = V[-3]
-    del V[-6:]
-    V[-1] = n = new(Sub)
+def _function_123(S, M, top, T):
+    (((((S, _, v0), _, v1), _, v2), _, _), _, v4), _, _ = S
+    n = new(Sub)
     n.at = v0
     n.name = T[v1]
     n.parameters = v2
     n.body = v4
     n.function = True
     n.result = None
+    top = n
+    return S, top
 
 
-def _input_124(V, T):
-    v0 = V[-7]
-    v2 = V[-5]
-    v4 = V[-3]
-    v6 = V[-1]
-    del V[-6:]
-    V[-1] = n = new(Input)
+def _input_124(S, M, top, T):
+    (((((S, _, v0), _, _), _, v2), _, _), _, v4), _, _ = S
+    n = new(Input)
     n.at = v0
-    n.target = v6
+    n.target = top
     n.prompt = None if v4 is None else String(v4, string(T[v4]))
     n.using = None or []
     n.terminal = v2
+    top = n
+    return S, top
 
 
-def _input_125(V, T):
-    v0 = V[-7]
-    v2 = V[-5]
-    v4 = V[-3]
-    v6 = V[-1]
-    del V[-6:]
-    V[-1] = n = new(Input)
+def _input_125(S, M, top, T):
+    (((((S, _, v0), _, _), _, v2), _, _), _, v4), _, _ = S
+    n = new(Input)
     n.at = v0
     n.target = v4
     n.prompt = None if None is None else String(None, string(T[None]))
-    n.using = v6 or []
+    n.using = top or []
     n.terminal = v2
+    top = n
+    return S, top
 
 
-def _rest_using_126(V, T):
-    v1 = V[-4]
-    v2 = V[-3]
-    v3 = V[-2]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = printed(v3, v4, [v1], T[v2])
+def _rest_using_126(S, M, top, T):
+    (((S, _, _), _, v1), _, v2), _, v3 = S
+    top = printed(v3, top, [v1], T[v2])
+    return S, top
 
 
-def _sub_127(V, T):
-    v0 = V[-7]
-    v1 = V[-6]
-    v2 = V[-5]
-    v4 = V[-3]
-    del V[-6:]
-    V[-1] = n = new(Sub)
+def _sub_127(S, M, top, T):
+    (((((S, _, v0), _, v1), _, v2), _, _), _, v4), _, _ = S
+    n = new(Sub)
     n.at = v0
     n.name = T[v1]
     n.parameters = v2
     n.body = v4
     n.function = False
     n.result = None
+    top = n
+    return S, top
 
 
-def _extend_128(V, T):
-    v0 = V[-4]
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = extended(v0, v2)
+def _extend_128(S, M, top, T):
+    ((S, _, v0), _, _), _, v2 = S
+    top = extended(v0, v2)
+    return S, top
 
 
-def _shared_129(V, T):
-    v1 = V[-5]
-    v2 = V[-4]
-    v4 = V[-2]
-    del V[-5:]
-    V[-1].append(counted(v1, v2, v4, T))
+def _shared_129(S, M, top, T):
+    ((((S, _, v0), _, v1), _, v2), _, _), _, v4 = S
+    v0.append(counted(v1, v2, v4, T))
+    top = v0
+    return S, top
 
 
-def _parameter_130(V, T):
-    v0 = V[-5]
-    v1 = V[-4]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = n = new(Parameter)
+def _parameter_130(S, M, top, T):
+    (((S, _, v0), _, v1), _, _), _, _ = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v0]
-    n.type = v4
+    n.type = top
     n.by_ref = False
     n.is_array = v1 is not None
+    top = n
+    return S, top
 
 
-def _third_131(V, T):
-    v2 = V[-2]
-    del V[-3:]
-    V[-1] = v2
+def _third_131(S, M, top, T):
+    ((S, _, _), _, _), _, v2 = S
+    top = v2
+    return S, top
 
 
-def _rest_using_two_132(V, T):
-    v1 = V[-5]
-    v3 = V[-3]
-    v4 = V[-2]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = printed(v5, None, [v1, v3], T[v4])
+def _rest_using_two_132(S, M, top, T):
+    ((((S, _, _), _, v1), _, _), _, v3), _, v4 = S
+    top = printed(top, None, [v1, v3], T[v4])
+    return S, top
 
 
-def _print_using_two_133(V, T):
-    v1 = V[-6]
-    v3 = V[-4]
-    v5 = V[-2]
-    v6 = V[-1]
-    del V[-6:]
+def _print_using_two_133(S, M, top, T):
+    (((((S, _, v0), _, v1), _, _), _, v3), _, _), _, v5 = S
     n = new(PrintItem)
     n.at = v1.at
     n.value = v1
     n.using = [v3, v5]
-    n.separator = T[v6]
-    V[-1].append(n)
+    n.separator = T[top]
+    v0.append(n)
+    top = v0
+    return S, top
 
 
-def _for_head_134(V, T):
-    v0 = V[-9]
-    v1 = V[-8]
-    v3 = V[-6]
-    v5 = V[-4]
-    v7 = V[-2]
-    del V[-8:]
-    V[-1] = n = new(For)
+def _for_head_134(S, M, top, T):
+    (((((((S, _, v0), _, v1), _, _), _, v3), _, _), _, v5), _, _), _, v7 = S
+    n = new(For)
     n.at = v0
     n.variable = Name(v1, T[v1])
     n.start = v3
     n.stop = v5
     n.step = v7
     n.body = []
+    top = n
+    return S, top
 
 
-def _parameter_by_reference_135(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v2 = V[-4]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = n = new(Parameter)
+def _parameter_by_reference_135(S, M, top, T):
+    ((((S, _, v0), _, v1), _, v2), _, _), _, _ = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v1]
-    n.type = v5
+    n.type = top
     n.by_ref = True
     n.is_array = v2 is not None
+    top = n
+    return S, top
 
 
-def _parameter_by_value_136(V, T):
-    v0 = V[-6]
-    v1 = V[-5]
-    v2 = V[-4]
-    v5 = V[-1]
-    del V[-5:]
-    V[-1] = n = new(Parameter)
+def _parameter_by_value_136(S, M, top, T):
+    ((((S, _, v0), _, v1), _, v2), _, _), _, _ = S
+    n = new(Parameter)
     n.at = v0
     n.name = T[v1]
-    n.type = v5
+    n.type = top
     n.by_ref = False
     n.is_array = v2 is not None
+    top = n
+    return S, top
 
 
-def _function_137(V, T):
-    v0 = V[-9]
-    v1 = V[-8]
-    v2 = V[-7]
-    v4 = V[-5]
-    v6 = V[-3]
-    del V[-8:]
-    V[-1] = n = new(Sub)
+def _function_137(S, M, top, T):
+    (((((((S, _, v0), _, v1), _, v2), _, _), _, v4), _, _), _, v6), _, _ = S
+    n = new(Sub)
     n.at = v0
     n.name = T[v1]
     n.parameters = v2
     n.body = v6
     n.function = True
     n.result = v4
+    top = n
+    return S, top
 
 
-def _else_if_138(V, T):
-    v0 = V[-5]
-    v1 = V[-4]
-    v3 = V[-2]
-    v4 = V[-1]
-    del V[-4:]
-    V[-1] = [If(v0, v1, v3, v4)]
+def _else_if_138(S, M, top, T):
+    (((S, _, v0), _, v1), _, _), _, v3 = S
+    top = [If(v0, v1, v3, top)]
+    return S, top
 
 
-def _input_139(V, T):
-    v0 = V[-9]
-    v2 = V[-7]
-    v4 = V[-5]
-    v6 = V[-3]
-    v8 = V[-1]
-    del V[-8:]
-    V[-1] = n = new(Input)
+def _input_139(S, M, top, T):
+    (((((((S, _, v0), _, _), _, v2), _, _), _, v4), _, _), _, v6), _, _ = S
+    n = new(Input)
     n.at = v0
     n.target = v6
     n.prompt = None if v4 is None else String(v4, string(T[v4]))
-    n.using = v8 or []
+    n.using = top or []
     n.terminal = v2
+    top = n
+    return S, top
 
 
-def _rest_using_two_140(V, T):
-    v1 = V[-6]
-    v3 = V[-4]
-    v4 = V[-3]
-    v5 = V[-2]
-    v6 = V[-1]
-    del V[-6:]
-    V[-1] = printed(v5, v6, [v1, v3], T[v4])
+def _rest_using_two_140(S, M, top, T):
+    (((((S, _, _), _, v1), _, _), _, v3), _, v4), _, v5 = S
+    top = printed(v5, top, [v1, v3], T[v4])
+    return S, top
 
 
-TOKEN = '[ \t]*+([A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
 
-CONTINUED = '(?:[ \t]++|[\\\\_][ \t]*+(?:\'[^\n]*+)?\n)*([A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
+def _run(moves, kinds, T):
+    following = iter(kinds)
+    code, target = move(moves, next(following))
+    S = top = None
+    for at, kind in enumerate(following):
+        while True:
+            if code < 0:
+                break
+            elif code == 0:
+                (S, _, v0), _, v1 = S
+                n = new(Binary)
+                n.at = v0.at
+                n.op = T[v1]
+                n.left = v0
+                n.right = top
+                top = n
+            elif code == 1:
+                (S, _, v0), _, v1 = S
+                v0.append(v1)
+                top = v0
+            elif code == 2:
+                (S, _, v0), _, _ = S
+                n = new(Assign)
+                n.at = v0.at
+                n.target = v0
+                n.values = [top]
+                n.repeat = False
+                top = n
+            elif code == 3:
+                ((S, _, v0), _, _), _, v2 = S
+                n = new(Name)
+                n.at = v0
+                n.name = T[v0]
+                n.args = [v2]
+                n.axes = False
+                top = n
+            elif code == 4:
+                (S, _, _), _, v1 = S
+                top = v1
+            else:
+                reducer, target = target
+                S, top = reducer(S, moves, top, T)
+            try:
+                moves, code, target = S[1][target]
+            except KeyError:
+                moves, code, target = goto(S[1], target)
+        S = S, moves, top
+        if code == -1:
+            top, moves = at, target
+            try:
+                code, target = moves[kind]
+            except KeyError:
+                code, target = move(moves, kind)
+        else:
+            try:
+                made, moves, code, target = target[kind]
+            except KeyError:
+                made, moves, code, target = leaf(target, kind)
+            if made == 1:
+                n = new(Number)
+                n.at = at
+                n.value = NUMBERS[T[at]]
+                top = n
+            elif made == 2:
+                n = new(Name)
+                n.at = at
+                n.name = T[at]
+                n.args = None
+                n.axes = False
+                top = n
+            else:
+                top = at
+    return S[2]
+
+
+TOKEN = '[ \t]*+([!\\#%\\&\\(\\)\\*\\+,\\-/;=\\?\\[\\\\\\]\\^\\|\\~]|[A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
+
+CONTINUED = '(?:[ \t]++|[\\\\_][ \t]*+(?:\'[^\n]*+)?\n)*([!\\#%\\&\\(\\)\\*\\+,\\-/;=\\?\\[\\\\\\]\\^\\|\\~]|[A-Za-z_](?!(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM[A-Z][a-z]))[A-Za-z0-9_]*+(?!\\.[0-9])|[0-9.](?:(?<=[0-9])[0-9]*+\\.?[0-9]*+(?:[eE][+-]?[0-9]++)?|(?<=\\.)[0-9]++(?:[eE][+-]?[0-9]++)?|(?<=0)(?:[xX][0-9a-fA-F]++|[bB][01]++))(?![A-Za-z0-9_])|[\n\':Rr](?:(?<=\n)|(?<=\')[^\n]*+\n|(?:(?<=:)[ \t]*+[Rr])?(?<=[Rr])(?:[Ee][Mm]\\b|(?<=R)EM(?=[A-Z][a-z]))[^\n]*+\n)[ \t]*+(?:(?:\'[^\n]*+|(?::[ \t]*+)?(?:[Rr][Ee][Mm]\\b|REM(?=[A-Z][a-z]))[^\n]*+)?\n[ \t]*+)*+|"[^"\\\\\n]*+(?:\\\\[^\n][^"\\\\\n]*+)*+"|[A-Za-z_][A-Za-z0-9_]*+(?:\\.[0-9]++)++|`(?:[^`\\\\\n]|\\\\[^\n])`|<<|<=|<>|>=|>>|"[^\\n]*|[0-9][A-Za-z0-9_]*|.)'
 
 LITERALS = {
     '!': 'COMPLEMENT',
@@ -1591,11 +1576,11 @@ RULES = (
     (2, 'inline_statement', _pause_26),
     (2, 'inline_statement', _print_27),
     (2, 'inline_statement', _run_28),
-    (3, 'items', _more_29),
-    (3, 'items', _more_29),
-    (3, 'items', _more_29),
-    (3, 'items', _more_29),
-    (3, 'items', _more_29),
+    (3, 'items', 1),
+    (3, 'items', 1),
+    (3, 'items', 1),
+    (3, 'items', 1),
+    (3, 'items', 1),
     (3, 'name{leading}', _name_empty_30),
     (1, 'exprs', _one_12),
     (3, 'inline_statement', _dim_31),
@@ -1624,9 +1609,9 @@ RULES = (
     (3, 'ref{name{NAME}}', _member_44),
     (3, 'select_head', _next_case_45),
     (1, 'slots', _one_omitted_46),
-    (3, 'inline_statement', _assign_one_47),
+    (3, 'inline_statement', 2),
     (3, 'inline_statement', _assign_48),
-    (4, 'name{leading}', _name_arg_49),
+    (4, 'name{leading}', 3),
     (4, 'name{leading}', _name_args_50),
     (4, 'name{leading}', _name_axes_51),
     (1, 'type', _type_52),
@@ -1647,20 +1632,20 @@ RULES = (
     (2, 'parameters', _none_61),
     (1, 'parameter_list', _one_12),
     (3, 'name{word}', _name_empty_30),
-    (3, 'atom', _inner_62),
+    (3, 'atom', 4),
     (3, 'and{atom}', _and_63),
-    (3, 'power{atom}', _binary_64),
-    (3, 'bit_and_not{atom}', _binary_64),
-    (3, 'bit_and{atom}', _binary_64),
-    (3, 'bit_or_not{atom}', _binary_64),
-    (3, 'bit_or{atom}', _binary_64),
-    (3, 'bit_or_not{atom}', _binary_64),
-    (3, 'compare_not{atom}', _binary_64),
-    (3, 'compare{atom}', _binary_64),
-    (3, 'compare_not{atom}', _binary_64),
-    (3, 'compare_not{atom}', _binary_64),
-    (3, 'compare{atom}', _binary_64),
-    (3, 'compare_not{atom}', _binary_64),
+    (3, 'power{atom}', 0),
+    (3, 'bit_and_not{atom}', 0),
+    (3, 'bit_and{atom}', 0),
+    (3, 'bit_or_not{atom}', 0),
+    (3, 'bit_or{atom}', 0),
+    (3, 'bit_or_not{atom}', 0),
+    (3, 'compare_not{atom}', 0),
+    (3, 'compare{atom}', 0),
+    (3, 'compare_not{atom}', 0),
+    (3, 'compare_not{atom}', 0),
+    (3, 'compare{atom}', 0),
+    (3, 'compare_not{atom}', 0),
     (2, 'line_then', _skip_4),
     (1, 'closed', _one_12),
     (1, 'line_tail', None),
@@ -1671,13 +1656,13 @@ RULES = (
     (3, 'ref{name{word}}', _member_44),
     (3, 'or{atom}', _or_66),
     (3, 'or{atom}', _xor_67),
-    (3, 'shift{atom}', _binary_64),
-    (3, 'sum{atom}', _binary_64),
-    (3, 'sum{atom}', _binary_64),
-    (3, 'term{atom}', _binary_64),
+    (3, 'shift{atom}', 0),
+    (3, 'sum{atom}', 0),
+    (3, 'sum{atom}', 0),
+    (3, 'term{atom}', 0),
     (3, 'term{atom}', _mod_68),
     (3, 'term{atom}', _mod_68),
-    (3, 'term{atom}', _binary_64),
+    (3, 'term{atom}', 0),
     (4, 'inline_statement', _input_69),
     (4, 'inline_statement', _input_69),
     (1, 'formats', _one_12),
@@ -1685,41 +1670,41 @@ RULES = (
     (1, 'end_loop', None),
     (1, 'end_loop', None),
     (4, 'inline_statement', _loop_71),
-    (4, 'name{NAME}', _name_arg_49),
+    (4, 'name{NAME}', 3),
     (4, 'name{NAME}', _name_args_50),
     (4, 'name{NAME}', _name_axes_51),
     (3, 'and{operand}', _and_63),
-    (3, 'power{operand}', _binary_64),
+    (3, 'power{operand}', 0),
     (3, 'bare', _more_54),
     (2, 'rest', _rest_72),
     (2, 'rest', _rest_last_73),
-    (3, 'bit_and_not{operand}', _binary_64),
-    (3, 'bit_and{operand}', _binary_64),
-    (3, 'bit_or_not{operand}', _binary_64),
-    (3, 'bit_or{operand}', _binary_64),
-    (3, 'bit_or_not{operand}', _binary_64),
-    (3, 'compare_not{operand}', _binary_64),
-    (3, 'compare{operand}', _binary_64),
-    (3, 'compare_not{operand}', _binary_64),
-    (3, 'compare_not{operand}', _binary_64),
-    (3, 'compare{operand}', _binary_64),
-    (3, 'compare_not{operand}', _binary_64),
+    (3, 'bit_and_not{operand}', 0),
+    (3, 'bit_and{operand}', 0),
+    (3, 'bit_or_not{operand}', 0),
+    (3, 'bit_or{operand}', 0),
+    (3, 'bit_or_not{operand}', 0),
+    (3, 'compare_not{operand}', 0),
+    (3, 'compare{operand}', 0),
+    (3, 'compare_not{operand}', 0),
+    (3, 'compare_not{operand}', 0),
+    (3, 'compare{operand}', 0),
+    (3, 'compare_not{operand}', 0),
     (3, 'or{operand}', _or_66),
     (3, 'or{operand}', _xor_67),
-    (3, 'shift{operand}', _binary_64),
-    (3, 'sum{operand}', _binary_64),
-    (3, 'sum{operand}', _binary_64),
-    (3, 'term{operand}', _binary_64),
+    (3, 'shift{operand}', 0),
+    (3, 'sum{operand}', 0),
+    (3, 'sum{operand}', 0),
+    (3, 'term{operand}', 0),
     (3, 'term{operand}', _mod_68),
     (3, 'term{operand}', _mod_68),
-    (3, 'term{operand}', _binary_64),
+    (3, 'term{operand}', 0),
     (3, 'print_list', _print_item_74),
     (3, 'print_list', _print_item_74),
     (2, 'seps', _skip_4),
     (4, 'inline_statement', _for_75),
-    (3, 'body', _more_29),
-    (3, 'body', _more_29),
-    (3, 'body', _more_29),
+    (3, 'body', 1),
+    (3, 'body', 1),
+    (3, 'body', 1),
     (1, 'test', _test_76),
     (1, 'tests', _one_12),
     (4, 'select', _last_case_77),
@@ -1731,12 +1716,12 @@ RULES = (
     (3, 'several', _pair_83),
     (3, 'several', _more_54),
     (3, 'exprs', _more_54),
-    (4, 'declared', _name_arg_49),
+    (4, 'declared', 3),
     (4, 'declared', _name_args_50),
     (2, 'parameter', _parameter_by_reference_84),
     (2, 'parameter', _parameter_by_value_85),
-    (3, 'parameters', _inner_62),
-    (4, 'name{word}', _name_arg_49),
+    (3, 'parameters', 4),
+    (4, 'name{word}', 3),
     (4, 'name{word}', _name_args_50),
     (4, 'name{word}', _name_axes_51),
     (1, 'end_if', None),
@@ -1760,7 +1745,7 @@ RULES = (
     (5, 'inline_statement', _while_94),
     (3, 'case', _case_else_95),
     (3, 'case', _case_96),
-    (3, 'slots', _more_29),
+    (3, 'slots', 1),
     (3, 'type', _sized_type_97),
     (5, 'constant', _constant_98),
     (5, 'valued', _typed_variable_99),
@@ -1785,11 +1770,11 @@ RULES = (
     (5, 'print_list', _print_using_109),
     (6, 'select', _select_nothing_110),
     (6, 'declaration', _task_111),
-    (3, 'task_body', _more_29),
-    (3, 'task_body', _more_29),
-    (3, 'task_body', _more_29),
-    (3, 'task_body', _more_29),
-    (3, 'task_body', _more_29),
+    (3, 'task_body', 1),
+    (3, 'task_body', 1),
+    (3, 'task_body', 1),
+    (3, 'task_body', 1),
+    (3, 'task_body', 1),
     (6, 'declaration', _user_type_112),
     (3, 'members', _extend_113),
     (3, 'members', _extend_113),
@@ -2416,4 +2401,9 @@ ROWS = (
     'd313',
 )
 
-TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, 2)
+LEAVES = {
+    'NUMBER': (1, _number_22),
+    'NAME': (2, _name_3),
+}
+
+TABLES = Tables(TOKEN, CONTINUED, LITERALS, CLASSES, RULES, ROWS, 2, LEAVES, _run)

@@ -87,7 +87,7 @@ def _value(item: Any, places: dict[int, int], texts: list[str]) -> Any:
         )
         return _append(values[0], last)
     action = ACTIONS[item.data]
-    scope = {"T": texts, "V": [], **{f"v{i}": value for i, value in enumerate(values)}}
+    scope = {"T": texts, "S": None, **{f"v{i}": value for i, value in enumerate(values)}}
     value = eval(action.removeprefix("+ "), NAMES, scope)
     return _append(values[0], value) if action.startswith("+ ") else value
 
@@ -98,8 +98,9 @@ def _append(values: list[Any], value: Any) -> list[Any]:
 
 
 def ours(text: str) -> str:
+    texts = TABLES.texts(text)
     try:
-        return repr(TABLES.parse(TABLES.texts(text)))
+        return repr(TABLES.parse(texts, TABLES.kinds_of(texts)))
     except Stuck:
         return "refused"
     except build.Misuse:
