@@ -225,7 +225,7 @@ class GeneratorTask(Task):
     @property
     def at(self) -> int:
         """The place of the innermost sub that the task is in."""
-        if self.running:
+        if getattr(self._generator, "gi_running", False):
             # A generator that runs does not tell what it has handed on to; the frames between here and it do.
             caller: FrameType | None = _getframe(1)
             while caller is not None and caller.f_code.co_filename != self._file:

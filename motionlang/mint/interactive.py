@@ -1,7 +1,7 @@
 """Mint at a prompt: every line is compiled for itself, names stay.
 
-All variables are globals of one namespace. Types, subs and tasks that a line declares are known to the next; a name
-that is declared again takes its new meaning from then on.
+All variables are globals of one namespace; the time is in cells, as in a program. Types, subs and tasks that a line
+declares are known to the next; a name that is declared again takes its new meaning from then on.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from motionlang.lang.dialect import Interactive
 from motionlang.mint.compile.compiler import compile_line
 from motionlang.mint.compile.overrides import override_if_there
 from motionlang.mint.resolve.symbols import Function, Scope
+from motionlang.mint.runtime.code_units import TIME, bind
 from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.task import PARENT, MintTask
 from motionlang.mint.syntax.parser import is_complete, parse
@@ -33,12 +34,8 @@ class MintInteractive(Interactive):
         self._scope = Scope(Function("main", "main", "main", [], None), None)
         self._namespace: dict[str, object] = {
             "E": self.environment,
-            "C": self.environment.clock,
             "P": self.environment.say,
-            "t": 0.0,
-            "H": 0.0,
-            "S": self.environment.statements,
-            "dt": machine.instruction_time,
+            "T": self.environment.operations.now,
         }
 
     def is_complete(self, text: str) -> bool:
@@ -58,7 +55,8 @@ class MintInteractive(Interactive):
         self._inputs += 1
         names = self._namespace
         names.update(zip(compiled.operations, self.environment.make_operations(compiled.specs), strict=True))
-        exec(compiled.code, names)
+        exec(compiled.first, names)
+        bind(compiled.unit, names, dict(zip(TIME, self.environment.time_cells, strict=True)))
         self.environment.files[file] = compiled.places
         self.environment.blocks.update((key, names[name]) for key, name in compiled.blocks.items())  # type: ignore[misc]
         if compiled.blocks:

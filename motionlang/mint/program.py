@@ -139,16 +139,15 @@ class MintProgram(Program):
         """The parent task of the program as it stands, with `values` for the names that it is given."""
         environment = Environment(machine)
         environment.prepare()
-        code, statements = self.code, environment.statements
+        code = self.code
         environment.files[FILE] = code.places
         environment.line_of = self._line_of
         operations = environment.make_operations(code.specs)
         namespace: dict[str, object] = {f"k{n}": operation for n, operation in enumerate(operations)}
-        namespace.update(E=environment, C=environment.clock, P=environment.say)
-        namespace.update(S=statements, dt=statements.cost)
+        namespace.update(E=environment, P=environment.say, T=environment.operations.now)
         if values:
             namespace.update({given_name(name): value for name, value in values.items()})
-        environment.time_cells = code.link(namespace)
+        code.link(namespace, environment.time_cells)
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()

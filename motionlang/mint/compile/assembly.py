@@ -29,16 +29,19 @@ DEEP, LONG = 15, 400
 
 
 class TypedLine:
-    """A line typed at a prompt: its code, the place of each line of it, and what its names stand for.
+    """A line typed at a prompt: its functions, the place of each line of them, and what its names stand for.
 
-    `blocks` are the tasks and event handlers by "task blink", "event timer", with their names in the code.
+    `first` gives its variables their first values. `blocks` are the tasks and event handlers by "task blink", "event
+    timer", with their names in the code.
     """
 
-    __slots__ = ("blocks", "code", "operations", "places", "specs")
+    __slots__ = ("blocks", "first", "operations", "places", "specs", "unit")
 
-    def __init__(self, whole: Whole, lines: list[Line], file: str) -> None:
-        self.places = [0, *(line.at for line in lines)]
-        self.code = _checked(lambda: compile(text_of(lines), file, "exec"), self.places, 0, whole.problems)
+    def __init__(self, whole: Whole, first: str, names: list[str], lines: list[Line], file: str) -> None:
+        self.first = compile(first, file, "exec")
+        self.places = _places(lines, [0])
+        self.unit = Unit(tuple(names), text_of(lines), 0, TIME)
+        _checked(lambda: self.unit.compile(file), self.places, 0, whole.problems)
         self.specs, self.operations = whole.described(), list(whole.spec_names.values())
         self.blocks = _blocks(whole)
 
@@ -136,14 +139,20 @@ class _Units:
         if not self._lines:
             return
         lines, before = self._lines, len(self.places) - 1
-        self.places += [lines[0].at] * 2
-        self.places += [line.at for line in lines]
+        _places(lines, self.places)
         cells = tuple(sorted(names_in(lines) & self.shared))
         unit = Unit(tuple(self._names), text_of(lines), before, cells)
         if any(line.indent >= DEEP or len(line.text) > LONG for line in lines):
             self.risky.add(unit)
         self.made.append(unit)
         self._names, self._lines = [], []
+
+
+def _places(lines: list[Line], places: list[int]) -> list[int]:
+    """Add the places of a unit's lines, behind which of the two before them."""
+    places += [lines[0].at] * 2
+    places += [line.at for line in lines]
+    return places
 
 
 def _checked(work: Callable[[], Made], places: Sequence[int], before: int, problems: Problems) -> Made:
@@ -165,13 +174,15 @@ def assemble_line(
     whole: Whole, bodies: dict[Function, Body], known_before: dict[str, Symbol], file: str
 ) -> TypedLine:
     """The code of a line typed at a prompt."""
+    first, names = [], []
     lines: list[Line] = []
     for key, symbol in whole.names.module.names.items():
         if symbol.kind == "variable" and known_before.get(key) is not symbol:
-            lines.append(Line(0, f"{symbol.python} = {_first(symbol, False)}", symbol.at))
-    for b in bodies.values():
+            first.append(f"{symbol.python} = {_first(symbol, False)}")
+    for function, b in bodies.items():
+        names.append(function.python)
         lines += _head(whole, b) + _dispatched(whole, b)
-    return TypedLine(whole, lines, file)
+    return TypedLine(whole, "\n".join(first), names, lines, file)
 
 
 # ------------------------------------------------------------------------------------------------ functions
@@ -182,34 +193,36 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     if not b.function.jumps:
         return b.lines
     function = b.function
-    word = "global" if whole.typed else "nonlocal"
     own = {symbol.python for symbol in _own(function) if b.keeps(symbol)} & b.outside
     name = jumps.dispatcher(function)
-    texts = [f"def {name}(pc):", f" {word} {', '.join(sorted({'t', 'H'} | (b.outside - own)))}"]
-    if own:
-        texts.append(f" nonlocal {', '.join(sorted(own))}")
+    texts = [f"def {name}(pc):"]
+    texts += [f" {text}" for text in _shared_names(whole, {*TIME, *own}, b.outside - own)]
     out = [Line(b.indent, text, function.at, names=[*b.outside]) for text in texts] + b.lines
     texts = []
     handlers = label_handlers(function)
     for number, (label, _) in enumerate(b.stretches()):
         if label in handlers:
-            texts += _label_handler(whole, function, label, number)
-    last = "t" if function.kind != "sub" else function.result.python if function.result else ""
+            texts += _label_handler(function, label, number)
+    last = function.result.python if function.result else ""
     texts += [f"yield from {name}(0)", f"return {last}".rstrip()]
     return out + [Line(b.indent, text, function.at) for text in texts]
 
 
-def _label_handler(whole: Whole, function: Function, label: str, number: int) -> list[str]:
+def _label_handler(function: Function, label: str, number: int) -> list[str]:
     """v4: a label with the name of an event, to which nothing jumps, is its handler."""
-    word = "global" if whole.typed else "nonlocal"
     return [
-        f"def e_{label}(t_, H_):",
-        f" {word} t, H",
-        " t = t_; H = H_",
-        f" yield from {jumps.dispatcher(function)}({number})",
-        " return t",
+        f"def e_{label}(): yield from {jumps.dispatcher(function)}({number})",
         f"E.blocks['event {label}'] = e_{label}; E.listen()",
     ]
+
+
+def _shared_names(whole: Whole, own: set[str], outer: set[str]) -> list[str]:
+    """What says that a function assigns to names of the function around it, which has the time, and of the module."""
+    if whole.typed:
+        return [f"nonlocal {', '.join(sorted(own))}"] + (
+            [f"global {', '.join(sorted(outer))}"] if outer else []
+        )
+    return [f"nonlocal {', '.join(sorted(own | outer))}"]
 
 
 def _own(function: Function) -> list[Symbol]:
@@ -222,23 +235,14 @@ def _head(whole: Whole, b: Body) -> list[Line]:
     """The line `def …` and what must be done on entry."""
     function = b.function
     is_unit = bool(b.parts) and function.kind != "sub"
-    shared_time = function.shares_time or is_unit
     outside = set() if function.jumps else set(b.outside)
     if function.kind in ("task", "event") or is_unit:
         outside.update(s.python for s in _own(function) if is_unit or not b.keeps(s))
-    if shared_time:
-        outside.add("t")
-        if not function.plain:
-            outside.add("H")
-    texts = []
-    if outside:
-        texts.append(f"{'global' if whole.typed else 'nonlocal'} {', '.join(sorted(outside))}")
-    if function.kind != "sub" and shared_time:
-        texts.append("t = t_; H = H_")
+    texts = _shared_names(whole, set("t" if function.plain else TIME), outside)
     if not (whole.typed and function is whole.names.main):
         texts += _own_variables(function, b)
-    out = [Line(b.indent - 1, f"def {function.python}({_parameters(function, shared_time)}):", function.at)]
-    out += [Line(b.indent, text, function.at, names=[*outside]) for text in texts]
+    out = [Line(b.indent - 1, f"def {function.python}({', '.join(_parameters(function))}):", function.at)]
+    out += [Line(b.indent, text, function.at, names=[*outside, *TIME]) for text in texts]
     for part in b.parts:
         if part.inside:
             out += part.written(_shared_by(part, function), b.indent - 1)
@@ -257,10 +261,8 @@ def _shared_by(part: Part, function: Function) -> set[str]:
     return time | (known & part.names)
 
 
-def _parameters(function: Function, shared_time: bool) -> str:
-    if function.kind != "sub":
-        return "t_, H_" if shared_time else "t, H"
-    return ", ".join(name for parameter in function.parameters for name in _spellings(parameter))
+def _parameters(function: Function) -> list[str]:
+    return [name for parameter in function.parameters for name in _spellings(parameter)]
 
 
 def _spellings(symbol: Symbol) -> list[str]:

@@ -1,9 +1,9 @@
 """The Python text of one function as it grows, and how virtual time is written into it.
 
 `t` is the number of the statement at the begin of a basic block, counted from the moment `S.base`, and `H` that of the
-first at which something else wants to happen. Statements count one each; how many is kept in `pending` and written as
-one constant where somebody asks for the time. What takes note of it runs after everything that is due until then, at
-the machine time `S.base + t * dt`.
+first at which something else wants to happen. Both are cells: whoever lets the function go on writes them. Statements
+count one each; how many is kept in `pending` and written as one constant where somebody asks for the time. What takes
+note of it runs after everything that is due until then, of which `T` tells, as it tells the clock.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from motionlang.lang.keyword import Keyword, Table
     from motionlang.mint.compile.polling import Poll
@@ -112,9 +112,11 @@ class Whole:
         "_operations",
         "axes",
         "axis_texts",
+        "checks",
         "guarded",
         "line",
         "names",
+        "others",
         "parts",
         "problems",
         "rewritten",
@@ -148,9 +150,17 @@ class Whole:
         self.line = problems.line
         # Whether an ONERROR handler takes what fails, so that the program goes on.
         self.guarded = handles(names, "onerror")
+        # Whether others can change what a function reads while it gives way.
+        self.others = self.typed or any(f.jumps or f.kind in ("task", "event") for f in names.functions)
+        # Whether the statement being written holds what may fail, or what there is but once.
+        self.checks = False
 
     def use(self, *spec: object) -> str:
-        """The name, in the generated text, of what `spec` describes."""
+        """The name, in the generated text, of what `spec` describes; what is used there may fail."""
+        self.checks = True
+        return self._named(*spec)
+
+    def _named(self, *spec: object) -> str:
         name = self.spec_names.get(spec)
         if name is None:
             name = self.spec_names[spec] = f"k{len(self.specs)}{self.suffix}"
@@ -182,6 +192,7 @@ class Whole:
             return self._operation(how, row, int(axis)), rest
         if how in ("load", "do"):
             return self._operation(how, row, None), where
+        self.checks = True  # as there may be no such axis
         return f"{self._operation(how, row, EACH)}[{axis}]", rest
 
     def called_together(self, how: str, row: Keyword, axes: list[str]) -> tuple[str, list[str]]:
@@ -194,7 +205,7 @@ class Whole:
         name = self._operations.get((how, row, axis))
         if name is None:
             of = () if axis is None else (axis,)
-            name = self.use(how, row.verb, row.name, row.unit, row.index, row.low, row.high, *of)
+            name = self._named(how, row.verb, row.name, row.unit, row.index, row.low, row.high, *of)
             self._operations[how, row, axis] = name
         return name
 
@@ -212,7 +223,6 @@ class Body:
         "facts",
         "function",
         "indent",
-        "is_told",
         "levels",
         "lines",
         "loops",
@@ -234,17 +244,15 @@ class Body:
         "whole",
     )
 
-    def __init__(self, whole: Whole, function: Function, indent: int) -> None:
+    def __init__(self, whole: Whole, function: Function) -> None:
         self.whole, self.function, self.scope = whole, function, function.scope
         self.lines: list[Line] = []
         # What the next line has of variables.
         self.names: list[str] = []
-        self.indent = indent
+        self.indent = 2  # in its function, which stands in what makes the cells
         self.at = function.at
         self.pending = 0
         self.temps = 0
-        # Whether its time lives in cells that all functions share: who lets it go on writes it there.
-        self.is_told = function.shares_time and not whole.typed
         # Names of outer functions that this one assigns to.
         self.outside: set[str] = set()
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
@@ -299,7 +307,7 @@ class Body:
 
     def begin(self) -> None:
         """A statement begins: nothing is known of it yet."""
-        self.observes = self.calls = False
+        self.observes = self.calls = self.whole.checks = False
 
     def flush(self) -> None:
         """Bring `t` up to date."""
@@ -307,18 +315,20 @@ class Body:
             self.emit(f"t += {self.pending}.0", cost=self.pending)
             self.pending = 0
 
+    def _statement(self) -> str:
+        """The number of the statement, as what brings `t` up to date."""
+        if not self.pending:
+            return "t"
+        paid, self.pending = self.pending, 0
+        return f"t := t + {paid}.0"
+
     def horizon(self, answer: str = "t", then: str = "") -> None:
         """Bring `t` up to date and let others run when their time has come, `then` look again."""
         self.waits = self.noted = True
-        now, names = "t", JUST_YIELDS
-        if self.pending:
-            now, self.pending = f"(t := t + {self.pending}.0)", 0
+        now, names = f"({self._statement()})" if self.pending else "t", JUST_YIELDS
         if self.names:
             names, self.names = [*self.names, YIELDS], []
-        if not self.is_told:
-            give_way = f"t, H = yield {answer}"
-        else:
-            give_way = "yield" if answer == "t" else f"yield {answer}"
+        give_way = "yield" if answer == "t" else f"yield {answer}"
         self.lines.append(Line(self.indent, f"if {now} >= H: {give_way}{then}", self.at, PLAIN, names))
 
     def settle(self, tell: bool = True) -> None:
@@ -326,22 +336,49 @@ class Body:
 
         `tell`: the clock is told, as what follows reads it.
         """
-        if self.observes:
+        if self.observes and tell:
+            self.operation("T", [], self._statement())
+            self.noted = True
+        elif self.observes:
             self.horizon()
-            if tell:
-                self.emit("C.now = S.base + t * dt")
         elif self.calls:
             self.flush()
             self.noted = True
 
+    def operate(self, calls: Sequence[tuple[str, list[str]]]) -> None:
+        """A statement of operations, which look themselves whether something is due until then.
+
+        That is before them where what they are given reads the time, may fail, or may be another one afterwards.
+        """
+        if (
+            not calls
+            or self.observes
+            or self.calls
+            or self.whole.checks
+            or (self.names and self.whole.others)
+        ):
+            tell, self.observes = self.observes, True
+            self.settle(tell)
+        now = self._statement()
+        for operation, arguments in calls:
+            if self.calls and arguments:  # time passes in the sub, so what it is given is worked out before
+                given = self.temp()
+                self.emit(f"{given} = {', '.join(arguments)},")
+                arguments = [f"*{given}"]
+            self.operation(operation, arguments, now)
+            now = "t"
+        self.noted = True
+        self.pending += 1
+
+    def operation(self, operation: str, arguments: list[str], now: str = "t") -> None:
+        """The call of an operation, and the way for others where it is put off."""
+        self.gives_way()
+        self.emit(f"if {operation}({', '.join([now, *arguments])}): yield")
+
     def act(self, text: str) -> None:
         """A statement of one line that may take note of time."""
-        if self.observes:
-            self.settle(False)
-            self.emit(f"C.now = S.base + t * dt; {text}")
-        else:
-            self.settle()
-            self.emit(text)
+        self.settle()
+        self.emit(text)
         self.pending += 1
 
     def wait(self, expression: str, at_once: str = "") -> None:

@@ -97,8 +97,8 @@ def _number_of_axes(settings: dict[str, object] | None) -> int:
 
 
 def _function(whole: Whole, function: Function) -> Body:
-    """The body of one function, indented for where it will stand."""
-    b = Body(whole, function, 1 if whole.typed else 2)
+    """The body of one function."""
+    b = Body(whole, function)
     # What fails under ONERROR leaves its statement half done, so that nothing is certain behind it.
     if not (whole.guarded or (whole.typed and function is whole.names.main)):
         b.analysed = analysed(function)
@@ -112,9 +112,11 @@ def _function(whole: Whole, function: Function) -> Body:
     block(b, function.body)
     b.flush()
     hear_of_errors(b)
-    leave(b)
-    if not (function.plain or b.waits):
-        b.emit("yield")
+    is_called = function.plain or b.waits
+    if function.result is not None or not is_called:
+        leave(b)
+    if not is_called:
+        b.emit("yield")  # which makes it a generator
     return b
 
 

@@ -294,21 +294,11 @@ def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, las
     values = _values(b, node, row, max(1, len(where)) if row.index in ("axis", "axes") else 1)
     if values is None:
         return
-    settle_for(b)
     if row.index in ("axis", "axes"):
-        for axis, text in zip(where, values, strict=True):
-            if text != OMITTED:
-                _store(b, node, row, [axis], text, last)
+        pairs = [([axis], text) for axis, text in zip(where, values, strict=True) if text != OMITTED]
     else:
-        _store(b, node, row, where, values[0], last)
-    b.pending += 1
-
-
-def settle_for(b: Body) -> None:
-    """Operations tell the clock themselves; readings in their values need it before."""
-    tell = b.observes
-    b.observes = True
-    b.settle(tell)
+        pairs = [(where, values[0])]
+    b.operate([_storing(b, node, row, axes, text, last) for axes, text in pairs])
 
 
 def by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
@@ -319,14 +309,15 @@ def by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
 def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword, last: list[str]) -> None:
     """`SPEED = 10, 20` after `AXES[0, 1]`: how many axes there are is known when the program runs."""
     texts = _given(b, node, row)
-    settle_for(b)
+    tell, b.observes = b.observes, True
+    b.settle(tell)
     axis, text = b.temp(), b.temp()
     pairs = b.whole.use("env", "pairs")
     b.emit(f"for {axis}, {text} in {pairs}(({', '.join(texts)},), {node.repeat}):", LOOP)
     b.indent += 1
     if OMITTED in texts:
         b.emit(f"if {text} is {OMITTED}: continue")
-    _store(b, node, row, [axis], text, last)
+    b.operation(*_storing(b, node, row, [axis], text, last))
     b.indent -= 1
     b.pending += 1
 
@@ -391,28 +382,15 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
         b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
 
 
-def _store(b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str, last: list[str]) -> None:
+def _storing(
+    b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str, last: list[str]
+) -> tuple[str, list[str]]:
+    """What writes a value, or loads a move, and what it is given."""
     if row.kind == "move":
         operation, where = b.whole.called("load", row, where)
-        load(b, operation, [*where, text, str(b.whole.line(node.at))])
-        return
+        return operation, [*where, text, str(b.whole.line(node.at))]
     operation, where = b.whole.called("write" if "W" in row.access else "do", row, where)
-    operate(b, operation, [*where, text, *last])
-
-
-def load(b: Body, operation: str, arguments: list[str]) -> None:
-    """A move enters the buffer; while that has no room its operation answers with nothing, and the program waits."""
-    call = f"{operation}({', '.join(['t', 'H', *arguments])})"
-    b.gives_way()
-    if b.is_told:
-        b.emit(f"H = {call} or (yield from {b.whole.use('env', 'refused')})")
-    else:
-        b.emit(f"if (H := {call}) is None: t, H = yield from {b.whole.use('env', 'load')}(t)")
-
-
-def operate(b: Body, operation: str, arguments: list[str]) -> None:
-    """Call an operation at the present time; it answers with the horizon, which it may have brought nearer."""
-    b.emit(f"H = {operation}({', '.join(['t', 'H', *arguments])})")
+    return operation, [*where, text, *last]
 
 
 # ------------------------------------------------------------------------------------------------- commands
@@ -431,11 +409,9 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         not_a_command(b, target, row)
         return
     operation, where = done_at(b, target, row, indices)
-    settle_for(b)
     if row.index in ("axes", "axis") or row.group == "motion":
         where.append(str(b.whole.line(node.at)))
-    operate(b, operation, where)
-    b.pending += 1
+    b.operate([(operation, where)])
 
 
 def done_at(

@@ -23,6 +23,7 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
         return Answer(f"{left.bare} {COMPARISONS[op]} {right.bare}")
     if op == "/":
         first = left.bare if left.binds == PRODUCT else left.text
+        b.whole.checks = True
         return Value(f"({first} / {right.text})", FLOAT, intervals.FLOAT, None, PRODUCT)
     if op == "^":
         return Value(f"{b.whole.use('fn', 'power')}({left.bare}, {right.bare})", FLOAT, intervals.FLOAT)

@@ -24,10 +24,8 @@ def write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) ->
         found = keyword_use.indices(b, target, row, single=False)
         _check(b, node, target, row, len(found))
         operation, axes = b.whole.called_together("load", row, found)
-    keyword_use.settle_for(b)
     line = str(b.whole.line(node.at))
-    keyword_use.load(b, operation, [*axes, f"({', '.join(values)},)", line])
-    b.pending += 1
+    b.operate([(operation, [*axes, f"({', '.join(values)},)", line])])
 
 
 def _check(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:

@@ -36,7 +36,7 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
     for node in body:
         begin = len(b.lines)
         b.at = node.at
-        b.observes = b.calls = False
+        b.observes = b.calls = b.whole.checks = False
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:
@@ -409,7 +409,7 @@ def _end(b: Body, node: nodes.End) -> None:
     b.noted = True
     hear_of_errors(b)
     if b.function.kind == "main" and not b.function.jumps:
-        b.emit("return t", LEAVES)
+        b.emit("return", LEAVES)
     else:
         b.emit(f"{b.whole.use('env', 'end_main')}(t)")
 
@@ -419,12 +419,10 @@ def leave(b: Body) -> None:
     b.flush()
     b.noted = True
     result = b.function.result
-    if b.function.jumps:
-        b.emit("return", LEAVES)
-    elif b.function.kind == "sub":
-        b.emit(f"return {b.spelt(result)}" if result is not None else "return", LEAVES)
+    if result is not None and not b.function.jumps:
+        b.emit(f"return {b.spelt(result)}", LEAVES)
     else:
-        b.emit("return t", LEAVES)
+        b.emit("return", LEAVES)
 
 
 def _exit(b: Body, node: nodes.Exit) -> None:

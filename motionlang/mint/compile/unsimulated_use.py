@@ -57,9 +57,7 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
         return
     _warn(b, target, row, by=node)
     operation, where = keyword_use.done_at(b, target, row, _indices)
-    keyword_use.settle_for(b)
-    keyword_use.operate(b, operation, [*where, *_place(b, target, row)])
-    b.pending += 1
+    b.operate([(operation, [*where, *_place(b, target, row)])])
 
 
 def _is_loose(row: Keyword) -> bool:

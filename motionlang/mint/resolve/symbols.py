@@ -162,11 +162,6 @@ class Function:
         self._graph: Graph | None = None
 
     @property
-    def shares_time(self) -> bool:
-        """Whether others count in the same time: a sub runs on its caller's, a dispatcher on its function's."""
-        return self.kind == "sub" or bool(self.calls) or self.jumps
-
-    @property
     def graph(self) -> Graph:
         """The ways through it, made when somebody asks; its body is then what it will be."""
         if self._graph is None:

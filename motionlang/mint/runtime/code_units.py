@@ -10,7 +10,7 @@ names, and the functions found in it are put together with the cells:
       nonlocal t, v_x
       …
 
-Everything else is a global name: `kN`, `E`, `C`, `P`, and the functions. Until a unit is compiled, its
+Everything else is a global name: `kN`, `E`, `P`, `T`, and the functions. Until a unit is compiled, its
 functions are stand-ins, which put the true ones in their places when they are called.
 """
 
@@ -71,14 +71,14 @@ class Unit:
         """Whether there is code of it."""
         return bool(self.codes or self.packed)
 
-    def compile(self) -> tuple[CodeType, ...]:
+    def compile(self, file: str = FILE) -> tuple[CodeType, ...]:
         """The code of the functions."""
         if not self.codes and self.packed:
             self.codes = loads(self.packed)
         elif not self.codes:
             head = f"def _({', '.join(self.cells)}):\n global {', '.join(self.names)}"
             text = f"{head}\n{self.text}"
-            module = compile(text, FILE, "exec")
+            module = compile(text, file, "exec")
             around = next(each for each in module.co_consts if each.__class__ is _CODE)
             self.codes = tuple(
                 _moved(each, self.before) for each in around.co_consts if each.__class__ is _CODE
@@ -144,23 +144,19 @@ class Code:
             places[line] = place
         return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()
 
-    def link(self, namespace: dict[str, object]) -> tuple[CellType, CellType] | None:
-        """Put the functions, or their stand-ins, into a namespace that has everything else.
-
-        The cells of the time, where functions share it: whoever lets them go on writes it there.
-        """
-        values: dict[str, object] = dict.fromkeys(TIME, 0.0)
+    def link(self, namespace: dict[str, object], time: tuple[CellType, CellType]) -> None:
+        """Put the functions, or their stand-ins, into a namespace that has everything else; `time` are those cells."""
+        values: dict[str, object] = {}
         if self.first is not None:
             exec(self.first, values)
-        cells = {name: _CELL(values.get(name)) for name in (*TIME, *self.shared)}
+        cells = dict(zip(TIME, time, strict=True))
+        cells.update((name, _CELL(values.get(name))) for name in self.shared)
         for unit in self.units:
             if unit.codes:
-                _bind(unit, namespace, cells)
+                bind(unit, namespace, cells)
             else:
                 for name in unit.names:
                     namespace[name] = _StandIn(name, unit, namespace, cells)
-        shared = any(TIME[0] in unit.cells for unit in self.units)
-        return (cells[TIME[0]], cells[TIME[1]]) if shared else None
 
 
 def loaded(payload: tuple[object, ...]) -> Code:
@@ -170,7 +166,8 @@ def loaded(payload: tuple[object, ...]) -> Code:
     return Code(made, first, shared, specs, blocks, memoryview(places).cast("q"))  # type: ignore[arg-type]
 
 
-def _bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]) -> None:
+def bind(unit: Unit, namespace: dict[str, object], cells: Mapping[str, CellType]) -> None:
+    """Put the functions of a unit into a namespace."""
     for code in unit.compile():
         closure = tuple(cells[name] for name in code.co_freevars)
         namespace[code.co_name] = _FUNCTION(code, namespace, code.co_name, None, closure)
@@ -191,5 +188,5 @@ class _StandIn:
 
     def __call__(self, *arguments: object) -> object:
         if self.namespace[self.name] is self:
-            _bind(self.unit, self.namespace, self.cells)
+            bind(self.unit, self.namespace, self.cells)
         return self.namespace[self.name](*arguments)  # type: ignore[operator]

@@ -7,14 +7,14 @@ from math import ceil, floor
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import Attention
 from motionlang.lang.task import Wait
+from motionlang.mint.runtime.operations import Operations
 from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
-from motionlang.mint.runtime.waits import Refused, Waits
+from motionlang.mint.runtime.waits import Waits
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Sequence
-    from types import CellType
-    from typing import Any, TypeVar
+    from collections.abc import Callable, Sequence
+    from typing import TypeVar
 
     from motionlang.controller.controller import Controller
     from motionlang.lang.machine.machine import Machine
@@ -22,9 +22,10 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
+    from motionlang.mint.runtime.operations import PutOff
     from motionlang.mint.runtime.power_up import PowerUp
 
-    Make = Callable[[float, float], Steps]
+    Make = Callable[[], Steps]
     Part = TypeVar("Part")
 
 INFINITY = float("inf")
@@ -75,8 +76,6 @@ class Environment(Waits):
         # Told of the axis whenever something was put into its buffer, where a program chooses what starts moves.
         self.loaded: Callable[[int], None] | None = None
         self.task: MintTask
-        # What subs and their callers count in, where there are any.
-        self.time_cells: tuple[CellType, CellType] | None = None
         # When its statements are, and what it notes of its readings.
         self.statements = machine.statements
         self.attention = Attention(machine.clock)
@@ -93,10 +92,13 @@ class Environment(Waits):
         self.fired = self.leaps = 0
         # What a WAIT waits for where it is more than time that passes.
         self.wait: Wait
-        # The move for which there was no room.
         # What the machine file has settings be at power-up, where it speaks of any.
         self.power_up: PowerUp | None = None
-        self._refused: tuple[Callable[..., object], tuple[Any, ...], Any] | None = None
+        # The operation that the task which gives way has put off.
+        self.put_off: PutOff | None = None
+        self.operations = Operations(self)
+        # What its functions count in, and what writes that.
+        self.time_cells, self.set_time = self.operations.cells, self.operations.set_time
         self._parts: dict[type, object] = {Environment: self}
         self._events: Events | None = None
         self._errors: Errors | None = None
@@ -186,10 +188,10 @@ class Environment(Waits):
             return self._on_axes(how, row, details[6], repeated)
         operation = binding.bind(self, how, row)
         if how == "load":
-            return self._loading(operation)
+            return self.operations.loading(operation, getattr(operation, "plain", None))
         if repeated:
-            return self._repeated(operation, binding.held(self, row))
-        return operation if how == "read" else self._timed(operation)
+            return self.operations.repeated(operation, binding.held(self, row))
+        return operation if how == "read" else self.operations.timed(operation)
 
     def _on_axes(self, how: str, row: Row, axis: object, repeated: bool) -> object:
         """What a keyword does on an axis, or, where none is given, on each one that the program names as it runs."""
@@ -197,114 +199,24 @@ class Environment(Waits):
         from motionlang.mint.runtime.binding import with_first
 
         if how == "load":
-            return self._loading(binding.bind(self, how, row), axis)
+            load = binding.bind(self, how, row)
+            return self.operations.loading(with_first(load, axis), getattr(load, "plain", None), axis)
         if isinstance(axis, tuple):
             do = with_first(binding.bind(self, how, row), axis)
             return (
-                self._repeated(do, with_first(binding.held(self, row), axis)) if repeated else self._timed(do)
+                self.operations.repeated(do, with_first(binding.held(self, row), axis))
+                if repeated
+                else self.operations.timed(do)
             )
         if how == "read":
             bound: Callable[[int], Callable[..., object]] = binding.bind_to_axis(self, "read", row)
         elif repeated:
             write, held = binding.bind_to_axis(self, how, row), binding.held_by_axis(self, row)
-            bound = lambda axis: self._repeated(write(axis), held(axis))  # noqa: E731
+            bound = lambda axis: self.operations.repeated(write(axis), held(axis))  # noqa: E731
         else:
             write = binding.bind_to_axis(self, how, row)
-            bound = lambda axis: self._timed(write(axis))  # noqa: E731
+            bound = lambda axis: self.operations.timed(write(axis))  # noqa: E731
         return bound(axis) if isinstance(axis, int) else binding.Each(bound)
-
-    def _timed(self, operation: Callable[..., object]) -> Callable[..., float]:
-        """An operation at a statement, which answers with the horizon: it may have made a nearer event."""
-        clock, statements, cost = self.clock, self.statements, self.statements.cost
-
-        def at(count: float, horizon: float, *arguments: object) -> float:
-            clock.now = statements.base + count * cost
-            self.acts += 1
-            operation(*arguments)
-            return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
-
-        return at
-
-    def _repeated(
-        self, operation: Callable[..., object], held: Callable[..., object]
-    ) -> Callable[..., float]:
-        """The same for what a loop that polls may write or do: where all is as it was before, nothing was done."""
-        clock, attention, do = self.clock, self.attention, self._timed(operation)
-        statements, cost = self.statements, self.statements.cost
-
-        def at(count: float, horizon: float, *arguments: object) -> float:
-            clock.now = statements.base + count * cost
-            if attention.notes is None:  # nobody looks at this turn
-                self.acts += 1
-                operation(*arguments)
-                return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
-            before, made, acts = held(*arguments), clock.made, self.acts
-            found = do(count, horizon, *arguments)
-            if clock.made == made and held(*arguments) == before:
-                self.acts = acts
-            return found
-
-        return at
-
-    def _loading(self, operation: Callable[..., object], axes: object = None) -> Callable[..., float | None]:
-        """The same for a move, which answers with nothing, and is refused, while there is no room for it.
-
-        `axes`: the axis or the axes of all the moves that it loads, which it is then not given.
-        """
-        from motionlang.mint.runtime.binding import with_first
-
-        clock, statements, cost = self.clock, self.statements, self.statements.cost
-        to_axes = operation if axes is None else with_first(operation, axes)
-
-        def at(count: float, horizon: float, *arguments: object) -> float | None:
-            clock.now = statements.base + count * cost
-            self.acts += 1
-            if to_axes(*arguments):
-                self._refused = to_axes, arguments, arguments[0] if axes is None else axes
-                return None
-            return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
-
-        plain = getattr(operation, "plain", None)
-        if plain is None:
-            return at
-        wraps = self.wraps
-        if axes is not None:
-            load = plain[axes]
-
-            def plainly(count: float, horizon: float, value: float, line: int) -> float | None:
-                clock.now = statements.base + count * cost
-                if wraps or self.loaded is not None or not load(value, line):
-                    return at(count, horizon, value, line)
-                self.acts += 1
-                return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
-
-            return plainly
-
-        def each(count: float, horizon: float, axis: int, value: float, line: int) -> float | None:
-            clock.now = statements.base + count * cost
-            if wraps or self.loaded is not None or not plain[axis](value, line):
-                return at(count, horizon, axis, value, line)
-            self.acts += 1
-            return horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
-
-        return each
-
-    def load(self, t: float) -> Generator[Wait, tuple[float, float], tuple[float, float]]:
-        """Wait until there is room for the move that was refused."""
-        clock, statements = self.clock, self.statements
-        assert self._refused is not None
-        operation, arguments, axes = self._refused
-        self._refused = None
-        while True:
-            t, horizon = yield self.room(t, axes if isinstance(axes, tuple) else (axes,))
-            clock.now = statements.at(t)
-            if not operation(*arguments):
-                return t, horizon if clock.horizon >= statements.until else statements.limit(clock.horizon)
-
-    @property
-    def refused(self) -> Refused:
-        """The same where the time is shared."""
-        return Refused(self)
 
     # ---------------------------------------------------------------------------------------------- time
 

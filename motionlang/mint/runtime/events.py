@@ -13,10 +13,8 @@ from motionlang.mint.runtime.task import MintTask
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from motionlang.controller.clock import Event as ClockEvent
-    from motionlang.lang.task import Steps, Wait
+    from motionlang.lang.task import Wait
     from motionlang.mint.runtime.environment import Environment, Make
 
 
@@ -117,7 +115,7 @@ class EventTask(MintTask):
 
     __slots__ = ()
 
-    def __init__(self, name: str, make: Callable[[float, float], Steps], environment: Environment) -> None:
+    def __init__(self, name: str, make: Make, environment: Environment) -> None:
         super().__init__(name, make, environment)
         self.timer = environment.timer
 

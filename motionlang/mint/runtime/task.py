@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from motionlang.lang.attention import Note
     from motionlang.lang.task import Delay
     from motionlang.mint.runtime.environment import Environment, Make
+    from motionlang.mint.runtime.operations import PutOff
     from motionlang.mint.runtime.waits import Waits
 
 
@@ -31,11 +32,22 @@ PARENT = "ParentTask"
 class MintTask(GeneratorTask):
     """A task of a Mint program; `timer` holds the moment from which its TIME counts."""
 
-    __slots__ = ("axes", "delay", "environment", "frame", "held", "notes", "suspended", "timer")
+    __slots__ = (
+        "_acts",
+        "_put_off",
+        "axes",
+        "delay",
+        "environment",
+        "frame",
+        "held",
+        "notes",
+        "suspended",
+        "timer",
+    )
 
     def __init__(self, name: str, make: Make, environment: Environment) -> None:
         file = make.__code__.co_filename
-        super().__init__(name, make, file, environment.files[file])
+        super().__init__(name, make, file, environment.files[file])  # type: ignore[arg-type]
         self.environment = environment
         # Its innermost code where no sub is called.
         self.frame: FrameType | None = None
@@ -47,6 +59,9 @@ class MintTask(GeneratorTask):
         self.notes: list[Note] | None = None
         self.suspended = False
         self.held: Wait | None = None
+        # The operation before which it gave way, and which is carried out when it goes on.
+        self._put_off: PutOff | None = None
+        self._acts = False  # whether that is being done
         self.set_turn()
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
@@ -64,20 +79,21 @@ class MintTask(GeneratorTask):
         acts = environment.acts
         attention.notes = self.notes
         self.busy = 0.0
-        place, cells = statements.go_on(now, horizon), environment.time_cells
+        place = statements.go_on(now, horizon)
+        environment.set_time(*place)
         out: Any
-        if cells is not None:
-            cells[0].cell_contents, cells[1].cell_contents = place
         try:
-            if generator is not None:
+            if self._put_off is not None:
+                out = self._carry_out(*place)
+            elif generator is not None:
                 out = generator.send(place)
             else:
-                self._generator = generator = self._make(*place)
+                self._generator = generator = self._make()  # type: ignore[call-arg]
                 self.frame = generator.gi_frame  # type: ignore[attr-defined]
                 out = next(generator)
-        except StopIteration as stop:
+        except StopIteration:
             self.done = True
-            time, wait = statements.leave(stop.value), None
+            time, wait = statements.leave(environment.time_cells[0].cell_contents), None
         except TaskEnd as end:
             self.done = True
             return end.time, None
@@ -89,7 +105,15 @@ class MintTask(GeneratorTask):
         else:
             kind = out.__class__
             if out is None:
-                time, wait = statements.leave(cells[0].cell_contents), None  # type: ignore[index]
+                count = environment.time_cells[0].cell_contents
+                self._put_off = put_off = environment.put_off
+                if put_off is None:
+                    time, wait = statements.leave(count), None
+                else:
+                    environment.put_off = None
+                    _, _, full = put_off
+                    wait = None if full is None else environment.room(count, full)
+                    time = statements.leave(count)
             elif kind is float:
                 time, wait = statements.leave(out), None
             elif kind is tuple:
@@ -106,6 +130,28 @@ class MintTask(GeneratorTask):
         if self.suspended:
             self.held, wait = wait, self.never()
         return time, wait
+
+    def _carry_out(self, count: float, horizon: float) -> object:
+        """Do what was put off, then go on. What fails, fails at its statement; a move may find no room again."""
+        environment, generator = self.environment, self._generator
+        assert self._put_off is not None
+        assert generator is not None
+        (operation, arguments, _), self._put_off = self._put_off, None
+        if horizon <= count:  # what is due now has had its chance
+            environment.set_time(count, count + 0.5)
+        self._acts = True
+        try:
+            if operation(count, *arguments):
+                return None
+        except Exception as error:
+            return generator.throw(error)
+        finally:
+            self._acts = False
+        return generator.send((count, environment.time_cells[1].cell_contents))
+
+    @property
+    def running(self) -> bool:
+        return self._acts or super().running
 
     def set_turn(self) -> None:
         """TASKQUANTUM; less half a statement, so that rounding does not decide whether the last one still fits."""

@@ -11,7 +11,7 @@ from motionlang.lang.task import Delay, Wait
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
+    from collections.abc import Callable
     from typing import Any
 
     from motionlang.controller.clock import Clock
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from motionlang.lang.attention import Attention
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.statement_time import StatementTime
-    from motionlang.mint.runtime.environment import Environment
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.task import MintTask
 
@@ -331,23 +330,3 @@ class Rest(Wait):
         if self._asked is None:
             self._asked = Condition(self._environment.attention, self._test, self.since, self.why)
         return self._asked
-
-
-class Refused:
-    """What has become of a move behind `H = load(…) or (yield from refused)`: it answers with the horizon.
-
-    No move was refused where the horizon is 0.
-    """
-
-    __slots__ = ("_environment",)
-
-    def __init__(self, environment: Environment) -> None:
-        self._environment = environment
-
-    def __iter__(self) -> Generator[Wait, tuple[float, float], float]:
-        environment = self._environment
-        if environment._refused is None:
-            return 0.0
-        assert environment.time_cells is not None
-        _, horizon = yield from environment.load(environment.time_cells[0].cell_contents)
-        return horizon

@@ -5,8 +5,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang import Run, run
-from motionlang.lang.machine.machine import Machine
-from motionlang.mint.runtime.environment import Environment
 from motionlang.source import Source
 
 HEAD = "Dim n As Integer\nSPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500 : MOVEBUFFERSIZE(0) = 2\n"
@@ -60,11 +58,3 @@ def test_a_sub_takes_as_long_as_its_statements(body: str) -> None:
     inside = ran(f"fill\nEnd\nSub fill\n{body}\nEnd Sub")
     outside = ran(f"{body}\nEnd")
     assert told(inside) == told(outside)
-
-
-def test_a_horizon_of_0_is_no_refusal() -> None:
-    """`H = load(…) or (yield from refused)`: 0 comes here, too, and is what it was."""
-    refused = iter(Environment(Machine({})).refused)
-    with pytest.raises(StopIteration) as end:
-        next(refused)
-    assert end.value.value == 0.0
