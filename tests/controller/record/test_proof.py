@@ -191,6 +191,11 @@ BROKEN: dict[str, tuple[str, Forge, str]] = {
     "another radius": (ARC, lambda o: path_of(o, centre=(-10.5, 0.0)), "off the way that was ordered"),
     "an angle": (ARC, lambda o: path_of(o, angle=301.0), "its path ends at"),
     "a path too fast": (LINE, lambda o: o._replace(speed=19.9), "the path speed reaches 20, above 19.9"),
+    "a slow path too fast": (
+        "SPEED(0) = 0.5\nVECTORR(0, 1) = 0.3, 0.4\nGO(0)\nPAUSE IDLE(0)\n",
+        lambda o: o._replace(speed=0.4),
+        "the path speed reaches 0.5, above 0.4",
+    ),
     "a path too hard": (LINE, lambda o: o._replace(rates=(99.0, 100.0)), "the path acceleration reaches 100"),
     "too hard for one of its axes": (ARC, lambda o: path_of(o, most_accel=(1e9, 35.0)), "the rate on paths of axis 1"),
     "too fast for one of its axes": (LINE, lambda o: path_of(o, most=(1e9, 15.0)), "speed on paths of axis 1 reaches"),

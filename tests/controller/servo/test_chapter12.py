@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -204,6 +205,13 @@ def test_the_override_keeps_the_load_where_it_is() -> None:
         assert run.slid == 0.0
     assert held.onset == pytest.approx(1.5 * LIMIT, rel=0.01)
     assert fine_held.onset < LIMIT
+
+
+def test_the_override_is_shown_to_the_end_of_its_move_and_the_rest_behind_it() -> None:
+    for run in demonstrate(SPEED, LIMIT, 0.1, 32.2, 0.25, 60):
+        moves = np.flatnonzero(np.diff(run.trace.commanded))
+        end = (moves[-1] + 1) * run.trace.loop.period
+        assert run.trace.time[-1] - end == pytest.approx(0.5, abs=2.0 * run.trace.loop.period)
 
 
 def test_more_gain_changes_nothing_under_the_override() -> None:

@@ -422,6 +422,27 @@ def test_a_motor_at_rest_costs_nothing() -> None:
     assert result.time == pytest.approx(20000.3, abs=0.2)
 
 
+@pytest.mark.parametrize("plant", [MOTOR, DRIVE], ids=["closed form", "steps"])
+def test_a_long_rest_is_passed_over_and_what_follows_it_is_at_its_sample(plant: dict[str, object]) -> None:
+    """Whoever reads during the rest makes no difference to the move behind it."""
+
+    def told(*reads: float) -> list[tuple[float, float]]:
+        controller, feedback = fitted(plant, {"proportional": 0.02, "derivative": 0.2})
+        controller.move_to(0, 400.0)
+        for time in reads:
+            controller.clock.advance(time)
+            assert controller.position(0) == pytest.approx(400.0)
+        controller.clock.advance(60.0)
+        controller.move_to(0, 800.0)
+        seen = []
+        for _ in range(60):
+            controller.clock.advance(controller.clock.now + 1e-3)
+            seen.append((controller.position(0), feedback.error))
+        return seen
+
+    assert told() == told(30.0) == told(*range(10, 60)) == told(59.9)
+
+
 def test_a_motor_that_hunts_for_ever_ends_no_run_and_no_search() -> None:
     """A loop that is too stiff for its backlash swings for ever: the run ends, and a wait for more is found out."""
     plant = {**MOTOR, "quantised": True, "resonance": 60.0, "backlash": 40.0, "encoder": "load"}

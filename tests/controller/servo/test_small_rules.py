@@ -13,11 +13,14 @@ from motionlang.controller.servo.closed_form import SEEN
 from motionlang.controller.servo.demand import SHORT, Generator, Track
 from motionlang.controller.servo.discrete import discretise
 from motionlang.controller.servo.lookahead import Sight, Window, next_other_side, next_side
-from motionlang.controller.servo.plant import Motor
+from motionlang.controller.servo.loop import Loop
+from motionlang.controller.servo.plant import Drive, Motor
 from motionlang.controller.servo.response import _first_fall
+from motionlang.controller.servo.servo import simulate
 from motionlang.controller.servo.settings import make_loop
 from motionlang.controller.servo.slip import _slid
-from motionlang.profile import hold
+from motionlang.controller.servo.steps import MEMORY, initial_state, stepper
+from motionlang.profile import hold, plan_trapezoid
 
 
 @pytest.mark.parametrize(
@@ -47,6 +50,27 @@ def test_the_current_of_a_motor_without_inductance() -> None:
     )
     row = discretise(motor, 1e-3).current
     assert row == pytest.approx((0.0, -0.05 / 2.0 * 2.0 * math.pi / 4000.0, 1.2, 0.0))
+
+
+@pytest.mark.parametrize("inductance", [0.0, 1e-3])
+def test_the_onset_is_the_acceleration_by_the_torque_of_that_moment(inductance: float) -> None:
+    """Through an inductance the output has no part in it yet."""
+    motor = Motor(inductance=inductance, viscous=0.0)
+    moved = Track([0.01], [plan_trapezoid(0.0, 500.0, 8000.0, 90_000.0, 90_000.0)])
+    trace = simulate(moved, Loop(0.04, 2e-5, 0.9, integral_limit=5.0), motor, until=0.1)
+    assert trace.onset == pytest.approx(trace.torque * motor.counts_per_radian / motor.inertia)
+    assert trace.peak_output > 0.1
+
+
+def test_the_sum_of_errors_of_an_lm628_has_24_bits() -> None:
+    """A count more at the top, and it would not yet be back below the last whole 256."""
+    loop = Loop(0, 1, 0, integral_limit=32767, arithmetic="lm628", dac_bits=12)
+    still = Drive(1e-6, 1.0)
+    column: tuple[list[float], ...] = ([],)
+    start = list(initial_state(discretise(still, loop.period), 0.0))
+    start[MEMORY.index("total") - len(MEMORY)] = 8_388_600.0
+    stepper(loop, still, ("integral",))([100.0, -256.0], (), tuple(start), column)
+    assert column[0][1] / column[0][0] == 32766.0 / 32767.0
 
 
 def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
