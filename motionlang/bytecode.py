@@ -30,8 +30,9 @@ if TYPE_CHECKING:
 
     from motionlang.user_cache import State
 
-    # Source, where the bytecode would be, and the state of the source: what stands beside a module's code.
-    Note = tuple[str, str | None, State]
+    # What stands beside a module's code: source, where the bytecode would be, the state of the source, and whether it
+    # is the code that Python makes, with what no command shows.
+    Note = tuple[str, str | None, State, bool]
 
 PACKAGE = "motionlang."
 
@@ -39,7 +40,7 @@ PACKAGE = "motionlang."
 class Finder:
     """Finds modules of the package in the file, and knows which it did not find there."""
 
-    __slots__ = ("file", "made", "missed")
+    __slots__ = ("file", "made", "missed", "whole")
 
     # The one that `install` made; None in every process that is no command.
     of_the_command: "Finder | None" = None
@@ -48,7 +49,9 @@ class Finder:
         self.file = KeptFile(
             "bytecode", (folder, external.MAGIC_NUMBER, sys.flags.optimize, sys.pycache_prefix)
         )
+        # Modules that were not there, and those that were with what no command shows.
         self.missed: list[str] = []
+        self.whole: list[str] = []
         self.made: dict[str, bytes] = {}
 
     def find_spec(
@@ -60,10 +63,10 @@ class Finder:
             if name.startswith(PACKAGE):
                 self.missed.append(name)
             return None
-        source = note[0]
+        source, cached, _, _ = note
         spec: ModuleSpec = bootstrap.ModuleSpec(name, Loader(name, source, self), origin=source)
         spec.has_location = True
-        spec.cached = note[1]
+        spec.cached = cached
         if source.endswith("__init__.py"):
             spec.submodule_search_locations = [os.path.dirname(source)]
         return spec
@@ -74,6 +77,8 @@ class Finder:
         if part is None:
             self.missed.append(name)
             return None
+        if self.file.note(name)[3]:
+            self.whole.append(name)
         code: CodeType = loads(part)
         return code
 
@@ -87,8 +92,8 @@ class Finder:
 
     @property
     def lacks(self) -> bool:
-        """Whether there is anything to put into the file (`bytecode_writing`)."""
-        return bool(self.missed or self.made)
+        """Whether there is anything to put into the file."""
+        return bool(self.missed or self.whole or self.made)
 
 
 class Loader(external.SourceFileLoader):

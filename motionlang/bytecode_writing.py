@@ -1,16 +1,13 @@
-"""What a command missed in the file of the package's bytecode, made and put there as the command ends.
+"""What a command leaves in the file of the package's bytecode as it ends.
 
-A module is compiled from its source without what no command shows: docstrings, and annotations of functions, which are
-a seventh of the code that a start reads. What it says of the language (`from __future__`) holds, but is not imported.
-Everything else, the numbers of its lines too, is as Python itself makes it.
+A module that it missed is put there as Python has it, which takes no time. One that is used again is compiled to what
+a command needs of it, once: whoever runs a single command in a new place does not wait for that.
 """
 
 from __future__ import annotations
-import __future__
 
-import ast
+import _frozen_importlib_external as external
 import sys
-from importlib.machinery import SourceFileLoader
 from marshal import dumps
 
 from motionlang.bytecode import holds
@@ -20,78 +17,50 @@ from motionlang.user_cache_writing import writable
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-    from types import ModuleType
+    from collections.abc import Callable
+    from importlib.machinery import ModuleSpec
+    from types import CodeType
 
     from motionlang.bytecode import Finder, Note
 
-# What begins with a docstring.
-SAYS_WHAT_IT_IS = ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef
-# The parts of a statement that statements stand in.
-BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")
-
 
 def keep(finder: Finder) -> None:
-    """Put what was missed into the file, beside what stands there and still holds."""
+    """Put what was missed into the file, and what was whole without the rest, beside what stands there and holds."""
     if sys.dont_write_bytecode or not writable():
         return
     new: dict[str, tuple[Note | None, bytes]] = {name: (None, part) for name, part in finder.made.items()}
     for name in finder.missed:
-        compiled = _compiled(sys.modules.get(name))
-        if compiled is not None:
-            new[name] = compiled
+        _put(new, name, _as_it_is, True)
+    for name in finder.whole:
+        _put(new, name, _without_the_rest, False)
     if new:
         add(finder.file.name, new, holds)
 
 
-def _compiled(module: ModuleType | None) -> tuple[Note, bytes] | None:
-    """A module's source and code; None for one that Python did not load from a source."""
-    spec = getattr(module, "__spec__", None)
-    if spec is None or spec.origin is None or not isinstance(spec.loader, SourceFileLoader):
-        return None
+def _put(
+    parts: dict[str, tuple[Note | None, bytes]],
+    name: str,
+    code: Callable[[ModuleSpec, str], CodeType | None],
+    whole: bool,
+) -> None:
+    """Put the code of a module to the parts, unless Python did not load it from a source, or that is another by now."""
+    spec = getattr(sys.modules.get(name), "__spec__", None)
+    if spec is None or spec.origin is None or not isinstance(spec.loader, external.SourceFileLoader):
+        return
     before = state(spec.origin)
     try:
-        tree = ast.parse(spec.loader.get_data(spec.origin), spec.origin)
-        _leave_out(tree)
-        code = compile(tree, spec.origin, "exec", _features(tree), dont_inherit=True)
-    except (OSError, SyntaxError):  # the source is another one by now
-        return None
-    if before is None or state(spec.origin) != before:
-        return None
-    return (spec.origin, spec.cached, before), dumps(code)
+        made = code(spec, spec.origin)
+    except (OSError, SyntaxError):
+        return
+    if before is not None and state(spec.origin) == before:
+        parts[name] = (spec.origin, spec.cached, before, whole), dumps(made)
 
 
-def _features(module: ast.Module) -> int:
-    """The features of the language that a module asks for, as `compile` takes them, and no longer by an import."""
-    flags = 0
-    for each in [*module.body]:
-        if isinstance(each, ast.ImportFrom) and each.module == "__future__":
-            module.body.remove(each)
-            for alias in each.names:
-                flags |= getattr(__future__, alias.name).compiler_flag
-    return flags
+def _as_it_is(spec: ModuleSpec, place: str) -> CodeType | None:
+    return external.SourceFileLoader.get_code(spec.loader, spec.name)  # type: ignore[arg-type]  # what `_put` asks for
 
 
-def _leave_out(node: ast.AST) -> None:
-    """Take the docstrings and the annotations of functions out of a statement and of all that stand in it.
+def _without_the_rest(spec: ModuleSpec, place: str) -> CodeType:
+    from motionlang.bytecode_compiling import compiled
 
-    Annotations of classes stay: what is made of a class, such as a dataclass, goes by them.
-    """
-    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-        node.returns = None
-        for each in _arguments(node.args):
-            each.annotation = None
-    if isinstance(node, SAYS_WHAT_IT_IS) and ast.get_docstring(node, clean=False) is not None:
-        if len(node.body) == 1 and not isinstance(node, ast.Module):
-            node.body.append(ast.copy_location(ast.Pass(), node.body[0]))
-        del node.body[0]
-    for name in BLOCKS:
-        block = getattr(node, name, None)
-        if isinstance(block, list):  # that of a lambda is an expression
-            for each in block:
-                _leave_out(each)
-
-
-def _arguments(given: ast.arguments) -> Iterable[ast.arg]:
-    every = (*given.posonlyargs, *given.args, *given.kwonlyargs, given.vararg, given.kwarg)
-    return (each for each in every if each is not None)
+    return compiled(spec.loader.get_data(place), place)  # type: ignore[union-attr]

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Entry = tuple[Any, int, int, bytes]
 
 # What digests are made with: another number where the layout of the file changes.
-LAYOUT = 1
+LAYOUT = 2
 # How long the numbers are at the beginning of the file: the length of the index, and its digest.
 NUMBER = 8
 

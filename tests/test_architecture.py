@@ -40,6 +40,7 @@ LEVELS: dict[str, int] = {
     "controller": 3,
     "profile": 2,
     "bytecode_writing": 4,
+    "bytecode_compiling": 0,
     "bytecode": 3,
     "kept_file_writing": 3,
     "kept_file": 2,

@@ -111,7 +111,7 @@ def test_a_command_compiles_a_new_program_without_re(name: str, text: str, tmp_p
     program = tmp_path / name
     script = [sys.executable, "-S", "-c", FIRST_SIGHT, "run", str(program), "--report", "none"]
     environment = {"MOTIONLANG_CACHE": str(tmp_path / "cache"), "PYTHONPATH": str(ROOT)}
-    for number in (1, 2):
+    for number in (1, 2, 3):
         program.write_text(text.format(number))
         ran = subprocess.run(script, capture_output=True, text=True, check=True, env=environment)
     assert ran.stdout.splitlines()[-1] == "0 []"
