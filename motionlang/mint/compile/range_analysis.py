@@ -8,6 +8,13 @@ arrays, by-reference) counts as unknown.
 
 from __future__ import annotations
 
+from itertools import compress
+
+try:  # what Python's own module adds to it is not needed, and every program that is new would wait for it
+    from _operator import is_not
+except ImportError:
+    from operator import is_not
+
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.intervals import Range
 from motionlang.mint.resolve.flowgraph import NEXT, TEST, TURN
@@ -80,8 +87,8 @@ class Flow:
             met = _join(old, new)
         if step.loop is not None and id(step.loop) in self._changed:
             self._changed.discard(id(step.loop))
-            return met
-        return old if met == old else met
+            return dict(met) if met is old else met
+        return met
 
     # --------------------------------------------------------------------------------------- statements
 
@@ -336,16 +343,27 @@ def _held(symbol: Symbol, known: Range) -> Range:
 
 
 def _join(a: State, b: State) -> State:
-    if a is b:
-        return a
-    return {s: known if (other := b[s]) is known else intervals.join(known, other) for s, known in a.items()}
+    """What both say; `a` itself where that is nothing new."""
+    return _moved(a, [(symbol, intervals.join(known, b[symbol])) for symbol, known in _unlike(a, b)])
 
 
 def _widened(old: State, new: State, thresholds: list[int]) -> State:
-    return {
-        s: known if (other := new[s]) is known else intervals.widen(known, other, thresholds)
-        for s, known in old.items()
-    }
+    """The same with bounds that move on by thresholds."""
+    return _moved(
+        old,
+        [(symbol, intervals.widen(known, new[symbol], thresholds)) for symbol, known in _unlike(old, new)],
+    )
+
+
+def _unlike(a: State, b: State) -> Iterable[tuple[Symbol, Range]]:
+    """What `a` says otherwise than `b`: all states say something of the same variables, in the same order."""
+    return compress(a.items(), map(is_not, a.values(), b.values()))
+
+
+def _moved(state: State, moves: list[tuple[Symbol, Range]]) -> State:
+    """A state with other ranges, itself where they are none."""
+    moved = {symbol: known for symbol, known in moves if known != state[symbol]}
+    return state | moved if moved else state
 
 
 def _constants(body: Iterable[object]) -> set[int]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.keywords.unsimulated import WRITTEN, written
 from motionlang.mint.resolve.folding import fold, given
@@ -26,13 +28,17 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from motionlang.lang.keyword import Keyword, Table
+    from motionlang.lang.keyword import Table
     from motionlang.mint.resolve.folding import Meaning
     from motionlang.mint.resolve.problems import Problems
 
-_LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
-_OBSERVES = (nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End)
-_JUMPS = (nodes.Label, nodes.Jump)
+# What a statement shows of the function that it stands in.
+_SHOWS: dict[type, str] = {
+    **dict.fromkeys((nodes.For, nodes.While, nodes.Repeat, nodes.Loop), "loops"),
+    **dict.fromkeys((nodes.Print, nodes.Input, nodes.Pause, nodes.Run, nodes.End), "observes"),
+    **dict.fromkeys((nodes.Label, nodes.Jump), "jumps"),
+    nodes.Exit: "exits",
+}
 # Array elements in all; a typing error in a Dim must not take the memory of the computer.
 MOST_ELEMENTS = 10_000_000
 
@@ -151,7 +157,7 @@ class Names:
         handed: list[tuple[Symbol, Symbol]] = []
         for function in self.functions:
             arrays = {each.name.lower(): each for each in function.parameters if each.is_array}
-            for name in self._surveys[function].names if arrays else ():
+            for name in chain.from_iterable(self._surveys[function].names.values()) if arrays else ():
                 symbol = arrays.get(name.name.lower())
                 if symbol is not None and name.args:
                     symbol.dimensions = (0,) * len(name.args)
@@ -322,62 +328,46 @@ class Names:
 
     def _implicit(self, function: Function) -> None:
         """A name that is assigned to is a variable, a Float, also without a Dim."""
-        for node in self._surveys[function].statements:
-            kind = node.__class__
-            if kind is nodes.Assign or kind is nodes.Input:
-                target = node.target  # type: ignore[attr-defined]
-            elif kind is nodes.For:
-                target = node.variable  # type: ignore[attr-defined]
-            else:
+        for name, target in self._surveys[function].assigned.items():
+            if function.scope.find(name) is not None or self.table.get(name) is not None:
                 continue
-            if target.__class__ is not nodes.Name or target.args is not None:
-                continue
-            if function.scope.find(target.name) is not None or self.table.get(target.name) is not None:
-                continue
-            if not _is_result(function, target.name):
-                symbol = Symbol(target.name, "variable", Type(FLOAT), self._python("v_", target.name), target.at,
-                                function)  # fmt: skip
+            if not _is_result(function, name):
+                symbol = Symbol(name, "variable", Type(FLOAT), self._python("v_", name), target.at, function)
                 symbol.declared = False
-                function.scope.names[target.name.lower()] = symbol
+                function.scope.names[name.lower()] = symbol
 
     def _use(self, function: Function) -> None:
         survey = self._surveys.pop(function)
-        known: dict[str, tuple[Symbol | None, Keyword | None]] = {}
-        for name in survey.names:
-            spelling = name.name
-            found = known.get(spelling)
-            if found is None:
-                symbol = function.scope.find(spelling)
-                row = self.table.get(spelling) if symbol is None else None
-                known[spelling] = name.symbol, name.row = symbol, row
+        for spelling, names in survey.names.items():
+            symbol = function.scope.find(spelling)
+            row = self.table.get(spelling) if symbol is None else None
+            for name in names:
+                name.symbol = symbol
+                name.row = row
                 name.stands = None
-                self._use_name(function, name)
-                continue
-            symbol, name.row = found
-            name.symbol, name.stands = symbol, None
-            if symbol is None:
-                continue
-            if symbol.kind in ("variable", "parameter"):
-                symbol.uses += 1
+            if symbol is None or symbol.kind in (
+                "variable",
+                "parameter",
+            ):  # what is so of one of them is so of all
+                self._use_name(function, names[0])
+                if symbol is not None:
+                    symbol.uses += len(names) - 1
             else:
-                self._use_name(function, name)
+                for name in names:
+                    self._use_name(function, name)
+        for target in survey.targets:
+            self._written(target)
         for node in survey.statements:
             kind = node.__class__
-            if kind is nodes.Assign or kind is nodes.Input:
-                self._written(node.target)  # type: ignore[attr-defined]
-            elif (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
+            shows = _SHOWS.get(kind)
+            if shows is None:
+                continue
+            setattr(function, shows, True)
+            if (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
                 node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
             elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
                 symbol = function.scope.find(node.word)  # type: ignore[attr-defined]
                 node.resolve(symbol, self.table.get(node.word) if symbol is None else None)  # type: ignore[attr-defined]
-            if kind in _LOOPS:
-                function.loops = True
-            elif kind in _OBSERVES:
-                function.observes = True
-            elif kind in _JUMPS:
-                function.jumps = True
-            elif kind is nodes.Exit:
-                function.exits = True
 
     def _written(self, target: nodes.Expr) -> None:
         """What is only assigned to is not used, and a word may be simulated only where it is read."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from motionlang.mint.syntax import nodes
-from motionlang.mint.syntax.nodes import Assign, Binary, Given, Name, Number, String
+from motionlang.mint.syntax.nodes import Assign, Binary, For, Given, Input, Name, Number, String
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -70,45 +70,66 @@ def copied(node: object) -> object:
 
 
 class Survey:
-    """The `names` in a body, and of its other nodes those that are no operations and no literals, as `walk` finds them.
+    """What the passes that resolve names look for in a body, as `walk` would find it.
 
+    `names` are the Names by their spelling, `targets` what assignments and INPUT write, `assigned` the variables that
+    something gives a value, each spelling once, and `statements` all nodes but assignments, operations and literals.
     Long, and apart from `walk`, because every node of every program comes through here.
     """
 
-    __slots__ = ("names", "statements")
+    __slots__ = ("assigned", "names", "statements", "targets")
 
     def __init__(self, body: Iterable[object]) -> None:
-        self.names: list[Name] = []
+        self.names: dict[str, list[Name]] = {}
+        self.targets: list[nodes.Expr] = []
+        self.assigned: dict[str, Name] = {}
         self.statements: list[nodes.Node] = []
         stack: list[object] = list(body)
-        pop, push = stack.pop, stack.append
-        name, statement = self.names.append, self.statements.append
+        names = self.names
         while stack:
-            node = pop()
+            node = stack.pop()
             kind = node.__class__
             if kind is Name:
-                name(node)  # type: ignore[arg-type]
+                try:
+                    names[node.name].append(node)  # type: ignore[attr-defined, arg-type]
+                except KeyError:
+                    names[node.name] = [node]  # type: ignore[attr-defined, list-item]
                 if node.args:  # type: ignore[attr-defined]
                     stack += node.args  # type: ignore[attr-defined]
+            elif kind is Number:
+                continue
             elif kind is Binary:
                 if (child := node.left).__class__ is not Number:  # type: ignore[attr-defined]
-                    push(child)
+                    stack.append(child)
                 if (child := node.right).__class__ is not Number:  # type: ignore[attr-defined]
-                    push(child)
-            elif kind is Number or kind is String:
-                continue
+                    stack.append(child)
             elif kind is Assign:
-                statement(node)  # type: ignore[arg-type]
-                push(node.target)  # type: ignore[attr-defined]
+                target = node.target  # type: ignore[attr-defined]
+                self.targets.append(target)
+                if target.__class__ is Name and target.args is None:
+                    self.assigned.setdefault(target.name, target)
+                stack.append(target)
                 stack += node.values  # type: ignore[attr-defined]
+            elif kind is String:
+                continue
             elif kind in _CHILDREN:
-                statement(node)  # type: ignore[arg-type]
+                self.statements.append(node)  # type: ignore[arg-type]
+                if kind is For or kind is Input:
+                    self._give(node)  # type: ignore[arg-type]
                 for slot in _CHILDREN[kind]:
                     value = getattr(node, slot)
                     if value.__class__ is list:
                         stack += value
                     elif value is not None:
-                        push(value)
+                        stack.append(value)
+
+    def _give(self, node: For | Input) -> None:
+        """The same of the variable of a For and the target of an INPUT."""
+        target: nodes.Expr = node.variable if isinstance(node, For) else node.target
+        if isinstance(node, Input):
+            self.targets.append(target)
+        if isinstance(target, Name) and target.args is None:
+            self.assigned.setdefault(target.name, target)
 
     def of(self, *kinds: type) -> list[nodes.Node]:
         """The statements of some kinds, in the order of the text."""
