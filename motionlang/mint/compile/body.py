@@ -9,7 +9,7 @@ note of it runs after everything that is due until then, of which `T` tells, as 
 from __future__ import annotations
 
 from motionlang.mint.compile import intervals
-from motionlang.mint.compile.lines import JUST_YIELDS, NONE, PLAIN, YIELDS, Line
+from motionlang.mint.compile.lines import HORIZON, JUST_YIELDS, NONE, PLAIN, YIELDS, Line
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import INTEGER, NUMERIC, Function, Symbol
 from motionlang.mint.syntax import nodes
@@ -329,7 +329,7 @@ class Body:
         if self.names:
             names, self.names = [*self.names, YIELDS], []
         give_way = "yield" if answer == "t" else f"yield {answer}"
-        self.lines.append(Line(self.indent, f"if {now} >= H: {give_way}{then}", self.at, PLAIN, names))
+        self.lines.append(Line(self.indent, f"if {now} >= H: {give_way}{then}", self.at, HORIZON, names))
 
     def settle(self, tell: bool = True) -> None:
         """Before a statement that takes note of time: let everything happen that is due until then.
@@ -373,7 +373,7 @@ class Body:
     def operation(self, operation: str, arguments: list[str], now: str = "t") -> None:
         """The call of an operation, and the way for others where it is put off."""
         self.gives_way()
-        self.emit(f"if {operation}({', '.join([now, *arguments])}): yield")
+        self.emit(f"if {operation}({', '.join([now, *arguments])}): yield", HORIZON)
 
     def act(self, text: str) -> None:
         """A statement of one line that may take note of time."""

@@ -99,7 +99,7 @@ def jump(b: Body, node: nodes.Jump) -> None:
             b.horizon()
     else:
         b.polls.append(poll)
-        poll.turn(b)
+        poll.counted(b)
     unless = _unless(b, node)
     if node.kind == "gosub":
         b.gives_way()

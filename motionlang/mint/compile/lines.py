@@ -6,8 +6,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-# Kinds: LOOP is the head of a loop, BREAK leaves the innermost one, LEAVES the function or the stretch between labels.
-PLAIN, LOOP, BREAK, LEAVES = "", "loop", "break", "leaves"
+# Kinds: LOOP is the head of a loop, BREAK leaves the innermost one, LEAVES the function or the stretch between labels,
+# HORIZON lets others run when their time has come.
+PLAIN, LOOP, BREAK, LEAVES, HORIZON = "", "loop", "break", "leaves", "horizon"
 # Among the names of a line: it holds a `yield`.
 YIELDS = "yield"
 NONE: Sequence[str] = ()

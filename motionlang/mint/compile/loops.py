@@ -34,7 +34,6 @@ def turn(b: Body, poll: Poll | None = None, cost: int = 1) -> None:
     if poll is None:
         b.horizon()
     else:
-        b.flush()
         poll.turn(b)
         b.watching -= 1
 

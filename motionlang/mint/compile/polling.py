@@ -4,16 +4,18 @@ A turn that did nothing (`E.acts` counts what a program does) and left every var
 as it was until something happens. `motionlang.mint.runtime.loop_skipping` pays for all those turns at once, to the
 exact same end. A `Goto` back to an earlier label ends a turn as `End Loop` does.
 
-    if w2: w2 -= 1.0
-    else: t, H, w1, w2, (v_n,) = k1.turn(t, H, w1, (E.acts, v_state), (v_n,))
-    if t >= H: t, H = yield t; w1 = None
+    if (t := t + 2.0) >= w2: t, H, w1, w2, (v_n,) = k1.turn_at(t, H, w1, (E.acts, v_state), (v_n,))
+    if t >= H: yield; w2 = k1.due; w1 = None
 
-`w1` is what the turn began with; nobody looks for `w2` turns. What decides nothing (`idle`) is no part of the state;
+`w1` is what the turn began with; nobody looks before statement `w2`, which is asked for anew wherever in the loop
+others may have run, since whoever goes on after a wait may count from another moment. In a loop that waits itself it is
+a number of turns (`if w2: w2 -= 1.0`, `else: … k1.turn(…)`). What decides nothing (`idle`) is no part of the state;
 counters are given beside it, and come back as they are when turns have been skipped.
 """
 
 from __future__ import annotations
 
+from motionlang.mint.compile.lines import HORIZON, YIELDS
 from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -42,24 +44,49 @@ COUNTER = "counter"
 class Poll:
     """One loop that is watched: what stands before its `first` turn, and the end of each."""
 
-    __slots__ = ("_alone", "_look", "_named", "_turn", "first")
+    __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
     def __init__(self, b: Body, state: State, asks: bool, idle: Idle = ([], set())) -> None:
         counters, mere = idle
-        site = b.whole.use("loop", asks, bool(mere), len(b.whole.specs))
-        self._look, self._alone, self._named = b.temp(), b.temp(), state.values()
-        counted = f"({', '.join(counters)},)" if counters else "()"
-        compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
-        self.first = f"{self._look} = None; {self._alone} = {site}.left"
-        self._turn = f"{counted} = {site}.turn(t, H, {self._look}, ({compared},), {counted})"
+        self._site = b.whole.use("loop", asks, bool(mere), len(b.whole.specs))
+        self._look, self._next, self._named = b.temp(), b.temp(), state.values()
+        self._counted = f"({', '.join(counters)},)" if counters else "()"
+        self._compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
+        self.first = f"{self._look} = None; {self._next} = {self._site}.left"
+        self._begin = len(b.lines)
 
     def turn(self, b: Body) -> None:
-        """The end of a turn, `t` being up to date."""
-        b.emit(f"if {self._alone}: {self._alone} -= 1.0")
+        """The end of a turn."""
+        lines = b.lines[self._begin :]
+        if b.whole.guarded or any(YIELDS in line.names and line.kind != HORIZON for line in lines):
+            self.counted(b)
+            return
+        lines[0].text = self.first.replace(".left", ".due")
+        again = f"; {self._next} = {self._site}.due"
+        for line in lines:
+            if line.kind == HORIZON:
+                line.text += again
+        now = f"(t := t + {b.pending}.0)" if b.pending else "t"
+        b.pending = 0
+        self._spell(b)
+        b.emit(f"if {now} >= {self._next}: {self._looked('turn_at')}")
+        b.horizon(then=f"{again}; {self._look} = None")
+
+    def counted(self, b: Body) -> None:
+        """The same where the turns are counted that nobody looks at."""
+        b.flush()
+        b.emit(f"if {self._next}: {self._next} -= 1.0")
+        self._spell(b)
+        b.emit(f"else: {self._looked('turn')}")
+        b.horizon(then=f"; {self._look} = None")
+
+    def _spell(self, b: Body) -> None:
         for each in self._named:
             b.spelt(each)
-        b.emit(f"else: t, H, {self._look}, {self._alone}, {self._turn}")
-        b.horizon(then=f"; {self._look} = None")
+
+    def _looked(self, how: str) -> str:
+        given = f"(t, H, {self._look}, ({self._compared},), {self._counted})"
+        return f"t, H, {self._look}, {self._next}, {self._counted} = {self._site}.{how}{given}"
 
 
 def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | None:

@@ -26,26 +26,44 @@ if TYPE_CHECKING:
     # What a turn began with: how the one before it left things, where counters stood; its statement, the moment from
     # which those count, its time; how often others had run; the notes, and how many there were.
     Look = tuple[State | None, Counters, float, float, float, int, list[Note], int]
-    # Its statement and horizon as it goes on, what that turn begins with, how many pass unlooked at, and the counters.
+    # Its statement and horizon as it goes on, what that turn begins with, how many pass unlooked at or up to which
+    # statement they do, and the counters.
     Turned = tuple[float, float, Look | None, float, Counters]
 
 LARGEST = 2147483647  # Integer
 # So many turns pass unlooked at, and more where arrays are to be compared. They are counted in floats, as Python has
 # no whole number of that size ready.
 MOST_ALONE = 4096.0
+# So many statements stand for a turn where turns are not counted.
+STATEMENTS = 4.0
 
 
 class Site:
     """A loop of the text: `asks` whether it looks at anything, `carries` whether its last turn has to be carried out.
 
-    `left` is for how many turns it is left alone.
+    `left` is for how many turns it is left alone, or up to statement `due`, in one that counts no turns.
     """
 
-    __slots__ = ("_environment", "asks", "carries", "left")
+    __slots__ = ("_base", "_due", "_environment", "_statements", "asks", "carries", "left")
 
     def __init__(self, environment: Environment, asks: bool, carries: bool) -> None:
         self._environment, self.asks, self.carries = environment, asks, carries
-        self.left = 0.0
+        self.left = self._due = 0.0
+        self._statements = environment.statements
+        self._base = self._statements.base
+
+    @property
+    def due(self) -> float:
+        """The statement from which on it is to be looked at; at once, where these count from another moment by now."""
+        return self._due if self._statements.base is self._base else 0.0
+
+    def turn_at(
+        self, t: float, horizon: float, look: Look | None, state: State, counters: Counters
+    ) -> Turned:
+        """The same as `turn`, with the statement up to which turns pass unlooked at in the place of their number."""
+        t, horizon, look, left, counters = self.turn(t, horizon, look, state, counters)
+        self._due, self._base = t + STATEMENTS * left, self._statements.base
+        return t, horizon, look, self._due, counters
 
     def turn(self, t: float, horizon: float, look: Look | None, state: State, counters: Counters) -> Turned:
         """The end of a turn at statement `t`: the loop goes on at the end of the last one that can be no different.

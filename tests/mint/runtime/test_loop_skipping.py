@@ -7,7 +7,9 @@ from collections.abc import Callable
 import pytest
 
 from motionlang import run
+from motionlang.lang.machine.machine import Machine
 from motionlang.mint.compile import polling
+from motionlang.mint.runtime.environment import Environment
 from motionlang.mint.runtime.loop_skipping import Site
 from motionlang.mint.runtime.task import MintTask
 from motionlang.result import Run
@@ -376,6 +378,24 @@ def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
     turns = result.time / 50e-6
     assert turns > 50_000
     assert looks < turns / 50
+
+
+def test_a_loop_is_looked_at_at_once_where_statements_count_from_another_moment() -> None:
+    """It is left alone up to a statement, whose number means nothing once somebody has waited."""
+    environment = Environment(Machine())
+    site = Site(environment, True, False)
+    looked_at = site.turn_at(7.0, 1e9, None, (), ())
+    assert looked_at[3] == site.due == 7.0
+    environment.statements.start(3.6)
+    assert site.due == 0.0
+
+
+def test_a_loop_that_was_interrupted_by_a_handler_that_waits_is_skipped_on() -> None:
+    text = "Loop\n  If INX(1) Then OUTX(1) = 1\nEnd Loop\nEvent IN2\n  WAIT(5)\nEnd Event\n"
+    hours = [{"channel": 2, "at": 3600.0 * hour, "for": 1.0} for hour in (1, 3, 6)]
+    result = run(Source("a.mnt", text), machine={"input": hours}, cache=False)
+    assert [round(wait.until, 3) for wait in result.machine.log.waits] == [3600.005, 10800.005, 21600.005]
+    assert round(result.time, 3) == 8 * 3600.0
 
 
 def test_a_loop_within_one_that_is_left_alone_is_not_skipped_too_far() -> None:
