@@ -43,7 +43,7 @@ LAZY = {
     "mint/compile/expressions.py": "compile.calls compile.words",
     "mint/compile/keyword_use.py": "compile.path_use",
     "mint/compile/loops.py": "compile.statements",
-    "profile/curve.py": "chain crossing",
+    "profile/curve.py": "chain",
     "profile/formula.py": "chain",
     # What few programs, or few commands, come to.
     "client/client.py": "virtual",

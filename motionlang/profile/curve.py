@@ -5,6 +5,7 @@ from __future__ import annotations
 from _bisect import bisect_right
 from math import copysign, inf, sin
 
+from motionlang.profile import crossing as _crossing
 from motionlang.profile.pieces import (
     acceleration_in,
     crest_points,
@@ -224,15 +225,11 @@ class Profile:
 
     def crossing(self, position: float, after: float = 0.0) -> float | None:
         """The first time >= `after` at which the profile is at `position`, or None if it never is."""
-        from motionlang.profile.crossing import position_crossing
-
-        return position_crossing(self, position, after)
+        return _crossing.position_crossing(self, position, after)
 
     def velocity_crossing(self, velocity: float, after: float = 0.0) -> float | None:
         """The first time >= `after` at which the profile runs at `velocity`, or None if it never does."""
-        from motionlang.profile.crossing import velocity_crossing
-
-        return velocity_crossing(self, velocity, after)
+        return _crossing.velocity_crossing(self, velocity, after)
 
     def extrema(self) -> tuple[float, float]:
         """The smallest and the largest position of the profile, turning points included."""
