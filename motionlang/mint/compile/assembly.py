@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 SHORT = 1000
 # What CPython might refuse, for the depth of its blocks or of its brackets, is compiled at once.
 DEEP, LONG = 15, 400
+_DEEP = "\n" + " " * DEEP
 
 
 class TypedLine:
@@ -142,7 +143,7 @@ class _Units:
         _places(lines, self.places)
         cells = tuple(sorted(names_in(lines) & self.shared))
         unit = Unit(tuple(self._names), text_of(lines), before, cells)
-        if any(line.indent >= DEEP or len(line.text) > LONG for line in lines):
+        if _DEEP in unit.text or max(map(len, unit.text.split("\n"))) > LONG:
             self.risky.add(unit)
         self.made.append(unit)
         self._names, self._lines = [], []

@@ -315,21 +315,21 @@ class Body:
             self.emit(f"t += {self.pending}.0", cost=self.pending)
             self.pending = 0
 
-    def _statement(self) -> str:
-        """The number of the statement, as what brings `t` up to date."""
-        if not self.pending:
-            return "t"
-        paid, self.pending = self.pending, 0
-        return f"t := t + {paid}.0"
+    def _give_way(self, text: str) -> None:
+        """A line by which others run when their time has come."""
+        self.waits = self.noted = True
+        names = JUST_YIELDS
+        if self.names:
+            names, self.names = [*self.names, YIELDS], []
+        self.lines.append(Line(self.indent, text, self.at, HORIZON, names))
 
     def horizon(self, answer: str = "t", then: str = "") -> None:
         """Bring `t` up to date and let others run when their time has come, `then` look again."""
-        self.waits = self.noted = True
-        now, names = f"({self._statement()})" if self.pending else "t", JUST_YIELDS
-        if self.names:
-            names, self.names = [*self.names, YIELDS], []
+        now = "t"
+        if self.pending:
+            now, self.pending = f"(t := t + {self.pending}.0)", 0
         give_way = "yield" if answer == "t" else f"yield {answer}"
-        self.lines.append(Line(self.indent, f"if {now} >= H: {give_way}{then}", self.at, HORIZON, names))
+        self._give_way(f"if {now} >= H: {give_way}{then}")
 
     def settle(self, tell: bool = True) -> None:
         """Before a statement that takes note of time: let everything happen that is due until then.
@@ -337,8 +337,8 @@ class Body:
         `tell`: the clock is told, as what follows reads it.
         """
         if self.observes and tell:
-            self.operation("T", [], self._statement())
-            self.noted = True
+            self._give_way(f"if T({self.pending}.0): yield")
+            self.pending = 0
         elif self.observes:
             self.horizon()
         elif self.calls:
@@ -359,21 +359,18 @@ class Body:
         ):
             tell, self.observes = self.observes, True
             self.settle(tell)
-        now = self._statement()
         for operation, arguments in calls:
             if self.calls and arguments:  # time passes in the sub, so what it is given is worked out before
                 given = self.temp()
                 self.emit(f"{given} = {', '.join(arguments)},")
                 arguments = [f"*{given}"]
-            self.operation(operation, arguments, now)
-            now = "t"
-        self.noted = True
-        self.pending += 1
+            self.operation(operation, arguments)
+        self.pending = 1
 
-    def operation(self, operation: str, arguments: list[str], now: str = "t") -> None:
-        """The call of an operation, and the way for others where it is put off."""
-        self.gives_way()
-        self.emit(f"if {operation}({', '.join([now, *arguments])}): yield", HORIZON)
+    def operation(self, operation: str, arguments: list[str]) -> None:
+        """The call of an operation, which brings `t` up to date, and the way for others where it is put off."""
+        self._give_way(f"if {operation}({', '.join([f'{self.pending}.0', *arguments])}): yield")
+        self.pending = 0
 
     def act(self, text: str) -> None:
         """A statement of one line that may take note of time."""

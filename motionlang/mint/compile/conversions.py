@@ -6,7 +6,7 @@ from math import isnan
 
 from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Value
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, STRING, TIME, Type
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME, Type
 from motionlang.mint.runtime.functions import LONGEST
 
 TYPE_CHECKING = False
@@ -51,10 +51,10 @@ def as_integer(b: Body, found: Value) -> str:
 
 def converted(b: Body, found: Value, type: Type, node: nodes.Node, exact: bool = True) -> str:
     """The text of a value for a variable of a type; `exact`: a Float must be a Python float."""
-    if type.name == INTEGER and found.is_number:
-        return as_integer(b, found)
-    if type.name == FLOAT and found.is_number:
+    if type.name == FLOAT and found.type in NUMERIC:
         return as_float(found) if exact else found.text
+    if type.name == INTEGER and found.type in NUMERIC:
+        return as_integer(b, found)
     if type.name == STRING and found.type == STRING:
         size = LONGEST if type.size is None else type.size
         if isinstance(found.const, str) and len(found.const) <= size:

@@ -78,6 +78,8 @@ def _given(b: Body, node: nodes.Given) -> Value:
 
 def _number(b: Body, node: nodes.Number) -> Value:
     known = node.value
+    if known.__class__ is float and 0 <= known < intervals.INFINITY:
+        return Value(repr(known), FLOAT, intervals.FLOAT, known)
     found = _SEEN.get(known)
     if found is not None and found.const.__class__ is known.__class__:
         return found
@@ -86,8 +88,6 @@ def _number(b: Body, node: nodes.Number) -> Value:
         if len(_SEEN) < MOST_SEEN:
             _SEEN[known] = found
         return found
-    if known.__class__ is float and 0 <= known < intervals.INFINITY:
-        return Value(repr(known), FLOAT, intervals.FLOAT, known)
     if known in (intervals.INFINITY, -intervals.INFINITY):
         b.problem("overflow", "the number is too large", node)
         return NOTHING
@@ -318,32 +318,45 @@ def _unary(b: Body, node: nodes.Unary) -> Value:
 
 def _binary(b: Body, node: nodes.Binary) -> Value:
     op = node.op
+    if op in operators.COMPARISONS:
+        return _comparison(b, node)
     if op == "And" or op == "Or":  # noqa: PLR1714 - quicker
         return Answer(condition(b, node), True)
     left_node, right_node = node.left, node.right
-    called, b.calls = b.calls, False
     left, right = _VALUES[left_node.__class__](b, left_node), _VALUES[right_node.__class__](b, right_node)
+    if left.type in NUMERIC and right.type in NUMERIC and (left.const is None or right.const is None):
+        return (operators.arithmetic if op in operators.ARITHMETIC else operators.operate)(b, op, left, right)
+    return _known(b, node, left, right)
+
+
+def _comparison(b: Body, node: nodes.Binary) -> Value:
+    called, b.calls = b.calls, False
+    left, right = value(b, node.left), value(b, node.right)
     calls, b.calls = b.calls, b.calls or called
-    if left.type not in NUMERIC or right.type not in NUMERIC:
-        return _other_than_numbers(b, node, left, right)
-    if left.const is not None and right.const is not None:
-        known = fold_binary(op, left.const, right.const)
-        if known is not None:
-            return literal(known)
-        if op in ("/", "\\", "Mod") and right.const == 0:
-            b.problem(
-                "division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does"
-            )
-            return NOTHING
-    if op in operators.ARITHMETIC:
-        return operators.arithmetic(b, op, left, right)
-    if op in operators.COMPARISONS and not calls:
-        # What calls a sub keeps its place before or behind the reading.
+    if not (left.is_number and right.is_number) or (left.const is not None and right.const is not None):
+        return _known(b, node, left, right)
+    if not calls:  # what calls a sub keeps its place before or behind the reading
         if left.solved is not None and right.solved is None:
             left, right = _compared(b, left, right)
         elif right.solved is not None and left.solved is None:
             right, left = _compared(b, right, left, level_first=True)
-    return operators.operate(b, op, left, right)
+    return operators.operate(b, node.op, left, right)
+
+
+def _known(b: Body, node: nodes.Binary, left: Value, right: Value) -> Value:
+    """An operation on what is known beforehand, or on what is no number."""
+    op = node.op
+    if not (left.is_number and right.is_number):
+        return _other_than_numbers(b, node, left, right)
+    assert left.const is not None
+    assert right.const is not None
+    known = fold_binary(op, left.const, right.const)
+    if known is not None:
+        return literal(known)
+    if op in ("/", "\\", "Mod") and right.const == 0:
+        b.problem("division-by-zero", "division by zero", node, "the divisor is 0 whatever the program does")
+        return NOTHING
+    return (operators.arithmetic if op in operators.ARITHMETIC else operators.operate)(b, op, left, right)
 
 
 def _compared(b: Body, reading: Value, level: Value, level_first: bool = False) -> tuple[Value, Value]:

@@ -298,7 +298,7 @@ def give(b: Body, node: nodes.Assign, row: Keyword, where: list[str] | None, las
         pairs = [([axis], text) for axis, text in zip(where, values, strict=True) if text != OMITTED]
     else:
         pairs = [(where, values[0])]
-    b.operate([_storing(b, node, row, axes, text, last) for axes, text in pairs])
+    b.operate([_storing(b, row, axes, text, last) for axes, text in pairs])
 
 
 def by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
@@ -317,7 +317,7 @@ def _write_to_defaults(b: Body, node: nodes.Assign, row: Keyword, last: list[str
     b.indent += 1
     if OMITTED in texts:
         b.emit(f"if {text} is {OMITTED}: continue")
-    b.operation(*_storing(b, node, row, [axis], text, last))
+    b.operation(*_storing(b, row, [axis], text, last))
     b.indent -= 1
     b.pending += 1
 
@@ -382,14 +382,10 @@ def _check_range(b: Body, node: nodes.Expr, row: Keyword, given: float) -> None:
         b.problem("range", f"{row.name} cannot be {given:g}", node, limits)
 
 
-def _storing(
-    b: Body, node: nodes.Assign, row: Keyword, where: list[str], text: str, last: list[str]
-) -> tuple[str, list[str]]:
+def _storing(b: Body, row: Keyword, where: list[str], text: str, last: list[str]) -> tuple[str, list[str]]:
     """What writes a value, or loads a move, and what it is given."""
-    if row.kind == "move":
-        operation, where = b.whole.called("load", row, where)
-        return operation, [*where, text, str(b.whole.line(node.at))]
-    operation, where = b.whole.called("write" if "W" in row.access else "do", row, where)
+    how = "load" if row.kind == "move" else "write" if "W" in row.access else "do"
+    operation, where = b.whole.called(how, row, where)
     return operation, [*where, text, *last]
 
 

@@ -42,12 +42,12 @@ def operate(b: Body, op: str, left: Value, right: Value) -> Value:
 
 def arithmetic(b: Body, op: str, left: Value, right: Value) -> Value:
     """`left op right` for + - *, with a check where the result may not fit."""
-    kind = FLOAT if FLOAT in (left.type, right.type) else INTEGER
     binds = ARITHMETIC[op]
     first = left.text[1:-1] if left.binds >= binds else left.text  # Python groups from the left, too
     second = right.text[1:-1] if right.binds > binds else right.text
     if left.range[2] == "f" or right.range[2] == "f":
-        return Value(f"({first} {op} {second})", kind, intervals.FLOAT, None, binds)
+        return Value(f"({first} {op} {second})", FLOAT, intervals.FLOAT, None, binds)
+    kind = FLOAT if FLOAT in (left.type, right.type) else INTEGER
     known, how = intervals.arithmetic(op, kind == INTEGER, left.range, right.range)
     if how == intervals.COERCED:
         if right.const is not None:

@@ -31,20 +31,21 @@ if TYPE_CHECKING:
 def block(b: Body, body: list[nodes.Stmt]) -> None:
     """Statements one after the other."""
     guarded = b.whole.guarded and not _handles_errors(b)
-    first, outer, b.deepest = len(b.lines), b.deepest, len(b.loops)
-    ends = []
+    whole, lines, around = b.whole, b.lines, b.loops
+    first, outer, b.deepest = len(lines), b.deepest, len(around)
+    begin, ends = first, []
     for node in body:
-        begin = len(b.lines)
         b.at = node.at
-        b.observes = b.calls = b.whole.checks = False
+        b.observes = b.calls = whole.checks = False
         if guarded and type(node) in _CAN_FAIL:
             _guard(b, node)
         else:
-            _STATEMENTS[type(node)](b, node)
-        if b.loops and b.deepest - len(b.loops) >= splitting.MOST_LOOPS and splitting.fold(b, begin):
-            b.deepest = len(b.loops)
-        ends.append(len(b.lines))
-    if len(b.lines) - first > splitting.LONGEST:
+            _STATEMENTS[node.__class__](b, node)
+        if around and b.deepest - len(around) >= splitting.MOST_LOOPS and splitting.fold(b, begin):
+            b.deepest = len(around)
+        begin = len(lines)
+        ends.append(begin)
+    if begin - first > splitting.LONGEST:
         splitting.cut(b, first, ends)
     b.deepest = max(outer, b.deepest)
 
@@ -92,12 +93,15 @@ def inner(b: Body, body: list[nodes.Stmt]) -> None:
 
 
 def _assign(b: Body, node: nodes.Assign) -> None:
-    target = meant(node.target)
-    if target.__class__ is nodes.Name and target.args is None and target.name in b.targets:
-        text, kind, scalar = b.targets[target.name]
-        b.spelt(scalar)
-        _give(b, node, text, kind, scalar)
-        return
+    target: nodes.Expr = node.target
+    if type(target) is nodes.Name and target.args is None:
+        known = b.targets.get(target.name)
+        if known is not None and target.stands is None:
+            text, kind, scalar = known
+            b.names.append(scalar.python)
+            _give(b, node, text, kind, scalar)
+            return
+        target = meant(target)
     if type(target) is nodes.Name:
         symbol = target.symbol
         result = b.function.result

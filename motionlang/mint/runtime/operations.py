@@ -1,10 +1,10 @@
 """What a statement writes, loads or does, as generated code calls it:
 
-    if k0(t := t + 2.0, 10.0): yield
+    if k0(2.0, 10.0): yield
 
-An operation is carried out at the machine time of its statement and answers with nothing. Where something else is due
-by then, or a move finds no room, it is put off and answers with True: the task gives way, and the operation is what it
-does first when it goes on (`MintTask`).
+An operation pays for the statements before its own, is carried out at the machine time of that, and answers with False.
+Where something else is due by then, or a move finds no room, it is put off and answers with True: the task gives way,
+and the operation is what it does first when it goes on (`MintTask`).
 
 `t`, the statement, and `H`, the first one at which something else wants to happen, are cells, which the functions of a
 program share with each other and with their operations.
@@ -45,39 +45,45 @@ class Operations:
             nonlocal t, horizon
             t, horizon = count, first
 
-        def now(count: float) -> bool:
+        def now(paid: float) -> bool:
             """`T`: the clock is told the time of a statement that reads it, unless something else is due by then."""
-            if count >= horizon:
+            nonlocal t
+            t += paid
+            if t >= horizon:
                 return True
-            clock.now = statements.base + count * cost
+            clock.now = statements.base + t * cost
             return False
 
-        def nearer(count: float) -> bool:
+        def nearer() -> bool:
             """An event is nearer now. It comes before the next statement, and after what else this one does."""
             nonlocal horizon
             horizon = statements.limit(clock.horizon)
-            if horizon <= count:
-                horizon = count + 0.5
+            if horizon <= t:
+                horizon = t + 0.5
             return False
 
         def timed(operation: Callable[..., object]) -> Operation:
-            def at(count: float, *arguments: object) -> bool:
-                if count >= horizon:
+            def at(paid: float, *arguments: object) -> bool:
+                nonlocal t
+                t += paid
+                if t >= horizon:
                     environment.put_off = at, arguments, None
                     return True
-                clock.now = statements.base + count * cost
+                clock.now = statements.base + t * cost
                 environment.acts += 1
                 operation(*arguments)
-                return clock.horizon < statements.until and nearer(count)
+                return clock.horizon < statements.until and nearer()
 
             return at
 
         def repeated(operation: Callable[..., object], held: Callable[..., object]) -> Operation:
-            def at(count: float, *arguments: object) -> bool:
-                if count >= horizon:
+            def at(paid: float, *arguments: object) -> bool:
+                nonlocal t
+                t += paid
+                if t >= horizon:
                     environment.put_off = at, arguments, None
                     return True
-                clock.now = statements.base + count * cost
+                clock.now = statements.base + t * cost
                 acts = environment.acts
                 environment.acts = acts + 1
                 if attention.notes is None:  # nobody looks at this turn
@@ -87,22 +93,24 @@ class Operations:
                     operation(*arguments)
                     if clock.made == made and held(*arguments) == before:
                         environment.acts = acts
-                return clock.horizon < statements.until and nearer(count)
+                return clock.horizon < statements.until and nearer()
 
             return at
 
         def loading(to_axes: Callable[..., object], plain: Any = None, axes: Any = None) -> Operation:
-            def at(count: float, *arguments: Any) -> bool:
-                if count >= horizon:
+            def at(paid: float, *arguments: Any) -> bool:
+                nonlocal t
+                t += paid
+                if t >= horizon:
                     environment.put_off = at, arguments, None
                     return True
-                clock.now = statements.base + count * cost
+                clock.now = statements.base + t * cost
                 environment.acts += 1
                 if to_axes(*arguments):
                     full = arguments[0] if axes is None else axes
                     environment.put_off = at, arguments, full if isinstance(full, tuple) else (full,)
                     return True
-                return clock.horizon < statements.until and nearer(count)
+                return clock.horizon < statements.until and nearer()
 
             if plain is None:
                 return at
@@ -110,27 +118,31 @@ class Operations:
             if axes is not None:
                 load = plain[axes]
 
-                def plainly(count: float, value: float, line: int) -> bool:
-                    if count >= horizon:
+                def plainly(paid: float, value: float, line: int) -> bool:
+                    nonlocal t
+                    t += paid
+                    if t >= horizon:
                         environment.put_off = at, (value, line), None
                         return True
-                    clock.now = statements.base + count * cost
+                    clock.now = statements.base + t * cost
                     if wraps or environment.loaded is not None or not load(value, line):
-                        return at(count, value, line)
+                        return at(0.0, value, line)
                     environment.acts += 1
-                    return clock.horizon < statements.until and nearer(count)
+                    return clock.horizon < statements.until and nearer()
 
                 return plainly
 
-            def each(count: float, axis: int, value: float, line: int) -> bool:
-                if count >= horizon:
+            def each(paid: float, axis: int, value: float, line: int) -> bool:
+                nonlocal t
+                t += paid
+                if t >= horizon:
                     environment.put_off = at, (axis, value, line), None
                     return True
-                clock.now = statements.base + count * cost
+                clock.now = statements.base + t * cost
                 if wraps or environment.loaded is not None or not plain[axis](value, line):
-                    return at(count, axis, value, line)
+                    return at(0.0, axis, value, line)
                 environment.acts += 1
-                return clock.horizon < statements.until and nearer(count)
+                return clock.horizon < statements.until and nearer()
 
             return each
 

@@ -141,7 +141,7 @@ class MintTask(GeneratorTask):
             environment.set_time(count, count + 0.5)
         self._acts = True
         try:
-            if operation(count, *arguments):
+            if operation(0.0, *arguments):
                 return None
         except Exception as error:
             return generator.throw(error)
