@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.lang.parsing import generate
+from motionlang.lang.parsing import generate, linked_stack
 from motionlang.lang.parsing.parser import Stuck, TooDeep
 from motionlang.mccl.syntax import tables as mccl_tables
 from motionlang.mint.syntax import build, nodes
@@ -48,6 +48,25 @@ def test_every_action_is_used() -> None:
     text = Path(generate.grammar_path("mint.lark")).read_text()
     aliases = set(re.findall(r"-> (\w+)", text)) - {"more"}
     assert aliases == set(ACTIONS)
+
+
+def test_the_loop_does_by_itself_what_is_reduced_most_often(monkeypatch: pytest.MonkeyPatch) -> None:
+    own, called = 0, 0
+    reduced, leaves = linked_stack._reduced, {reducer for _, reducer in TABLES.leaves.values()}
+
+    def counted(top: linked_stack.Cell, rule: Any, at: int) -> linked_stack.Cell:
+        nonlocal own, called
+        own += isinstance(rule[2], int) or rule[2] in leaves
+        called += callable(rule[2]) and rule[2] not in leaves
+        return reduced(top, rule, at)
+
+    monkeypatch.setattr(linked_stack, "_reduced", counted)
+    for path in SCRIPTS.glob("*.mnt"):
+        top = linked_stack.empty(TABLES)
+        for at, piece in enumerate(TABLES.texts(path.read_text())):
+            top, fits = linked_stack.feed(top, TABLES.kind_of[piece], at)
+            assert fits
+    assert own > called > 0
 
 
 # ------------------------------------------------------------------------------------------ Lark as the judge
