@@ -12,9 +12,12 @@ from itertools import groupby
 from math import fsum
 from operator import itemgetter
 
+from motionlang.controller.record.written_waits import whole
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.record.records import Waited, Whole
+    from motionlang.controller.record.records import Waited
+    from motionlang.controller.record.written_waits import Whole
     from motionlang.result import Run
 
     Wait = Whole
@@ -46,8 +49,6 @@ def waits_of(run: Run) -> dict[str, list[Waited]]:
 
 def kept_waits(run: Run) -> dict[str, list[Wait]]:
     """The same as plain tuples: a long run has tens of thousands."""
-    from motionlang.controller.record.records import whole
-
     found: dict[str, list[Wait]] = {}
     for name, waits in groupby(map(whole, run.machine.log.waits.as_kept()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
