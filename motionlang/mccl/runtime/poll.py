@@ -22,7 +22,7 @@ _JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
 
 
 # So many passes go by unlooked at; what is looked at costs not much more than what is not.
-MOST_ALONE = 256
+MOST_ALONE = 1024
 
 
 class Poll:
@@ -41,11 +41,14 @@ class Poll:
 
     def again(self) -> Wait | None:
         """Called at each jump back: go on to the last pass that can be no different; a wait if it is so for ever."""
-        task, attention, clock = self._task, self.attention, self.attention.clock
+        task = self._task
+        if self._alone:
+            there = self._before[0]
+            if there[0] is task.line and there[1] == task.pc:
+                self._alone -= 1
+                return None
+        attention, clock = self.attention, self.attention.clock
         (before, accumulator, count, event), held = self._before, task.registers[0]
-        if self._alone and before[0] is task.line and before[1] == task.pc:
-            self._alone -= 1
-            return None
         wait, now, length = None, clock.now, task.count - count
         place = task.line, task.pc, task.board.turns, self.effects, len(task.calls)
         notes, attention.notes = attention.notes, []
