@@ -41,9 +41,9 @@ class Operations:
         cost = statements.cost
         t = horizon = 0.0
 
-        def set_time(count: float, first: float) -> None:
+        def set_time(place: tuple[float, float]) -> None:
             nonlocal t, horizon
-            t, horizon = count, first
+            t, horizon = place
 
         def now(paid: float) -> bool:
             """`T`: the clock is told the time of a statement that reads it, unless something else is due by then."""

@@ -34,6 +34,7 @@ class MintTask(GeneratorTask):
 
     __slots__ = (
         "_acts",
+        "_count",
         "_put_off",
         "axes",
         "delay",
@@ -62,6 +63,7 @@ class MintTask(GeneratorTask):
         # The operation before which it gave way, and which is carried out when it goes on.
         self._put_off: PutOff | None = None
         self._acts = False  # whether that is being done
+        self._count = environment.time_cells[0]
         self.set_turn()
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
@@ -80,7 +82,7 @@ class MintTask(GeneratorTask):
         attention.notes = self.notes
         self.busy = 0.0
         place = statements.go_on(now, horizon)
-        environment.set_time(*place)
+        environment.set_time(place)
         out: Any
         try:
             if self._put_off is not None:
@@ -93,7 +95,7 @@ class MintTask(GeneratorTask):
                 out = next(generator)
         except StopIteration:
             self.done = True
-            time, wait = statements.leave(environment.time_cells[0].cell_contents), None
+            time, wait = statements.leave(self._count.cell_contents), None
         except TaskEnd as end:
             self.done = True
             return end.time, None
@@ -105,12 +107,11 @@ class MintTask(GeneratorTask):
         else:
             kind = out.__class__
             if out is None:
-                count = environment.time_cells[0].cell_contents
-                self._put_off = put_off = environment.put_off
+                count, put_off = self._count.cell_contents, environment.put_off
                 if put_off is None:
                     time, wait = statements.leave(count), None
                 else:
-                    environment.put_off = None
+                    self._put_off, environment.put_off = put_off, None
                     _, _, full = put_off
                     wait = None if full is None else environment.room(count, full)
                     time = statements.leave(count)
@@ -138,7 +139,7 @@ class MintTask(GeneratorTask):
         assert generator is not None
         (operation, arguments, _), self._put_off = self._put_off, None
         if horizon <= count:  # what is due now has had its chance
-            environment.set_time(count, count + 0.5)
+            environment.set_time((count, count + 0.5))
         self._acts = True
         try:
             if operation(0.0, *arguments):
