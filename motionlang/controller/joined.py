@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from motionlang.profile.packed import unpacked
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -36,7 +38,7 @@ class Joined:
 
     def __getitem__(self, index: int | slice) -> Any:
         if isinstance(index, slice):
-            return [self[i] for i in range(*index.indices(len(self)))]
+            return self._range(*index.indices(len(self)))
         index += len(self) if index < 0 else 0
         older = self._axis.older
         behind = index if older is None else index - older.count
@@ -54,6 +56,26 @@ class Joined:
                 self._unpacked.clear()
             found = self._unpacked[index] = older.profile(index)
         return found
+
+    def _range(self, first: int, past: int, step: int) -> list[Any]:
+        """Those of a slice; packed ones, where they follow one another, part by part."""
+        older = self._axis.older
+        count = 0 if older is None else older.count
+        if step != 1 or older is None or not older.first <= first < min(past, count):
+            return [self[i] for i in range(first, past, step)]
+        column, packed = self._column, older.rows(first, min(past, count))
+        now = self._now()[: max(past - count, 0)]
+        if not column:
+            return [*(row[0] for row in packed), *now]
+        known = self._unpacked
+        if len(packed) > _MOST_UNPACKED:
+            return [*(unpacked(row[1]) for row in packed), *now]
+        if len(known) + len(packed) > _MOST_UNPACKED:
+            known.clear()
+        for number, row in enumerate(packed, first):
+            if number not in known:
+                known[number] = unpacked(row[1])
+        return [*(known[number] for number in range(first, first + len(packed))), *now]
 
     def _now(self) -> Sequence[Any]:
         return self._axis.profiles if self._column else self._axis.starts

@@ -10,6 +10,7 @@ from motionlang.profile.packed import packed, unpacked
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from typing import Any
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.record.stream import Store
@@ -65,6 +66,10 @@ class Profiles:
         for number in range(len(self._parts)):
             for start, row in self._parts.part(number):
                 yield start, unpacked(row)
+
+    def rows(self, first: int, past: int) -> list[tuple[float, Any]]:
+        """The starts and the packed profiles from number `first` to `past`, not included."""
+        return self._parts.records(first, past)
 
     def start(self, number: int) -> float:
         """When a profile began."""

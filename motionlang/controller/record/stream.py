@@ -161,6 +161,16 @@ class Parts:
             raise IndexError(index)
         return self.part(number)[index - self.firsts[number]]
 
+    def records(self, first: int, past: int) -> list[Any]:
+        """The records from one number, which is kept, to another one, not included."""
+        found: list[Any] = []
+        number = bisect_right(self.firsts, first) - 1
+        while first < past:
+            begin, part = self.firsts[number], self.part(number)
+            found += part[first - begin : past - begin]
+            first, number = begin + len(part), number + 1
+        return found
+
     def forget(self) -> int:
         """Forget the oldest part: how many records it had."""
         gone = (self.firsts[1] if len(self.firsts) > 1 else self.count) - self.firsts[0]

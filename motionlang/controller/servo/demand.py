@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
+from itertools import pairwise
 from math import ceil, floor
 from typing import TYPE_CHECKING, Protocol
 
@@ -128,10 +129,11 @@ class Generator:
         return made
 
     def _get_to_know(self, profile: int) -> None:
-        starts, profiles = self.track.starts, self.track.profiles
-        for k in range(self._known + 1, profile + 1):
-            before, after = profiles[k - 1], profiles[k]
-            gap = after.start - before.position(starts[k] - starts[k - 1])
+        known = self._known
+        starts = self.track.starts[known : profile + 1]
+        pairs = pairwise(zip(starts, self.track.profiles[known : profile + 1], strict=True))
+        for k, ((begun, before), (start, after)) in enumerate(pairs, known + 1):
+            gap = after.start - before.position(start - begun)
             if abs(gap) > _JUMP + 1e-12 * abs(after.start):
                 self._since.append(k)
                 self._offsets.append(self._offsets[-1] - gap)
@@ -144,13 +146,16 @@ class Generator:
         """
         starts = self.track.starts
         now = self.in_force_at((first - _AT_ONCE) / rate)
+        if now + 1 == len(starts):
+            return [(first, self.offset(now))]
+        last = self.in_force_at((until - _AT_ONCE) / rate)
+        while last > now and floor(starts[last] * rate + _AT_ONCE) + 1 >= until:
+            last -= 1
         found = [(first, self.offset(now))]
-        for k in range(now + 1, len(starts)):
-            sample = floor(starts[k] * rate + _AT_ONCE) + 1
-            if sample >= until:
-                break
+        self.offset(last)  # makes known what there is to there
+        for k in self._since[bisect_right(self._since, now) : bisect_right(self._since, last)]:
             if self.offset(k) != found[-1][1]:
-                found.append((sample, self.offset(k)))
+                found.append((floor(starts[k] * rate + _AT_ONCE) + 1, self.offset(k)))
         return found
 
     def rebase(self, cycle: int, position: float, profile: int | None = None) -> None:
@@ -202,8 +207,8 @@ class Generator:
         from motionlang.profile.sample import PieceTable
 
         first, last = self.in_force(cycle), self.in_force(cycle + count - 1)
-        starts = np.array(self.track.starts[first : last + 1])
-        table = PieceTable(starts.tolist(), self.track.profiles[first : last + 1])
+        begins, profiles = self.track.starts[first : last + 1], self.track.profiles[first : last + 1]
+        starts, table = np.array(begins), PieceTable(begins, profiles)
         made = table.sample((cycle + 1) * self.period, self.period, count)
         offset = self.offset(last)
         if first == last:
@@ -223,5 +228,7 @@ class Generator:
             np.concatenate((np.floor(begun + _AT_ONCE), near - 2.0, near - 1.0, near, near + 1.0))
         )
         for i in redone[(redone >= 0.0) & (redone < count)].astype(int).tolist():
-            made[i] = self.point(cycle + i)
+            k = max(bisect_right(begins, (cycle + i - _AT_ONCE) * self.period) - 1, 0)
+            time = (cycle + i + 1) * self.period - begins[k]
+            made[i] = profiles[k].position(time) + self.offset(first + k)
         return made

@@ -13,6 +13,7 @@ import pytest
 from motionlang import report
 from motionlang.controller.controller import Controller
 from motionlang.controller.faults import Refusal
+from motionlang.controller.joined import Followed
 from motionlang.controller.move import Move
 from motionlang.controller.record import log as log_module
 from motionlang.controller.record import stream
@@ -250,3 +251,23 @@ def test_a_wait_says_what_kind_of_thing_ended_it() -> None:
         ("axis", (1,)),
         ("axis", (1,)),
     ]
+
+
+@pytest.mark.usefixtures("small")
+def test_a_slice_of_a_packed_track_is_its_profiles_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However much of it is packed, in however many parts, and whether they are kept once they have been read."""
+    plant = {"axis.0.plant.load_inertia": 4e-5}
+    a = run(Source("followed.mnt", FOLLOWED), machine=plant, cache=False).controller.axes[0]
+    assert a.older is not None
+    assert a.older.count > 80
+    count = len(Followed(a).starts)
+    one_by_one = [(start, repr(Followed(a).profiles[k])) for k, start in enumerate(Followed(a).starts)]
+    for most in 1024, 7, 3:
+        monkeypatch.setattr("motionlang.controller.joined._MOST_UNPACKED", most)
+        track = Followed(a)
+        for first in range(0, count + 1, 7):
+            for past in (first, first + 1, first + 5, a.older.count, a.older.count + 1, count):
+                starts, profiles = track.starts[first:past], track.profiles[first:past]
+                found = [(start, repr(each)) for start, each in zip(starts, profiles, strict=True)]
+                assert found == one_by_one[first:past]
+        assert track.starts[count:0:-3] == [start for start, _ in one_by_one[count:0:-3]]
