@@ -88,10 +88,11 @@ class Ahead(Servo):
         """Run `count` samples: a row for each of `SEEN`, in the motor's own coordinates."""
         self._marks, self._stepped = [self._mark()], None
         first, until = self._sample, self._sample + count
-        form = self._form(until)
+        form, made = self._form(until), np.empty((len(SEEN), count))
         if form is None:
-            return self._look_by_steps(count)
-        made = np.empty((len(SEEN), count))
+            self._step(until, made)
+            self._stepped = self._stretch
+            return made
         if first < self._stays:
             self._step(self._stays, made)
             self._marks.append(self._mark())
@@ -105,10 +106,11 @@ class Ahead(Servo):
                 self._marks.append(self._mark())
         return made
 
-    def _look_by_steps(self, count: int) -> Array:
-        """The same with no closed form."""
-        self._run(self._sample + count)
-        made, stretch = np.empty((len(SEEN), count)), self._stretch
+    def _step(self, until: int, out: Array) -> None:
+        """Plain steps to sample `until` (not included)."""
+        count = until - self._sample
+        self._run(until)
+        made, stretch = out[:, :count], self._stretch
         columns, encoder = dict(zip(self._columns, stretch.columns, strict=True)), made[0]
         put(columns["position"], encoder)
         put(columns["velocity"], made[1])
@@ -121,8 +123,6 @@ class Ahead(Servo):
             np.rint(encoder, out=encoder)
         np.subtract(stretch.demand(count), encoder, out=made[2])
         self._tell(made[:, -1])
-        self._stepped = stretch
-        return made
 
     @cached_property
     def _encoding(self) -> tuple[bool, bool]:
@@ -147,11 +147,6 @@ class Ahead(Servo):
                 return cubic if (sample - self._sample) % form.every == 0 else None, sample, end * ratio
             sample = end * ratio
         return None, sample, sample
-
-    def _step(self, until: int, out: Array) -> None:
-        """Plain steps to sample `until` (not included)."""
-        count = until - self._sample
-        out[:, :count] = seen_of(self.run(count))
 
     def _glide(self, form: ClosedForm, cubic: Cubic, until: int, out: Array) -> None:
         """Go along a cubic to sample `until` (not included)."""

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-# Points from which NumPy is quicker than plain floats.
-_WORTHWHILE = 24
+# Points from which NumPy is quicker than plain floats, which it is not yet where several profiles share few points.
+_WORTHWHILE = 100
 
 
 class Foreseen(Generator):
