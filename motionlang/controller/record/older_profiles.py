@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from motionlang.controller.record.stream import PART, Parts
+from motionlang.controller.record import stream
+from motionlang.controller.record.stream import Parts
 from motionlang.profile.packed import packed, unpacked
 
 TYPE_CHECKING = False
@@ -40,7 +41,7 @@ class Profiles:
 
     def take_from(self, a: Axis, most: int) -> int:
         """Pack a part of the axis's profiles, the oldest ones, at most so many of them: how many those were."""
-        count = min(PART, most)
+        count = min(stream.PART, most)
         starts, profiles = a.starts[:count], a.profiles[:count]
         place = self._parts.pack(list(zip(starts, map(packed, profiles), strict=True)))
         self._total = self.count + len(a.starts)
