@@ -186,9 +186,11 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
         """Of a number: all of it is whole units, and exact as a float."""
         site: Site | None = None
         units_here = NAN  # until its task is known
+        # When it is looked again whether some are to be packed: no sooner than so many of these waits have passed.
+        look_at, seldom = 0.0, MANY * wait_units / UNITS
 
         def rest(t: float) -> Gone:
-            nonlocal known, known_units, left, site, units_here
+            nonlocal known, known_units, look_at, site, units_here
             base = statements.base
             if base is not known:
                 known, known_units = base, _units(base)
@@ -198,9 +200,8 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
                 tail.append((site, base, t, end))
                 statements.base = known = clock.now = end
                 known_units = end_units
-                left -= 1
-                if not left:
-                    left = MANY
+                if end > look_at:
+                    look_at = end + seldom
                     waits.trim()
                 until = statements.until
                 return UNBOUNDED if until == INFINITY else (0.0, (until - end) / cost - 1.0)
