@@ -37,7 +37,7 @@ class Silent(ast.NodeTransformer):
     """Takes out statements that write an event, and conditions that are asked for nothing else."""
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST | None:
-        """A call of `events.…(…)`, `clamped(…)`, `note(…)` or `….log.note(…)` goes."""
+        """A call of `events.…(…)`, also of `triggers`, `clamped(…)`, `note(…)` or `….log.note(…)` goes."""
         call = node.value
         if not isinstance(call, ast.Call):
             return node
@@ -46,7 +46,7 @@ class Silent(ast.NodeTransformer):
             return None if function.id in WRITERS else node
         if isinstance(function, ast.Attribute):
             owner = ast.unparse(function.value)
-            if owner == "events" or (function.attr == "note" and owner.endswith("log")):
+            if owner in ("events", "triggers.events") or (function.attr == "note" and owner.endswith("log")):
                 return None
         return node
 
