@@ -172,7 +172,8 @@ def _rests(environment: Waits) -> Callable[[int, float | None, bool], Resting]:
     waits, cost = machine.log.waits, statements.cost
     tail: list[Any] = waits.tail
     cost_units = _whole(cost * UNITS)
-    # The end of the last wait, and what that is in whole units; how many more are written until some are packed.
+    # The end of the last wait, and what that is in whole units; how many more whose length is no number of the text
+    # are written until some are packed.
     known, known_units, left = -1.0, 0.0, MANY
 
     def rest_at(at: int, milliseconds: float | None, own: bool) -> Resting:
