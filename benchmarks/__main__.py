@@ -1,9 +1,10 @@
-"""All figures, each beside its bar: `python -m benchmarks [--halfway | --prove] [NAME …]`.
+"""All figures, each beside its bar: `python -m benchmarks [--halfway | --prove | --against COMMIT] [NAME …]`.
 
 A benchmark is a file of this folder that prints lines of `name value unit`. Those that count are ratios within one run,
 against a peer, a limit or the same thing done another way; `BARS` says how far they are to reach. Exit status 1 where
 one does not, or with `--halfway` where one does not come halfway, which also a machine with other work should.
 With `--prove` there are no figures: every run is proved, so that what is measured is known to keep its limits.
+With `--against COMMIT` the work of this tree is compared with that commit's, by counting (`against.py`).
 """
 
 from __future__ import annotations
@@ -159,6 +160,14 @@ def prove(names: list[str]) -> int:
 
 def main(names: list[str]) -> int:
     """Run the named benchmarks, or all; a table each as it is done."""
+    if names[:1] == ["--against"]:
+        if len(names) != 2:
+            sys.stderr.write("usage: python -m benchmarks --against COMMIT (or: --against baseline)\n")
+            return 2
+        sys.path.append(str(FOLDER))
+        import against
+
+        return against.main(names[1])
     slack = 2.0 if "--halfway" in names else 1.0
     to_prove = "--prove" in names
     names = [name for name in names if name not in ("--halfway", "--prove")]
