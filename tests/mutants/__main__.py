@@ -1,8 +1,12 @@
-"""`python -m tests.mutants [COUNT] [SEED]`: how many of so many mutants are killed, and which live.
+"""Mutation testing: `python -m tests.mutants [COUNT] [SEED]` draws mutants and reports which the tests kill.
 
-`--only TEXT` takes those of them whose names have the text, `--tests PATH` those tests: to see whether a new one kills.
-`--after LOG` begins with the tests that killed in an earlier run, of which that is the output; only what these let live
-is held against all tests, which is most of the time of a run.
+Each mutant is one small change of the package: another comparison, sign, constant or operand. All of a draw are woven
+into one copy of the project, of which one at a time is switched on. Coverage is recorded first, so that a mutant meets
+only the tests that reach it (`forks.py`).
+
+`--only TEXT` keeps the mutants whose names contain the text; `--tests PATH` uses those tests, to see whether a new one
+kills. `--after LOG` begins with the tests that killed in an earlier run, of which LOG is the output; only what these do
+not kill meets all tests.
 """
 
 from __future__ import annotations
@@ -15,68 +19,74 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 from tests.mutants.equivalent import EQUIVALENT
-from tests.mutants.forks import ACTIVE, ALONE, BEGUN, CHOSEN, FAILED, NONE, TASKS, TOLD
+from tests.mutants.forks import (
+    ALONE,
+    BEGUN,
+    CHOSEN,
+    FAILED,
+    NONE,
+    TASKS,
+    VERDICTS,
+    WORKER,
+    WORKERS,
+    merged,
+    within_budget,
+)
 from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, woven
+from tests.mutants.recorder import ACTIVE
 
-# All but what starts processes of its own, and what asks about the text of the project.
-TESTS = tuple(
-    f"tests/{name}"
-    for name in (
-        "profile", "controller", "metamorphic", "reference_model", "copley", "mint", "mccl", "spec", "golden",
-        "errors", "lang", "lint", "cycle", "measured", "readings", "diff", "sweeps", "repl", "serve", "views",
-        "fuzz", "test_scenarios.py",
-    )
-)  # fmt: skip
-# Seconds by the clock that a process of its own may take.
-LONGEST = 1800.0
+# Tests that cannot judge mutants: they test the tests, the wheel, other interpreters, or run for weeks.
+NO_JUDGES = ("mutants", "test_benchmarks.py", "test_package.py", "test_pypy.py", "test_weeks.py")
+# Seconds of real time that a process with one mutant may take.
+MAX_ALONE = 900.0
+# The share of the distinguishable mutants that the tests must kill.
+BAR = 0.88
 
 WOVEN = """
 
-def _woven() -> None:
-    import builtins
-    import os
+from tests.mutants.recorder import install
 
-    if not hasattr(builtins, "__mutant__"):
-        builtins.__mutant__ = int(os.environ.get({active!r}, "-1")).__eq__
-        builtins.__seen__ = lambda file: None
-
-
-_woven()
+install()
 """
+
+
+def judges() -> list[str]:
+    """All tests that can judge mutants, as paths relative to the project."""
+    found = [path for path in (ROOT / "tests").iterdir() if path.name not in NO_JUDGES]
+    return sorted(
+        path.relative_to(ROOT).as_posix()
+        for path in found
+        if path.name.startswith("test_") or (path.is_dir() and (path / "__init__.py").exists())
+    )
 
 
 def copied(folder: Path, mutants: list[Mutant]) -> Path:
     """A copy of the project with the mutants woven into it, by their numbers."""
     tree = folder / "motionlang"
-    left_out = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".*_cache", "*.egg-info")
+    left_out = shutil.ignore_patterns(
+        ".git", ".venv", "__pycache__", ".*_cache", "*.egg-info", "node_modules"
+    )
     shutil.copytree(ROOT, tree, ignore=left_out)
     for path in {mutant.path for mutant in mutants}:
         numbers = {mutant.place: number for number, mutant in enumerate(mutants) if mutant.path == path}
         (tree / path.relative_to(ROOT)).write_text(woven(path, numbers), encoding="utf-8")
     with open(tree / PACKAGE.name / "__init__.py", "a", encoding="utf-8") as package:
-        package.write(WOVEN.format(active=ACTIVE))
+        package.write(WOVEN)
     return tree
 
 
 def pytest(tree: Path, tests: list[str], **environment: str) -> subprocess.Popen[bytes]:
-    """pytest on the copy, with the plugin; what it tells is nobody's business but that of the plugin."""
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-p",
-        "tests.mutants.forks",
-        "-p",
-        "no:cacheprovider",
-        "-p",
-        "no:xdist",
-    ]
-    command += ["-q", "-s", f"--basetemp={tree / 'temporary'}", *tests]
+    """Start pytest on the copy, with the plugin; its output goes to a log."""
+    command = [sys.executable, "-m", "pytest", "-p", "tests.mutants.forks", "-p", "no:cacheprovider"]
+    temporary = tree / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
+    command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
     given = {
         "MOTIONLANG_NO_CACHE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
@@ -87,57 +97,61 @@ def pytest(tree: Path, tests: list[str], **environment: str) -> subprocess.Popen
         return subprocess.Popen(command, cwd=tree, env=os.environ | given, stdout=log, stderr=log, stdin=log)
 
 
-def verdicts(tree: Path, mutants: list[Mutant], tests: list[str]) -> Iterator[tuple[Mutant, str]]:
-    """Each mutant, and the test that fails with it; "" where none does."""
-    (tree / TASKS).write_text(
-        json.dumps(
-            [
-                {
-                    "number": number,
-                    "file": mutant.path.relative_to(ROOT).as_posix(),
-                    "imported": mutant.imported,
-                }
-                for number, mutant in enumerate(mutants)
-            ]
-        )
-    )
-    os.mkfifo(tree / TOLD)
-    parent = pytest(tree, tests)
-    alone: list[tuple[Mutant, int, dict[str, float]]] = []
-    with open(tree / TOLD, encoding="utf-8") as told:
-        for line in told:
+def verdicts(tree: Path, mutants: list[Mutant], tests: list[str], jobs: int) -> Iterator[tuple[Mutant, str]]:
+    """Each mutant, and the test that fails with it; "" if none does."""
+    tasks = [
+        {"number": number, "file": each.path.relative_to(ROOT).as_posix(), "imported": each.imported}
+        for number, each in enumerate(mutants)
+    ]
+    (tree / TASKS).write_text(json.dumps(tasks))
+    os.mkfifo(tree / VERDICTS)
+    workers = [pytest(tree, tests, **{WORKER: str(each), WORKERS: str(jobs)}) for each in range(jobs)]
+    alone: list[int] = []
+    with open(tree / VERDICTS, encoding="utf-8") as lines:
+        for line in lines:
             each: dict[str, Any] = json.loads(line)
-            mutant = mutants[each["number"]]
             if "alone" in each:
-                alone.append((mutant, each["number"], each["alone"]))
+                alone.append(each["number"])
             else:
-                yield mutant, each["by"]
-    if parent.wait():
-        raise SystemExit(
-            f"the tests did not run: {(tree / 'pytest.log').read_text(errors='replace')[-3000:]}"
-        )
-    for mutant, number, durations in alone:
-        while by := failing(tree, number, durations):
-            if by not in durations or not failing(tree, NONE, {by: durations[by]}):
-                break
-            del durations[by]  # it fails in a process of its own without the mutant, too
-        yield mutant, by
+                yield mutants[each["number"]], each["by"]
+    statuses = [worker.wait() for worker in workers]
+    if any(statuses):
+        log = (tree / "pytest.log").read_text(errors="replace")
+        raise SystemExit(f"the tests did not run: {log[-3000:]}")
+    with ThreadPoolExecutor(jobs) as pool:
+        yield from pool.map(lambda number: (mutants[number], judged_alone(tree, tasks[number], jobs)), alone)
 
 
-def failing(tree: Path, number: int, durations: dict[str, float]) -> str:
-    """Which of the tests fails in a process of its own with a mutant, or what else is different; "" for nothing."""
+def judged_alone(tree: Path, task: dict[str, Any], jobs: int) -> str:
+    """The test that fails with a mutant that is reached by imports; "" if none does."""
+    tests = {
+        name: each for name, each in merged(jobs, tree)["tests"].items() if task["file"] in each["files"]
+    }
+    durations = {name: tests[name]["cpu"] for name in sorted(tests, key=lambda name: tests[name]["cpu"])}
+    durations = {name: durations[name] for name in within_budget(list(durations), durations)}
+    while by := failing(tree, task["number"], durations):
+        if by not in durations or not failing(tree, task["number"], {by: durations[by]}, active=NONE):
+            break
+        del durations[by]  # it fails in a process of its own without the mutant, too
+    return by
+
+
+def failing(tree: Path, number: int, durations: dict[str, float], active: int | None = None) -> str:
+    """Which of the tests fails in a process of its own with a mutant, or what else goes wrong; "" for nothing."""
     if not durations:
         return ""
-    (tree / ALONE).write_text(json.dumps(durations))
-    (tree / FAILED).write_text("")
-    process = pytest(tree, sorted({name.partition("::")[0] for name in durations}), **{ACTIVE: str(number)})
+    alone, failed = tree / f"alone.{number}.json", tree / f"failed.{number}"
+    alone.write_text(json.dumps(durations))
+    failed.write_text("")
+    tests = sorted({name.partition("::")[0] for name in durations})
+    files = {ALONE: str(alone), FAILED: str(failed)}
+    process = pytest(tree, tests, **{ACTIVE: str(number if active is None else active)}, **files)
     try:
-        status = process.wait(LONGEST)
+        status = process.wait(MAX_ALONE)
     except subprocess.TimeoutExpired:
         process.kill()
         status = process.wait()
-    told = (tree / FAILED).read_text().strip(BEGUN)
-    return told or (f"the end of its process with {status}" if status else "")
+    return failed.read_text().strip(BEGUN) or (f"the end of its process with {status}" if status else "")
 
 
 def killers(log: str) -> list[str]:
@@ -146,50 +160,59 @@ def killers(log: str) -> list[str]:
     return sorted({name for name in found if (ROOT / name.partition("::")[0]).exists()})
 
 
-def living(mutants: list[Mutant], tests: list[str], chosen: list[str]) -> list[Mutant]:
-    """What no test kills, of the chosen ones where any are; prints a line a mutant."""
+def living(mutants: list[Mutant], tests: list[str], only: list[str], jobs: int) -> list[Mutant]:
+    """The mutants that no test kills, of the tests named `only` if there are any; prints a line for each mutant."""
     lived = []
     with tempfile.TemporaryDirectory() as folder:
         tree = copied(Path(folder), mutants)
-        if chosen:
-            (tree / CHOSEN).write_text(json.dumps(chosen))
-            tests = sorted({name.partition("::")[0] for name in chosen})
-        for done, (mutant, by) in enumerate(verdicts(tree, mutants, tests), 1):
+        if only:
+            (tree / CHOSEN).write_text(json.dumps(only))
+            tests = sorted({name.partition("::")[0] for name in only})
+        for done, (mutant, by) in enumerate(verdicts(tree, mutants, tests, jobs), 1):
             print(f"{done} {f'killed by {by}' if by else 'LIVED'}: {mutant}", flush=True)
             if not by:
                 lived.append(mutant)
     return lived
 
 
-def main(count: int, seed: int, only: list[str], tests: list[str], earlier: str = "") -> int:
-    """Print a line a mutant and the share that was killed; 1 where less than 95 % were.
+def table(mutants: list[Mutant], lived: list[Mutant]) -> Iterator[str]:
+    """A line for each top-level package: how many of its mutants were killed."""
+    drawn, survived = Counter(each.package for each in mutants), Counter(each.package for each in lived)
+    for package in sorted(drawn):
+        killed = drawn[package] - survived[package]
+        yield f"{package:<12} {killed:>3} of {drawn[package]:>3}  {killed / drawn[package]:.0%}"
 
-    `earlier` is the output of an earlier run: of what the tests that killed then kill again, no other is asked.
+
+def main(count: int, seed: int, only: list[str], tests: list[str], earlier: str = "", jobs: int = 2) -> int:
+    """Print a line for each mutant and the score; 1 if it is below `BAR`.
+
+    `earlier` is the output of an earlier run: the tests that killed in it run first, and only what they do not kill
+    meets all tests.
     """
     mutants = [each for each in chosen(count, seed) if not only or any(text in each.name for text in only)]
     known = [each for each in mutants if each.name in EQUIVALENT]
     mutants = [each for each in mutants if each.name not in EQUIVALENT]
     lived = mutants
     if first := killers(earlier):
-        lived = living(lived, tests, first)
-        print(f"{len(lived)} of {len(mutants)} live through {len(first)} tests", flush=True)
+        lived = living(lived, tests, first, jobs)
+        print(f"{len(lived)} of {len(mutants)} survive {len(first)} tests", flush=True)
     if lived:
-        lived = living(lived, tests, [])
-    share = 1.0 - len(lived) / max(len(mutants), 1)
-    print(
-        f"{len(mutants)} mutants, seed {seed}, and {len(known)} that change nothing: {share:.1%} killed; lived:"
-    )
-    print(*(mutant.name for mutant in lived), sep="\n", flush=True)
-    return 0 if share >= 0.95 else 1
+        lived = living(lived, tests, [], jobs)
+    score = 1.0 - len(lived) / max(len(mutants), 1)
+    print(*table(mutants, lived), sep="\n")
+    print(f"{len(mutants)} mutants, seed {seed}, and {len(known)} equivalent: {score:.1%} killed; survivors:")
+    print(*(f"{mutant}\n    {mutant.name}" for mutant in lived), sep="\n", flush=True)
+    return 0 if score >= BAR else 1
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
-    parser.add_argument("count", type=int, nargs="?", default=300)
+    parser.add_argument("count", type=int, nargs="?", default=80)
     parser.add_argument("seed", type=int, nargs="?", default=0)
     parser.add_argument("--only", metavar="TEXT", action="append", default=[])
     parser.add_argument("--tests", metavar="PATH", action="append", default=[])
     parser.add_argument("--after", metavar="LOG", type=Path)
+    parser.add_argument("--jobs", metavar="N", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args()
     earlier = given.after.read_text(encoding="utf-8") if given.after is not None else ""
-    sys.exit(main(given.count, given.seed, given.only, given.tests or list(TESTS), earlier))
+    sys.exit(main(given.count, given.seed, given.only, given.tests or judges(), earlier, given.jobs))

@@ -1,16 +1,22 @@
-"""The pytest plugin that runs a copy of the project in which every mutant is woven: collects once, then forks for each.
+"""Pytest plugin that runs the tests against every mutant of a woven copy of the project.
 
-What it is to do stands in `TASKS`, a JSON file; it writes a line of JSON for each mutant into the pipe `TOLD`. First
-all tests run once, in a child, and note which places and files each of them comes by and how long it takes; a test that
-fails then knows the text of the project and says nothing about mutants. Then each mutant gets a child that runs the
-tests which come by its place, the quickest first, up to the first that fails and passes without the mutant. A child
-that takes ten times the time of a test, or all memory, is a difference, too. A place that is passed as modules are
-imported is left to a process of its own, which runs the tests of `ALONE`.
+Several worker processes share the work. Each collects all tests once and then goes through three steps:
+
+1. Coverage. The worker runs its share of the test files in a child process and records which mutants and files each
+   test reaches, and how long it takes. Woven code appends what it reaches to the file `REACHED`; processes that a test
+   starts append to the same file, so tests of the command line count as well. A test that fails here depends on the
+   text of the project and cannot judge mutants.
+2. The workers exchange what they recorded (`recorded`).
+3. Verdicts. A worker claims one mutant after another, forks, and runs the tests that reach it, the quickest first, up
+   to the first that fails and passes without the mutant. A child that takes ten times the time of a test, or too much
+   memory, counts as a failure. The verdict is a line of JSON in the pipe `VERDICTS`.
+
+A mutant that is reached while modules are imported cannot be switched on in a fork. It gets a process of its own, which
+runs the tests of the file `ALONE` (see `__main__`).
 """
 
 from __future__ import annotations
 
-import builtins
 import json
 import os
 import resource
@@ -23,35 +29,57 @@ from typing import Any
 
 import pytest
 
-TASKS, TOLD, TESTS, ALONE = "mutants.json", "told.fifo", "tests.json", "alone.json"
-# The names of the tests that are run, where not all of their files are.
+from tests.mutants.recorder import ACTIVE, SEEN, activate, record
+
+TASKS, VERDICTS, REACHED = "mutants.json", "verdicts.fifo", "reached"
+# The names of the tests that are run, if not all of their files are.
 CHOSEN = "chosen.json"
-# Where a process of its own says which test it has come to, and in the end which one fails.
-FAILED = "failed.txt"
-# The environment variable with the number of the mutant that is made, here and in processes of tests.
-ACTIVE = "MOTIONLANG_MUTANT"
-# Seconds of the processor that a test gets beside ten times what it took, and bytes for a child.
-BESIDES, MEMORY = 10.0, 6_000_000_000
-# Seconds by the clock after which a test that waits for something is given up.
-LONGEST = 600.0
-# What is told of each test that begins.
+# Environment variables: the number of this worker and of all workers, and the files of a process with one mutant.
+WORKER, WORKERS = "MOTIONLANG_WORKER", "MOTIONLANG_WORKERS"
+ALONE, FAILED = "MOTIONLANG_ALONE", "MOTIONLANG_FAILED"
+# CPU seconds that a test gets in addition to ten times what it took, and bytes for a child.
+EXTRA, MEMORY = 10.0, 6_000_000_000
+# Seconds of real time after which a waiting test is given up.
+MAX_WAIT = 180.0
+# CPU seconds of tests after which a mutant counts as a survivor although tests are left.
+BUDGET = 240.0
+# What a child writes for each test that begins.
 BEGUN = "."
 KILLED, LIVED = 1, 0
-# The number of no mutant, which is made to see that a test passes without one.
+# No mutant has this number: it shows that a test passes without one.
 NONE = 1 << 30
-# A place that so few tests come by may be one whose result is kept: all tests that come by its file are run then.
+# A mutant that so few tests reach may be in code whose result is cached: then all tests that reach its file run.
 FEW = 5
 
 
-def sow(active: int, places: set[int], files: set[str]) -> None:
-    """What the woven code asks: whether a mutant is the active one; with none active it notes where it has been."""
-    making = active >= 0
-    builtins.__mutant__ = active.__eq__ if making else places.add  # type: ignore[attr-defined]
-    builtins.__seen__ = (lambda file: None) if making else files.add  # type: ignore[attr-defined]
+def recorded(worker: int) -> Path:
+    """The file with what a worker recorded of its tests."""
+    return Path(f"tests.{worker}.json")
 
 
-_active, _places, _files = int(os.environ.get(ACTIVE, "-1")), set[int](), set[str]()
-sow(_active, _places, _files)  # before anything woven is imported
+def merged(workers: int, folder: Path = Path()) -> dict[str, Any]:
+    """What all workers recorded: the mutants reached by imports, and each test that can judge mutants."""
+    parts = [json.loads((folder / recorded(worker)).read_text()) for worker in range(workers)]
+    tests = {name: each for part in parts for name, each in part["tests"].items()}
+    return {"imported": {number for part in parts for number in part["imported"]}, "tests": tests}
+
+
+def reached(path: str) -> tuple[list[int], list[str]]:
+    """The mutants and the files in a file that recorders wrote."""
+    lines = Path(path).read_text(encoding="utf-8").split("\n")[:-1]
+    return (
+        sorted({int(each) for each in lines if each.isdigit()}),
+        sorted({each for each in lines if not each.isdigit()}),
+    )
+
+
+_active = int(os.environ.get(ACTIVE, "-1"))
+_worker, _workers = int(os.environ.get(WORKER, "0")), int(os.environ.get(WORKERS, "1"))
+_path = f"{REACHED}.{_worker}"
+# Before anything woven is imported.
+_recorder = record(_path) if _active < 0 else None
+if _active >= 0:
+    activate(_active)
 
 
 class Forks:
@@ -86,18 +114,22 @@ class Forks:
                 setattr(ConjectureRunner, name, lambda self: None)
         items = {item.nodeid: item for item in session.items}
         if _active >= 0:
-            self.durations = json.loads(Path(ALONE).read_text())
-            self._run([items[name] for name in self.durations if name in items], Path(FAILED).write_text)
-        if not Path(TESTS).exists():
-            self._cover(session)
-        known = json.loads(Path(TESTS).read_text())
-        tests = {name: {**each, "places": set(each["places"])} for name, each in known["tests"].items()}
+            self.durations = json.loads(Path(os.environ[ALONE]).read_text())
+            self._run(
+                [items[name] for name in self.durations if name in items], Path(os.environ[FAILED]).write_text
+            )
+        self._cover(session)
+        while not all(recorded(worker).exists() for worker in range(_workers)):
+            time.sleep(0.2)
+        known = merged(_workers)
+        tests = {name: {**each, "mutants": set(each["mutants"])} for name, each in known["tests"].items()}
         self.durations = {
             name: tests[name]["cpu"] for name in sorted(tests, key=lambda name: tests[name]["cpu"])
         }
-        with open(TOLD, "w", encoding="utf-8") as told:
+        with open(VERDICTS, "a", encoding="utf-8") as verdicts:
             for mutant in json.loads(Path(TASKS).read_text()):
-                print(json.dumps(self._verdict(mutant, known, tests, items)), file=told, flush=True)
+                if claimed(mutant["number"]):
+                    print(json.dumps(self._verdict(mutant, known, tests, items)), file=verdicts, flush=True)
         return True
 
     def _verdict(
@@ -107,68 +139,75 @@ class Forks:
         tests: dict[str, dict[str, Any]],
         items: dict[str, pytest.Item],
     ) -> dict[str, Any]:
-        """What is found of one mutant, or the tests for a process of its own."""
+        """The test that kills a mutant, "" for none; or that it needs a process of its own."""
         number, file = mutant["number"], mutant["file"]
-        near = [name for name in self.durations if file in tests[name]["files"]]
         if mutant["imported"] or number in known["imported"]:
-            return {"number": number, "alone": {name: self.durations[name] for name in near}}
-        names = [name for name in self.durations if number in tests[name]["places"]]
-        names = names if len(names) >= FEW else near
+            return {"number": number, "alone": True}
+        near = [name for name in self.durations if file in tests[name]["files"]]
+        names = [name for name in self.durations if number in tests[name]["mutants"]]
+        names = within_budget(names if len(names) >= FEW else near, self.durations)
         while by := self._fork([items[name] for name in names if name in items], number):
             if by not in self.durations or by in self.sound or not self._fork([items[by]], NONE):
                 self.sound.add(by)
                 break
-            del self.durations[by]  # it fails by itself, as what it asks of has been changed by the weaving
+            del self.durations[by]  # it fails without the mutant, because weaving changed what it reads
             names.remove(by)
         return {"number": number, "by": by}
 
     def _cover(self, session: pytest.Session) -> None:
-        """Write which places and files each test comes by, of those that pass; in a child, so that nothing stays."""
+        """Record what each test of this worker's share reaches; in a child, so that no state of the tests remains."""
+        assert _recorder is not None
+        files = sorted({item.path for item in session.items})
+        mine = {path for index, path in enumerate(files) if index % _workers == _worker}
+        items = [item for item in session.items if item.path in mine]
+        imported = reached(_path)[0]
         child = os.fork()
         if child:
             os.waitpid(child, 0)
             return
-        imported, failed = sorted(_places), set[str]()
+        failed = set[str]()
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+        os.environ[SEEN] = os.path.abspath(_path)
         self.failed = failed.add
         found: dict[str, dict[str, Any]] = {}
-        for item, following in zip(session.items, [*session.items[1:], None], strict=True):
-            _places.clear()
-            _files.clear()
-            begun = time.process_time()
+        for item, following in zip(items, [*items[1:], None], strict=True):
+            _recorder.clear()
+            begun = cpu_time()
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
-            taken = time.process_time() - begun
-            found[item.nodeid] = {"cpu": taken, "places": sorted(_places), "files": sorted(_files)}
+            taken = cpu_time() - begun
+            mutants, seen = reached(_path)
+            found[item.nodeid] = {"cpu": taken, "mutants": mutants, "files": seen}
         passed = {name: each for name, each in found.items() if name not in failed}
-        text = json.dumps({"imported": imported, "tests": passed, "failed": sorted(failed)})
-        Path(TESTS).write_text(text)
+        written = recorded(_worker).with_suffix(".part")
+        written.write_text(json.dumps({"imported": imported, "tests": passed, "failed": sorted(failed)}))
+        written.rename(recorded(_worker))
         os._exit(0)
 
     def _fork(self, items: list[pytest.Item], number: int) -> str:
-        """The test that fails with a mutant, or what else is different; "" for nothing."""
+        """The test that fails with a mutant, or what else goes wrong; "" for nothing."""
         reading, writing = os.pipe()
         child = os.fork()
         if child == 0:
             os.close(reading)
             os.environ[ACTIVE] = str(number)
-            sow(number, _places, _files)
+            activate(number)
             resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
-            self._run(items, lambda told: os.write(writing, told.encode()[:2000]))
+            self._run(items, lambda text: os.write(writing, text.encode()[:2000]))
         os.close(writing)
-        told = b""
+        written = b""
         with os.fdopen(reading, "rb", buffering=0) as pipe:
-            while select([pipe], [], [], LONGEST)[0]:
+            while select([pipe], [], [], MAX_WAIT)[0]:
                 more = pipe.read(4096)
                 if not more:
                     break
-                told += more
+                written += more
             else:
                 os.kill(child, signal.SIGKILL)
         status = os.waitpid(child, 0)[1]
-        return told.decode().strip(BEGUN) or ("time or memory" if status else "")
+        return written.decode().strip(BEGUN) or ("time or memory" if status else "")
 
     def _run(self, items: list[pytest.Item], tell: Callable[[str], object]) -> None:
-        """Run tests up to the first that fails, and end the process; tells `BEGUN` for each, and which fails."""
+        """Run tests up to the first that fails, and end the process; writes `BEGUN` for each, and which one fails."""
         from tests import cases
 
         def fail(name: str) -> None:
@@ -179,11 +218,37 @@ class Forks:
         self.failed = fail
         for item in items:
             tell(BEGUN)
-            signal.setitimer(signal.ITIMER_PROF, BESIDES + 10.0 * self.durations[item.nodeid])
+            signal.setitimer(signal.ITIMER_PROF, EXTRA + 10.0 * self.durations[item.nodeid])
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=None)
         os._exit(LIVED)
 
 
+def claimed(number: int) -> bool:
+    """True for the first worker that asks for a mutant."""
+    try:
+        os.close(os.open(f"claimed.{number}", os.O_CREAT | os.O_EXCL))
+    except FileExistsError:
+        return False
+    return True
+
+
+def cpu_time() -> float:
+    """CPU seconds of this process and of the children that it has waited for."""
+    times = os.times()
+    return time.process_time() + times.children_user + times.children_system
+
+
+def within_budget(names: list[str], durations: dict[str, float]) -> list[str]:
+    """The first tests that together stay within `BUDGET`."""
+    total, chosen = 0.0, []
+    for name in names:
+        total += durations[name]
+        if total > BUDGET:
+            break
+        chosen.append(name)
+    return chosen
+
+
 def pytest_configure(config: pytest.Config) -> None:
-    """Take the place of the loop over the tests."""
+    """Replace pytest's loop over the tests."""
     config.pluginmanager.register(Forks(), "mutants")

@@ -39,13 +39,26 @@ class Mutant(NamedTuple):
     def __str__(self) -> str:
         return f"{self.path.relative_to(ROOT)}:{self.line}: {self.before} -> {self.after}"
 
+    @property
+    def package(self) -> str:
+        """The top-level package that the mutant is in; "root" for the files beside the packages."""
+        parts = self.path.relative_to(PACKAGE).parts
+        return parts[0] if len(parts) > 1 else "root"
+
+
+# Files that commands write from others: their makers are mutated instead.
+GENERATED = (
+    "mccl/syntax/tables.py",
+    "mint/syntax/tables.py",
+    "mint/keywords/index.py",
+    "mint/keywords/operations_index.py",
+    "readings/tables.py",
+)
+
 
 def files() -> list[Path]:
-    """What is mutated: the motion mathematics, the controller, and what the words of both languages do."""
-    found = [*PACKAGE.glob("profile/**/*.py"), *PACKAGE.glob("controller/**/*.py")]
-    found += [*PACKAGE.glob("mint/keywords/*_operations.py"), *PACKAGE.glob("mccl/keywords/*_operations.py")]
-    found += [PACKAGE / "mccl" / "keywords" / name for name in ("filter_stages.py", "flow_waits.py")]
-    return sorted(found)
+    """All hand-written code of the package."""
+    return sorted({*PACKAGE.rglob("*.py")} - {PACKAGE / name for name in GENERATED})
 
 
 def mutants(path: Path) -> Iterator[Mutant]:

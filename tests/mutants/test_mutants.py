@@ -1,4 +1,4 @@
-"""The mutants are changes of what runs, each one place; the long run wants 95 % of them killed."""
+"""The mutants are changes of what runs, each one place; the long run wants 88 % of them killed."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import TESTS, killers, main
+from tests.mutants.__main__ import BAR, judges, killers, main, table
 from tests.mutants.equivalent import EQUIVALENT
-from tests.mutants.mutate import ROOT, chosen, files, mutants, woven
+from tests.mutants.mutate import chosen, files, mutants, woven
 
 TEXT = '''"""A sentence with 3 numbers."""
 from __future__ import annotations
@@ -57,8 +57,24 @@ def test_what_is_changed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
 def test_the_same_are_chosen_again_from_every_part() -> None:
     once = [str(each) for each in chosen(300, 0)]
     assert once == [str(each) for each in chosen(300, 0)]
-    assert {each.split("/")[1] for each in once} == {"profile", "controller", "mint", "mccl"}
-    assert all((ROOT / path).exists() for path in TESTS)
+    assert {each.split("/")[1] for each in once} >= {
+        "cli",
+        "controller",
+        "copley",
+        "lang",
+        "mccl",
+        "mint",
+        "views",
+    }
+    assert {"tests/cli", "tests/golden", "tests/test_files.py"} < set(judges())
+
+
+def test_the_score_is_given_by_package() -> None:
+    draw = [each for each in chosen(300, 0) if each.package in ("cli", "lang")]
+    lived = [each for each in draw if each.package == "lang"][:1]
+    cli, lang = table(draw, lived)
+    assert cli.split()[-1] == "100%"
+    assert lang.split()[1:4] == [f"{sum(each.package == 'lang' for each in draw) - 1}", "of", lang.split()[3]]
 
 
 def test_a_change_elsewhere_leaves_the_choice_and_the_names(
@@ -116,5 +132,6 @@ def test_the_tests_that_killed_stand_in_the_output_of_a_run() -> None:
 
 
 @pytest.mark.long
-def test_nineteen_of_twenty_are_killed() -> None:
-    assert main(300, 0, [], list(TESTS)) == 0
+def test_the_score_reaches_its_bar() -> None:
+    assert BAR == 0.88
+    assert main(80, 0, [], judges()) == 0
