@@ -6,9 +6,9 @@ from motionlang.controller import door
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.record import move_rows, older_profiles
+    from motionlang.controller.record import move_rows, moves, older_profiles
 
-# Only a long run, or one whose moves go on as others, comes to these.
-__getattr__ = door(__name__, "move_rows", "older_profiles")
+# A run without motion needs none of these; only a long run, or one whose moves are continued, needs all.
+__getattr__ = door(__name__, "move_rows", "moves", "older_profiles")
 
-__all__ = ["move_rows", "older_profiles"]
+__all__ = ["move_rows", "moves", "older_profiles"]

@@ -6,6 +6,7 @@ run takes no more memory the longer it lasts.
 
 from __future__ import annotations
 
+from motionlang.controller import record
 from motionlang.controller.record.stream import DISK, Store, Stream
 
 TYPE_CHECKING = False
@@ -74,9 +75,10 @@ class Log:
         "where",
     )
 
-    # A program that moves nothing has none of these, and imports none of what they are made of: see `moves.power_up`.
+    # `__getattr__` makes these: a program that moves nothing imports none of what they consist of.
     moves: Moves
     dropped: Moves
+    # Set at power-up, before there is a profile to pack.
     older: Callable[[Store], Profiles]
 
     def __init__(self, disk: int = DISK) -> None:
@@ -99,6 +101,14 @@ class Log:
         self._looked = False
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[Move, int, float], object] | None = None
+
+    def __getattr__(self, name: str) -> Moves:
+        """Create a stream of moves when it is first read."""
+        if name not in ("moves", "dropped"):
+            raise AttributeError(f"a log has no {name}")
+        made = record.moves.Moves(self.store)
+        setattr(self, name, made)
+        return made
 
     def note(
         self,

@@ -34,13 +34,14 @@ class Moves(Stream[Move]):
 
     __slots__ = ("_left_out", "_store", "_waiting", "axes")
 
-    def __init__(self, store: Store, axes: Mapping[int, Axis]) -> None:
+    def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
         # Moves that were under way as their neighbours were packed; where they lie, when they have been packed since.
         self._left_out: dict[int, Move | Place] = {}
         self._waiting = 0  # pieces of continued entries that are not packed
-        self.axes = axes
+        # The axes whose moves these are; none before power-up.
+        self.axes: Mapping[int, Axis] = {}
 
     def show(self, row: Row, move: Move) -> None:
         """Somebody looks at a plain move: from now on it is the `Move` that he sees."""
@@ -145,7 +146,7 @@ class Moves(Stream[Move]):
 
 def power_up(log: Log, axes: Mapping[int, Axis]) -> None:
     """A controller with these axes begins to write into a log."""
-    log.moves, log.dropped = Moves(log.store, axes), Moves(log.store, axes)
+    log.moves.axes = log.dropped.axes = axes
     log.older = _older_profiles
     for a in axes.values():
         a.logged = log.moves

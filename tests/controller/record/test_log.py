@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 from itertools import pairwise
 from math import fsum
 from pathlib import Path
@@ -21,6 +23,7 @@ from motionlang.controller.record.log import Log
 from motionlang.controller.record.stream import Store, Stream
 from motionlang.controller.record.track import WholeTrack
 from motionlang.execution import run
+from motionlang.lang.machine.machine import Machine
 from motionlang.result import Run
 from motionlang.source import Source
 
@@ -51,6 +54,44 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(log_module, "MOST_PROFILES", 16)
     monkeypatch.setattr(log_module, "MOST_FOLLOWED", 16)
     monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
+
+
+STREAMS = [
+    "moves",
+    "dropped",
+    "waits",
+    "turns",
+    "outputs",
+    "inputs",
+    "analogue_outputs",
+    "analogue_inputs",
+    "settings",
+    "events",
+    "prints",
+]
+STILL = """
+import motionlang
+from motionlang.source import Source
+for source in (Source("a.mnt", "Dim n As Integer"), Source("a.mcl", "CN0\\n")):
+    log = motionlang.run(source, cache=False).machine.log
+    streams = (log.moves, log.dropped, log.waits, log.turns, log.events, log.outputs)
+    print([(len(each), list(each), each[:], list(reversed(each)), bool(each)) for each in streams])
+"""
+
+
+def test_every_stream_of_a_run_without_motion_reads_as_a_list() -> None:
+    """In a process of its own: a proved run, as in this suite, always has its controller."""
+    ran = subprocess.run([sys.executable, "-c", STILL], capture_output=True, text=True, check=False)
+    assert ran.stdout == f"{[(0, [], [], [], False)] * 6}\n" * 2, ran.stderr
+
+
+def test_a_stream_read_before_power_up_has_what_happens_after_it() -> None:
+    machine = Machine()
+    streams = {name: getattr(machine.log, name) for name in STREAMS}
+    assert not any(streams.values())
+    machine.controller.move_to(0, 100.0)
+    assert [move.axis for move in streams["moves"]] == [0]
+    assert all(getattr(machine.log, name) is stream for name, stream in streams.items())
 
 
 def gallery() -> list[str]:
