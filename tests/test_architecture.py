@@ -48,6 +48,7 @@ LEVELS: dict[str, int] = {
     "user_cache": 1,
     "files": 0,
     "cores": 1,
+    "workers": 1,
     "errors": 1,
     "source": 1,
     "": 0,

@@ -26,26 +26,15 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
     if jobs <= 1:
         yield from map(work, items)
         return
-    from concurrent.futures import ProcessPoolExecutor
+    from motionlang.workers import Workers
 
-    pool = ProcessPoolExecutor(jobs, initializer=_be_quiet)
+    pool = Workers(jobs)
     try:
         yield from pool.map(work, items)
     except BaseException:
-        # Whoever wants the end wants it now: no result is waited for.
-        for process in list((pool._processes or {}).values()):
-            process.terminate()
-        pool.shutdown(wait=False, cancel_futures=True)
+        pool.stop()
         raise
     pool.shutdown()
-
-
-def _be_quiet() -> None:
-    """Ctrl-C reaches every process of a terminal; the first one alone answers."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def add_jobs(parser: ArgumentParser) -> None:

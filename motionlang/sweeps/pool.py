@@ -5,8 +5,6 @@ Nothing here decides where a chunk runs: that is the executor's, a pool of proce
 
 from __future__ import annotations
 
-import os
-import signal
 from collections import deque
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from time import perf_counter
@@ -19,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from motionlang.sweeps.job import Job, Result, Variant
+    from motionlang.workers import Workers
 
 # Seconds that a chunk should take; that this process works by itself before it asks for others; that all the rest may
 # take it without.
@@ -46,7 +45,7 @@ class Hand:
     ) -> None:
         self._job, self._variants, self._left = job, variants, count
         self._given, self._jobs = executor, jobs
-        self._executor = executor
+        self._own: Workers | None = None
         self._again: deque[_Chunk] = deque()
         self._under_way: dict[Future[tuple[str, float, list[Result]]], _Chunk] = {}
         self._seen: set[str] = set()
@@ -60,11 +59,14 @@ class Hand:
             yield from self._alone()
             if not self._left:
                 return
-            self._executor = _pool(min(self._jobs, self._left))
+            self._start(min(self._jobs, self._left))
         try:
             yield from self._from_others()
-        finally:
-            self._end()
+        except BaseException:
+            self._stop()
+            raise
+        if self._own is not None:
+            self._own.shutdown()
 
     def _alone(self) -> Iterator[Result]:
         """The first rows, by this process: few variants need no other, and a pool that forks inherits the program."""
@@ -96,15 +98,16 @@ class Hand:
             chunk = self._next()
             if chunk is None:
                 break
-            assert self._executor is not None
+            executor = self._own if self._given is None else self._given
+            assert executor is not None
             try:
-                future = self._executor.submit(work, self._job, chunk.variants)
+                future = executor.submit(work, self._job, chunk.variants)
             except BrokenExecutor:
                 if self._given is not None:
                     raise
                 self._again.appendleft(chunk)
-                self._executor.shutdown(wait=False)
-                self._executor = _pool(self._jobs)
+                executor.shutdown(wait=False)
+                self._start(self._jobs)
                 continue
             self._under_way[future] = chunk
             # What has ended a process of our own pool goes alone, so that it takes nobody with it.
@@ -155,40 +158,16 @@ class Hand:
         else:
             self._again.append(_Chunk(chunk.variants, tries))
 
-    def _end(self) -> None:
-        """Nothing of this sweep goes on, whatever ended it; an executor that somebody gave us lives on."""
-        if self._given is not None:
-            for future in self._under_way:
-                future.cancel()
-        elif self._executor is not None:
-            # What is under way is cut off, not cancelled: Python 3.11 stumbles over cancelled work as a pool ends.
-            processes = getattr(self._executor, "_processes", None) or {}
-            for process in list(processes.values()) if self._under_way else ():
-                process.terminate()
-            self._executor.shutdown(wait=True)
+    def _start(self, jobs: int) -> None:
+        """Start a pool of our own."""
+        from motionlang.workers import Workers
+
+        self._own = Workers(jobs)
+
+    def _stop(self) -> None:
+        """End what is under way; an executor that was given lives on."""
+        if self._own is not None:
+            self._own.stop()
+        for future in self._under_way if self._given is not None else ():
+            future.cancel()
         self._under_way.clear()
-
-
-def _pool(jobs: int) -> Executor:
-    """A pool of processes on this machine; they are forked where that is safe, which takes the program along."""
-    import multiprocessing
-    import threading
-    from concurrent.futures import ProcessPoolExecutor
-
-    ways = multiprocessing.get_all_start_methods()
-    fork = (
-        "fork" in ways
-        and os.name == "posix"
-        and threading.active_count() == 1
-        and os.uname().sysname == "Linux"
-    )
-    context = multiprocessing.get_context("fork" if fork else "spawn")
-    return ProcessPoolExecutor(jobs, mp_context=context, initializer=_begin)
-
-
-def _begin() -> None:
-    """A process of the pool leaves Ctrl-C to whoever started it, and ends when it is told to."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    if hasattr(signal, "SIGHUP"):
-        signal.signal(signal.SIGHUP, signal.SIG_DFL)

@@ -1,0 +1,81 @@
+"""Worker processes of this machine, which end with the process that started them, however that ends.
+
+The end of its input does not end a worker: every worker inherits the writing ends of the pipes of its siblings, so that
+they stay open. A thread of each worker therefore waits for the end of the parent, of which `multiprocessing` has a file
+descriptor, and ends the process. Signals that end a command are blocked while processes start: one between a fork and
+its record would leave a process that the pool does not know.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import threading
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from multiprocessing.connection import wait
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from concurrent.futures import Future
+    from multiprocessing.process import BaseProcess
+    from typing import Any, ParamSpec, TypeVar
+
+    P = ParamSpec("P")
+    T = TypeVar("T")
+
+# The signals that end a command; Windows has no SIGHUP.
+_ENDING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+
+
+class Workers(ProcessPoolExecutor):
+    """An executor with `jobs` processes, forked where that is safe, which takes the program along."""
+
+    def __init__(self, jobs: int) -> None:
+        fork = hasattr(os, "fork") and os.uname().sysname == "Linux" and threading.active_count() == 1
+        super().__init__(jobs, multiprocessing.get_context("fork" if fork else "spawn"), _begin)
+
+    def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
+        """Schedule a call; this may start processes."""
+        with _signals_put_off():
+            return super().submit(fn, *args, **kwargs)
+
+    def stop(self) -> None:
+        """End all processes now. Their results are lost."""
+        # Python 3.11 fails to cancel calls while a pool ends, so the processes end first.
+        processes: dict[int, Any] = getattr(self, "_processes", None) or {}
+        for process in list(processes.values()):
+            process.terminate()
+        self.shutdown(wait=True)
+
+
+@contextmanager
+def _signals_put_off() -> Iterator[None]:
+    """Deliver the signals that end a command after the block; processes started in it inherit that."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, _ENDING)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _begin() -> None:
+    """Prepare a worker: Ctrl-C is the parent's, other signals end it, and so does the end of the parent."""
+    for number in _ENDING:
+        signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else signal.SIG_DFL)
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _ENDING)
+
+
+def _end_with(parent: BaseProcess) -> None:
+    """Wait for the end of the parent, then end this process in the middle of whatever it does."""
+    wait([parent.sentinel])
+    os._exit(1)

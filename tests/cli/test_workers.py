@@ -1,0 +1,87 @@
+"""Commands with worker processes: however the command ends, no worker outlives it."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.cli.programs import LONGEST
+
+JOBS = 2
+# The command line, in which each new process says so on standard error. Workers inherit that, so its end is theirs.
+ANNOUNCED = """
+import os, sys
+from motionlang.cli import main
+os.register_at_fork(after_in_child=lambda: os.write(2, b"worker\\n"))
+sys.exit(main(sys.argv[1:]))
+"""
+# The same, and SIGTERM comes as soon as the first process is started.
+AT_ONCE = ANNOUNCED.replace(
+    "sys.exit(main",
+    "os.register_at_fork(after_in_parent=lambda: os.kill(os.getpid(), 15))\nsys.exit(main",
+)
+COMMANDS = {
+    "sweep": ("sweep", "stroke.mnt", "--vary", "rate=1:1000:1000000"),
+    "check": ("check", "a.mnt", "b.mnt"),
+    "verify": ("verify", "a.mnt", "b.mnt"),
+}
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="pools fork on Linux only")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A program to vary, and two that never come: reading them blocks a worker for good."""
+    (tmp_path / "stroke.mnt").write_text(
+        "Const rate = 1000\nACCEL(0) = rate\nMOVER(0) = 100\nGO(0)\nPAUSE IDLE(0)\n"
+    )
+    for name in ("a", "b"):
+        os.mkfifo(tmp_path / f"{name}.mnt")
+        (tmp_path / f"{name}.golden").write_text("")
+    return tmp_path
+
+
+def started(script: str, verb: str, folder: Path) -> subprocess.Popen[str]:
+    """A command with `JOBS` worker processes, all in a process group of their own."""
+    command = [sys.executable, "-c", script, *COMMANDS[verb], "--jobs", str(JOBS)]
+    return subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, process_group=0
+    )
+
+
+def told_until_all_have_ended(process: subprocess.Popen[str]) -> str:
+    """What comes on standard error until the command and every worker have closed it."""
+    try:
+        return process.communicate(timeout=LONGEST)[1]
+    finally:
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
+
+@pytest.mark.parametrize("verb", COMMANDS)
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_no_worker_outlives_a_command_that_is_ended(number: int, verb: str, folder: Path) -> None:
+    process = started(ANNOUNCED, verb, folder)
+    assert process.stderr is not None
+    assert [process.stderr.readline() for _ in range(JOBS)] == ["worker\n"] * JOBS
+    if number == signal.SIGINT:  # a terminal sends it to the whole group
+        os.killpg(process.pid, number)
+    else:
+        process.send_signal(number)
+    told = told_until_all_have_ended(process)
+    assert process.returncode in (-number, 128 + number)
+    assert "Traceback" not in told
+
+
+@pytest.mark.parametrize("verb", COMMANDS)
+def test_a_signal_while_the_workers_are_started(verb: str, folder: Path) -> None:
+    process = started(AT_ONCE, verb, folder)
+    told = told_until_all_have_ended(process)
+    assert (process.returncode, told.count("worker\n")) == (143, JOBS)
+    assert "Traceback" not in told
