@@ -188,12 +188,18 @@ def _tell_evidence(
 def _looked_at(
     file: str, options: CheckOptions
 ) -> tuple[str, Source | None, dict[str, object] | None, list[Diagnostic], list[Fixed]]:
-    """The same as `_check`, and what has been mended before; nothing where that is not asked for."""
+    """The findings of `_check`, and the fixes that were made before; none if `--fix` is not given."""
     found = _check(file, options)
-    if not options.fix or file == STDIN or found[2] is None:
+    language, source, settings, diagnostics = found
+    if not options.fix or file == STDIN or settings is None or source is None:
         return (*found, [])
+    name = source.name
+
+    def check(text: str) -> list[Diagnostic]:
+        return dialect(language).check(Source(name, text), settings)
+
     try:
-        fixed = fix(file, found[3])
+        fixed = fix(file, diagnostics, check)
     except OSError as error:
         return (*found[:3], [*found[3], unwritten(file, error)], [])
     return (*(_check(file, options) if fixed else found), fixed)

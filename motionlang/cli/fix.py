@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from motionlang.files import replacing
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from motionlang.errors import Diagnostic
 
 _MARK = "\ufeff"
+# More fixes than a file can need; each pass makes all that one check reports.
+MAX_PASSES = 1_000
 
 
 class Fixed(NamedTuple):
@@ -27,13 +29,14 @@ class Fixed(NamedTuple):
         return f"{self.line}:{self.column}: fixed[{self.code}]: {self.before} -> {self.after}"
 
 
-def fix(path: str, found: Sequence[Diagnostic]) -> list[Fixed]:
-    """Write the fixes of some diagnostics into their file, and say which. OSError where it cannot be read or written.
+def fix(path: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]) -> list[Fixed]:
+    """Write the fixes of diagnostics into their file, and return them. OSError if it cannot be read or written.
 
-    Line ends stay as they are. A file that is not UTF-8 is left alone.
+    `check(text)` gives the diagnostics of a text. A check stops at a number of mistakes, so fixes are made and checked
+    for until none is left; the file is written once, with all of them. Line ends stay as they are. A file that is not
+    UTF-8, or that has lone carriage returns, stays as it is.
     """
-    wanted = [each for each in found if each.fix and each.line and each.column]
-    if not wanted:
+    if not any(each.fix for each in found):
         return []
     with open(path, "rb") as file:
         data = file.read()
@@ -42,15 +45,32 @@ def fix(path: str, found: Sequence[Diagnostic]) -> list[Fixed]:
     except UnicodeDecodeError:
         return []
     mark = _MARK if text.startswith(_MARK) else ""
-    lines = text.removeprefix(mark).split("\n")
-    if any("\r" in line[:-1] for line in lines):
-        return []  # lines that end with a lone carriage return are counted otherwise
+    text = text.removeprefix(mark)
+    if "\r" in text.replace("\r\n", ""):
+        return []
+    fixed: list[Fixed] = []
+    for _ in range(MAX_PASSES):
+        text, made = _fixed(text, found)
+        if not made:
+            break
+        fixed += made
+        found = check(text)
+    with replacing(path, only_copy=True) as out:
+        out.write((mark + text).encode())
+    return fixed
+
+
+def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
+    """A text with the fixes of its diagnostics made, and these; of two that overlap, the later one."""
+    wanted = [each for each in found if each.fix and each.line and each.column]
+    lines = text.split("\n")
     made: list[Fixed] = []
     for each in sorted(wanted, key=lambda one: (one.line, one.column), reverse=True):
         line, begin = lines[each.line - 1], each.column - 1
         end = begin + each.length
-        made.append(Fixed(each.line, each.column, each.code, line[begin:end], each.fix))
-        lines[each.line - 1] = line[:begin] + each.fix + line[end:]
-    with replacing(path, only_copy=True) as out:
-        out.write((mark + "\n".join(lines)).encode())
-    return made[::-1]
+        if made and made[-1].line == each.line and made[-1].column - 1 < end:
+            continue
+        new = each.fix.replace("\n", "\r\n") if line.endswith("\r") else each.fix
+        made.append(Fixed(each.line, each.column, each.code, line[begin:end], new.strip()))
+        lines[each.line - 1] = line[:begin] + new + line[end:]
+    return "\n".join(lines), made[::-1]

@@ -3,10 +3,21 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
+from motionlang.execution import run
+from motionlang.source import Source
 from tests.cli.programs import Cell
+
+ROOT = Path(__file__).parents[2]
+V4 = [
+    path
+    for folder in ("scripts/mint", "tests/spec/mint")
+    for path in sorted((ROOT / folder).glob("*.mnt"))
+    if {"ENDIF", "ENDW", "ENDL"} & set(path.read_text(encoding="utf-8").upper().split())
+]
 
 
 def test_a_number_without_brackets(cell: Cell) -> None:
@@ -30,10 +41,72 @@ def test_the_notation_of_the_other_age(cell: Cell) -> None:
     assert (cell.folder / "old.prg").read_text() == text
     ran = cell("check", "old.prg", "--model", "mintmt", "--fix")
     assert (cell.folder / "old.prg").read_text() == (
-        "SPEED(0) = 10\nIF INX(1) DO\n  x = 7 Mod 4\nEnd If\nWHILE INX(1)\n  WAIT = 5\nEnd While\nPRINT x\n"
+        "SPEED(0) = 10\nIF INX(1) Then\n  x = 7 Mod 4\nEnd If\nWHILE INX(1)\n  WAIT = 5\nEnd While\nPRINT x\n"
     )
-    assert "error[model]: IF … DO is Mint v4" in ran.err
-    assert ran.out == "old.prg: 6 fixed, 1 error\n"
+    assert "old.prg:2:10: fixed[model]: DO -> Then\n" in ran.err
+    assert ran.out == "old.prg: 7 fixed, no mistakes\n"
+
+
+BLOCKS = {
+    "a block": ("IF a DO\n b = 1\nELSE\n b = 2\nENDIF\n", "IF a Then\n b = 1\nELSE\n b = 2\nEnd If\n"),
+    "inside one another": (
+        "LOOP\n\tIF a DO\n\t\tIF b DO\n\t\tENDIF\n\tENDIF\n\tEXIT\nENDL\n",
+        "LOOP\n\tIF a Then\n\t\tIF b Then\n\t\tEnd If\n\tEnd If\n\tEXIT\nEnd Loop\n",
+    ),
+    "on one line, where Then would be an If of one line": (
+        "  IF a DO b = 1 : ENDIF : b = 2\n",
+        "  IF a Then\n    b = 1 : End If : b = 2\n",
+    ),
+    "with a colon": ("IF a DO : b = 1\nENDIF\n", "IF a Then\n  : b = 1\nEnd If\n"),
+    "with a comment": ("IF a DO ' go\nENDIF\n", "IF a Then ' go\nEnd If\n"),
+    "ElseIf": (
+        "IF a DO\nELSE IF b DO b = 1\nELSEIF b DO\nENDIF\n",
+        "IF a Then\nELSE IF b Then b = 1\nELSEIF b Then\nEnd If\n",
+    ),
+    "a remainder without blanks": ("b = 7%4 + a %b\n", "b = 7 Mod 4 + a Mod b\n"),
+    "an index of many digits": ("COMMS.1 = IN.12\n", "COMMS(1) = IN(12)\n"),
+    "line ends of DOS": ("IF a DO b = 1 : ENDIF\r\n", "IF a Then\r\n  b = 1 : End If\r\n"),
+}
+
+
+@pytest.mark.parametrize("name", BLOCKS)
+def test_a_block_is_fixed_as_a_whole(name: str, cell: Cell) -> None:
+    """The program compiles on MintMT, and there is nothing left to fix."""
+    old, new = BLOCKS[name]
+    head = "Dim a, b As Integer\n".replace("\n", "\r\n" if "\r" in old else "\n")
+    path = cell.write("old.prg", head + old)
+    check = ("check", "old.prg", "--model", "mintmt", "--fix")
+    assert cell(*check).status == 0
+    assert path.read_bytes().decode() == head + new
+    assert "fixed" not in cell(*check).out
+    assert path.read_bytes().decode() == head + new
+
+
+def test_more_fixes_than_a_check_tells_mistakes(cell: Cell) -> None:
+    """A check stops at 100 mistakes, in the middle of a block."""
+    path = cell.write("old.prg", "a = 1\n" + "IF a DO\n a = SPEED.0\nENDIF\n" * 150 + "PRINT a\n")
+    assert cell("check", "old.prg", "--model", "mintmt", "--fix").out == "old.prg: 450 fixed, no mistakes\n"
+    assert path.read_text() == "a = 1\n" + "IF a Then\n a = SPEED(0)\nEnd If\n" * 150 + "PRINT a\n"
+
+
+@pytest.mark.parametrize("path", V4, ids=[path.stem for path in V4])
+def test_a_fixed_program_means_the_same(path: Path, cell: Cell) -> None:
+    """The programs of the gallery and of the manual that are in the notation of Mint v4."""
+    old, check = path.read_text(encoding="utf-8"), ("check", "old.mnt", "--model", "mintmt", "--fix")
+    written = cell.write("old.mnt", old)
+    cell(*check)
+    new = written.read_text(encoding="utf-8")
+    assert new != old
+    assert "fixed" not in cell(*check).out
+    runs = [run(Source("old.mnt", text), until=60.0, cache=False) for text in (old, new)]
+    assert runs[1].report["diagnostics"] == runs[0].report["diagnostics"]
+    assert [list(each.machine.log.prints) for each in runs[:1]] == [
+        list(each.machine.log.prints) for each in runs[1:]
+    ]
+    ends = [
+        [(move.axis, move.start_time, move.target) for move in each.controller.log.moves] for each in runs
+    ]
+    assert ends[0] == ends[1]
 
 
 def test_what_is_not_certain_stays(cell: Cell) -> None:

@@ -19,17 +19,18 @@ if TYPE_CHECKING:
     from motionlang.mint.syntax.nodes import Module
     from motionlang.source import Source
 
-    Found = Iterator[tuple[int, str, str]]
+    # A token, what it is, a hint, and the text that replaces it, "" if that is not certain.
+    Found = Iterator[tuple[int, str, str, str]]
 
-# Kinds of tokens that one age alone has: what they are, and what the other one writes.
+# Kinds of tokens that only Mint v4 has: what they are, and what MintMT writes.
 _V4_TOKENS = {
-    "DO": ("IF … DO", "write If … Then"),
-    "ENDIF": ("ENDIF", "write End If"),
-    "ENDW": ("ENDW", "write End While"),
-    "ENDL": ("ENDL", "write End Loop"),
-    "PERCENT": ("%", "write Mod"),
+    "DO": ("IF … DO", "If … Then", "Then"),
+    "ENDIF": ("ENDIF", "End If", "End If"),
+    "ENDW": ("ENDW", "End While", "End While"),
+    "ENDL": ("ENDL", "End Loop", "End Loop"),
+    "PERCENT": ("%", "Mod", "Mod"),
 }
-_ONE_WORD = frozenset(("ENDIF", "ENDW", "ENDL", "%"))
+# Kinds of tokens that only MintMT has: what they are, and what to write in Mint v4.
 _MT_TOKENS = {
     "ELSEIF": ("ElseIf", "write ELSE and a further IF"),
     "SELECT": ("Select Case", "write IF … DO"),
@@ -54,12 +55,8 @@ def check_model(module: Module, source: Source, model: str, table: Table, add: C
         return
     find = _not_v4 if wanted == V4 else _not_mintmt
     other = MINTMT if wanted == V4 else V4
-    for at, what, hint in find(module, source, table):
-        words = hint.removeprefix("write ")
-        # What is one token and has one spelling on the other side.
-        certain = what in _ONE_WORD or (" " not in what and "." in what and hint.startswith("write "))
-        told = f"{what} is {other}: it does not compile on {wanted}"
-        add("model", told, at, hint, fix=words if certain and wanted == MINTMT else "")
+    for at, what, hint, replacement in find(module, source, table):
+        add("model", f"{what} is {other}: it does not compile on {wanted}", at, hint, fix=replacement)
     product = named(model)
     if product is not None:
         for at, what, hint in _lacking(module, product, table):
@@ -69,33 +66,39 @@ def check_model(module: Module, source: Source, model: str, table: Table, add: C
 
 
 def _not_mintmt(module: Module, source: Source, table: Table) -> Found:
-    yield from _tokens(source, _V4_TOKENS)
     texts = TABLES.texts(source.text)
+    yield from _v4_tokens(module, texts)
     for name in _names(module):
-        if name.axes and table.get(name.name) is not None:
+        if not name.axes or table.get(name.name) is None:
+            continue
+        word, *channels = texts[name.at].split(".")
+        if channels:
+            meant = f"{word}({', '.join(channels)})"
+            yield name.at, texts[name.at], f"write {meant}", meant
+        else:
             inside = ", ".join(_shown(each) for each in name.args or ())
-            written = texts[name.at] if "." in texts[name.at] else f"{name.name}[{inside}]"
-            yield name.at, written, f"write {name.name}({inside})"
+            yield name.at, f"{name.name}[{inside}]", f"write {name.name}({inside})", ""
 
 
 def _not_v4(module: Module, source: Source, table: Table) -> Found:
-    yield from _tokens(source, _MT_TOKENS)
-    yield from _ends(source)
+    texts = TABLES.texts(source.text)
+    yield from _mt_tokens(texts)
+    yield from _ends(texts)
     for name in _names(module):
         row = table.get(name.name)
         brackets = name.args is not None and not name.axes
         if brackets and row is not None and row.kind not in ("function", "constant", "statement"):
             shown = ", ".join(_shown(each) for each in name.args or ())
             dotted = f"{name.name}.{shown}" if len(name.args or ()) == 1 else f"{name.name}[{shown}]"
-            yield name.at, f"{name.name}({shown})", f"write {dotted}" if shown else f"write {name.name}"
+            yield name.at, f"{name.name}({shown})", f"write {dotted}" if shown else f"write {name.name}", ""
         elif row is not None and row.name == "IIf":
-            yield name.at, "IIf", "write IF … DO"
+            yield name.at, "IIf", "write IF … DO", ""
     for node in walk(module.body):
         if type(node) is nodes.Exit and node.kind:
-            yield node.at, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop"
+            yield node.at, f"Exit {node.kind.capitalize()}", "EXIT leaves the innermost loop", ""
 
 
-def _lacking(module: Module, product: str, table: Table) -> Found:
+def _lacking(module: Module, product: str, table: Table) -> Iterator[tuple[int, str, str]]:
     """Words and values that the manuals give to other products only."""
     for name in _names(module):
         row = table.get(name.name)
@@ -117,7 +120,7 @@ def _lacking(module: Module, product: str, table: Table) -> Found:
                 yield value.at, f"{row.name} cannot be {value.value:g} on the {product}", told
 
 
-def _never_raised(module: Module, product: str) -> Found:
+def _never_raised(module: Module, product: str) -> Iterator[tuple[int, str, str]]:
     """Handlers of writes by the host that this product does not tell of."""
     spans = EVENTS.get(named_product(product) or "")
     for event in module.events if spans is not None else ():
@@ -140,28 +143,63 @@ def _names(module: Module) -> Iterator[nodes.Name]:
             yield node
 
 
-def _tokens(source: Source, said: dict[str, tuple[str, str]]) -> Found:
-    """Tokens of one age, told where they stand; the `End` before one belongs to the same block and is not told."""
+def _v4_tokens(module: Module, texts: list[str]) -> Found:
+    """Tokens of Mint v4, each with its replacement, so that a block is replaced as a whole."""
+    kinds = [TABLES.kind_of[text] for text in texts]
+    in_else_if = False
+    for at, kind in enumerate(kinds):
+        if kind in ("IF", "ELSEIF"):
+            in_else_if = kind == "ELSEIF" or (at > 0 and kinds[at - 1] == "ELSE")
+        if kind not in _V4_TOKENS:
+            continue
+        what, hint, replacement = _V4_TOKENS[kind]
+        if kind == "DO" and not in_else_if and kinds[at + 1] != "_NL":
+            replacement = (
+                f"Then\n{_indentation(module, at)} "  # Then begins a block only at the end of a line
+            )
+        yield at, what, f"write {hint}", _apart(module, at, replacement)
+
+
+def _indentation(module: Module, at: int) -> str:
+    """The blanks at the beginning of the line of a token."""
+    line = module.places.source.line(module.line(at))
+    return line[: len(line) - len(line.lstrip(" \t"))]
+
+
+def _apart(module: Module, at: int, word: str) -> str:
+    """A word in place of a token, with blanks where a letter or a digit touches it."""
+    start, end = module.places.span(at)
+    text = module.places.source.text
+    before = " " if start and _in_word(text[start - 1]) else ""
+    return f"{before}{word}{' ' if _in_word(text[end : end + 1]) else ''}"
+
+
+def _in_word(letter: str) -> bool:
+    return letter.isalnum() or letter in ("_", ".")
+
+
+def _mt_tokens(texts: list[str]) -> Found:
+    """Tokens of MintMT; the `End` before one belongs to the same block and is not reported."""
     before = ""
-    told = False  # of `Const x As …` it is enough to tell once
-    for at, text in enumerate(TABLES.texts(source.text)):
+    told = False  # `Const x As …` is reported once
+    for at, text in enumerate(texts):
         kind = TABLES.kind_of[text]
         told = told and kind not in ("_NL", "COLON")
-        if kind in said and before not in ("END", "EXIT") and not (told and kind == "AS"):
+        if kind in _MT_TOKENS and before not in ("END", "EXIT") and not (told and kind == "AS"):
             told = True
-            yield at, *said[kind]
+            yield at, *_MT_TOKENS[kind], ""
         before = kind
 
 
-def _ends(source: Source) -> Found:
+def _ends(texts: list[str]) -> Found:
     """`End If` and the like, and an If whose Then ends its line."""
     before = ""
-    for at, text in enumerate(TABLES.texts(source.text)):
+    for at, text in enumerate(texts):
         kind = TABLES.kind_of[text]
         if before == "END" and kind in _END_OF:
-            yield at - 1, f"End {text.capitalize()}", f"write {_END_OF[kind]}"
+            yield at - 1, f"End {text.capitalize()}", f"write {_END_OF[kind]}", ""
         elif before == "THEN" and kind == "_NL":
-            yield at - 1, "Then at the end of a line", "write DO"
+            yield at - 1, "Then at the end of a line", "write DO", ""
         before = kind
 
 
