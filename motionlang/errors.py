@@ -65,6 +65,7 @@ CODES: dict[str, str] = {
     "window": "A picture or a trace was asked for what the run does not have.",
     "budget": "The run took longer than the machine file's budget allows.",
     "recording": "What was measured cannot be read, or not be compared.",
+    "extra": "An optional library that the command needs is not installed.",
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",
     "machine-file": "The machine file is wrong.",

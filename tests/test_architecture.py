@@ -49,6 +49,7 @@ LEVELS: dict[str, int] = {
     "files": 0,
     "cores": 1,
     "workers": 1,
+    "extras": 0,
     "errors": 1,
     "source": 1,
     "": 0,

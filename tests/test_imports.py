@@ -13,8 +13,8 @@ from pathlib import Path
 import motionlang
 
 PACKAGE = Path(motionlang.__file__).parent
-# Libraries that take longer to import than most programs run.
-HEAVY = {"lark", "matplotlib", "numpy", "prompt_toolkit", "rich"}
+# Libraries that take longer to import than most programs run, or may be missing where a module stays at the top.
+HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "rich"}
 # Importer and what it brings in, both without the name of their package. A line may leave this list or become shorter;
 # none may grow or come in.
 LAZY = {

@@ -15,24 +15,16 @@ from pathlib import Path
 import pytest
 
 from motionlang._wheel import without_links
+from tests.built import distributions
 
 ROOT = Path(__file__).parent.parent
-BUILD = "from setuptools import build_meta as b; import sys; print(b.build_{}(sys.argv[1]))"
-LEFT_OUT = (".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", ".*_cache", ".hypothesis")
 
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """The source distribution and the wheel, built from a copy, in which nothing that is ignored lies."""
-    pytest.importorskip("setuptools", minversion="77")
-    copy = tmp_path_factory.mktemp("package") / "motionlang"
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*LEFT_OUT))
-    out = copy.parent / "dist"
-    out.mkdir()
-    for kind in ("sdist", "wheel"):
-        command = [sys.executable, "-c", BUILD.format(kind), str(out)]
-        subprocess.run(command, cwd=copy, check=True, capture_output=True)
-    return next(out.glob("*.tar.gz")), next(out.glob("*.whl"))
+    """The source distribution and the wheel."""
+    sdist, wheel = distributions(tmp_path_factory.mktemp("package"), "sdist", "wheel")
+    return sdist, wheel
 
 
 def run(command: list[str], folder: Path, **environment: str) -> str:

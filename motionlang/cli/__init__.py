@@ -11,7 +11,7 @@ import sys
 
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.cli.unbuffered import write_whole
-from motionlang.errors import Terminated
+from motionlang.errors import Diagnostic, Terminated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -60,7 +60,11 @@ def _guarded(given: list[str]) -> int:
         from motionlang.cli.complaints import complain
         from motionlang.cli.crash import crash
         from motionlang.cli.run import CRASHED
+        from motionlang.extras import MissingExtra
 
+        if isinstance(error, MissingExtra):
+            complain([Diagnostic("extra", error.message, hint=error.hint)], None, "")
+            return 2 if error.is_option else 1
         complain([crash(error, given)], None, "")
         return CRASHED
     return status

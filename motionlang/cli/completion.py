@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.commands import build_parser
 from motionlang.cli.parser import add_command
+from motionlang.extras import need
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -34,15 +35,10 @@ def add_parser(commands: Commands, summary: str) -> None:
 
 
 def completion_command(arguments: argparse.Namespace) -> int:
-    """Print the script of a shell; 1 where shtab is missing."""
-    try:
-        import shtab
-    except ImportError:
-        sys.stderr.write(
-            "motionlang completion needs shtab, the extra completion\n"
-            "  hint: pip install motionlang[completion]\n"
-        )
-        return 1
+    """Print the script of a shell; MissingExtra without shtab."""
+    need("motionlang completion", "shtab")
+    import shtab
+
     whole = build_parser("*")
     for action in _actions(whole):
         if str(action.metavar) in FILES:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import sys
-from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, unwritten
 from motionlang.cli.options import PLOTS, PROFILES, TRACES
 from motionlang.errors import Diagnostic, Terminated
 from motionlang.execution import machine_of
+from motionlang.extras import need
 from motionlang.files import same_file, unwritable
 from motionlang.remarks import who_ended
 from motionlang.source import STDIN
@@ -23,13 +23,8 @@ if TYPE_CHECKING:
     from motionlang.controller.servo.trace import ServoTrace
     from motionlang.result import Run
 
-# What a format is written by, and the extra that brings it.
-NEEDED = {
-    ".png": ("matplotlib", "plot"),
-    ".svg": ("matplotlib", "plot"),
-    ".parquet": ("pyarrow", "parquet"),
-    ".mcap": ("mcap", "mcap"),
-}
+# The optional library that writes a format.
+_WRITERS = {".png": "matplotlib", ".svg": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap"}
 
 
 def wrong_target(option: str, path: str) -> str | None:
@@ -40,10 +35,15 @@ def wrong_target(option: str, path: str) -> str | None:
     if suffix not in formats:
         what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
         return f"{option} writes {known}, {what}"
-    needed = NEEDED.get(suffix)
-    if needed is not None and find_spec(needed[0]) is None:
-        return f"{option} {suffix} needs {needed[0]}: pip install 'motionlang[{needed[1]}]'"
+    need_writer(option, path)
     return None
+
+
+def need_writer(option: str, path: str) -> None:
+    """Raise MissingExtra if the library that writes the format of `path` is not installed."""
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix in _WRITERS:
+        need(f"{option} {suffix}", _WRITERS[suffix])
 
 
 def write_files(result: Run, options: Options) -> int:

@@ -7,6 +7,7 @@ import sys
 import textwrap
 from typing import TYPE_CHECKING
 
+from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command
 from motionlang.profile.tn1069 import ERRATA, Demand, comparison
 from motionlang.views.grid import Column, grid
@@ -71,6 +72,7 @@ def profiles_command(arguments: argparse.Namespace) -> int:
     if arguments.plot:
         if not arguments.plot.lower().endswith((".png", ".svg")):
             parser.error("--plot draws .png and .svg files")
+        need_writer("--plot", arguments.plot)
         status = _draw(demand, arguments.plot)
         if status:
             return status
@@ -83,17 +85,13 @@ def profiles_command(arguments: argparse.Namespace) -> int:
 
 
 def _draw(demand: Demand, path: str) -> int:
-    """Draw the four profiles; 1 where the file or matplotlib is missing, which is told."""
+    """Draw the four profiles; 1 where the file cannot be written, which is reported."""
     from motionlang.errors import Diagnostic
     from motionlang.views.diagnostics import render
     from motionlang.views.profiles_plot import draw_profiles
 
     try:
         draw_profiles(demand, path)
-    except ImportError as problem:
-        told = Diagnostic(
-            "file", f"{problem.name} is not installed", hint="install motionlang with the extra plot"
-        )
     except OSError as problem:
         told = Diagnostic("file", f"{path}: {problem.strerror or problem}")
     else:

@@ -9,10 +9,11 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
+from motionlang.cli.output_files import need_writer
 from motionlang.cli.pvt_input import Move, SourceError, UsageError, diagnose, read_move, spans_of
 from motionlang.cli.pvt_options import OPTIONS, add_input
-from motionlang.cli.pvt_stream import run_stream
 from motionlang.errors import Diagnostic, ProgramError
+from motionlang.extras import need
 from motionlang.profile.pvt.points import absolute, plan_points, relative, until_end
 from motionlang.profile.pvt.velocities import compare_velocities, knot_accelerations
 from motionlang.profile.total import total
@@ -117,7 +118,10 @@ def export(args: argparse.Namespace) -> int:
 
 
 def stream(args: argparse.Namespace) -> int:
-    """Stream the move to a drive and print what came of it."""
+    """Stream the move to a drive and print what came of it; MissingExtra without the CAN libraries."""
+    need("motionlang pvt stream", "can", "canopen")
+    from motionlang.cli.pvt_stream import run_stream
+
     move = _checked(args, strict=True)
     status = run_stream(args, move)
     if args.plot:
@@ -132,6 +136,8 @@ def _guarded(handler: Handler) -> Handler:
     """The handler with every mistake of a user answered as a diagnostic."""
 
     def run(args: argparse.Namespace) -> int:
+        if args.plot:
+            need_writer("--plot", args.plot)
         try:
             return handler(args)
         except UsageError as problem:
@@ -146,10 +152,6 @@ def _guarded(handler: Handler) -> Handler:
             raise
         except OSError as error:
             _complain([Diagnostic("file", f"{error.filename or args.file}: {error.strerror or error}")], None)
-        except ImportError as error:
-            extra = "plot" if "matplotlib" in str(error) else "can"
-            hint = f"install motionlang with the extra {extra}"
-            _complain([Diagnostic("file", f"{error.name} is not installed", hint=hint)], None)
         return WRONG
 
     return run

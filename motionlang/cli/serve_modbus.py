@@ -37,8 +37,6 @@ def serve_modbus(
     server = ModbusServer(outside, host, port)
     try:
         server.start()
-    except ImportError:
-        return _refuse("Modbus needs the pymodbus library", "pip install motionlang[modbus]")
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")

@@ -10,6 +10,7 @@ import sys
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from motionlang.cli.output_files import need_writer
 from motionlang.cli.servo_input import gains_of, loop_of, machine_of, pairs, plant_of
 from motionlang.cli.servo_options import (
     SECONDS,
@@ -358,12 +359,11 @@ def _guarded(name: str, handler: Handler) -> Handler:
 
 
 def _check_plot(path: str | None) -> None:
-    from importlib.util import find_spec
-
-    if path is not None and not path.lower().endswith(PLOTS):
+    if path is None:
+        return
+    if not path.lower().endswith(PLOTS):
         raise ValueError(f"--plot writes {' and '.join(PLOTS)} files, not {path}")
-    if path is not None and find_spec("matplotlib") is None:
-        raise ValueError("a plot needs matplotlib: pip install 'motionlang[plot]'")
+    need_writer("--plot", path)
 
 
 def _complain(name: str, message: str, status: int) -> int:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import os
 import sys
-from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import set_values
 from motionlang.cli.options import Options
-from motionlang.cli.output_files import NEEDED
+from motionlang.cli.output_files import need_writer
 from motionlang.cli.parser import add_command
 from motionlang.cli.signals import SIGNALS
 from motionlang.cli.sweep_options import EPILOG, add_options
@@ -77,9 +76,7 @@ def _wrong_files(arguments: argparse.Namespace) -> str | None:
         suffix = os.path.splitext(path)[1].lower()
         if suffix not in suffixes:
             return f"{option} writes {' and '.join(suffixes)} files, not {suffix or path}"
-        needed = NEEDED.get(suffix)
-        if needed is not None and find_spec(needed[0]) is None:
-            return f"{option} {suffix} needs {needed[0]}: pip install 'motionlang[{needed[1]}]'"
+        need_writer(option, path)
         problem = unwritable(path)
         if problem is not None:
             return problem

@@ -13,6 +13,7 @@ import time
 from typing import Protocol
 
 from motionlang.client.errors import ConnectionLost
+from motionlang.extras import MissingExtra, need
 
 MOST = 65536
 
@@ -81,9 +82,11 @@ class SerialWire:
 
     def __init__(self, path: str, baud: int, timeout: float) -> None:
         try:
-            import serial
-        except ImportError as error:
-            raise ConnectionLost("serial lines need pyserial: pip install motionlang[serial]") from error
+            need("a serial line", "serial")
+        except MissingExtra as error:
+            raise ConnectionLost(str(error)) from error
+        import serial
+
         self._lost = serial.SerialException
         try:
             self._line = serial.serial_for_url(path, baud, timeout=timeout, write_timeout=timeout)

@@ -8,6 +8,7 @@ from os.path import expanduser
 
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
+from motionlang.extras import MissingExtra
 from motionlang.files import reason
 from motionlang.repl import status
 from motionlang.result import Run
@@ -158,8 +159,8 @@ def _picture(session: Session, path: str) -> None:
 
     try:
         write_plot(_so_far(session), path)
-    except ImportError:
-        _wrong(session, "file", "a picture needs matplotlib", "pip install motionlang[plot]")
+    except MissingExtra as error:
+        _wrong(session, "extra", error.message, error.hint)
     except OSError as error:
         _wrong(session, "file", f"{path} cannot be written: {reason(error)}")
 

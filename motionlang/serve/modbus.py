@@ -11,6 +11,7 @@ import logging
 from threading import Event, Thread
 from typing import TYPE_CHECKING
 
+from motionlang.extras import need
 from motionlang.serve.outside import Closed
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ PATIENCE = 10.0
 class ModbusServer:
     """Listens at an address from `start` to `stop`, in a thread of its own; `port` is the one it got.
 
-    OSError from `start` where the address cannot be had, ImportError where pymodbus is not installed.
+    OSError from `start` where the address cannot be had, MissingExtra where pymodbus is not installed.
     """
 
     def __init__(self, outside: Outside, host: str, port: int) -> None:
@@ -43,8 +44,7 @@ class ModbusServer:
 
     def start(self) -> None:
         """Listen; returns when clients can connect."""
-        import pymodbus  # noqa: F401 - tells at once that it is missing, not in the thread
-
+        need("Modbus", "pymodbus")
         logging.getLogger("pymodbus").setLevel(logging.CRITICAL)  # a client that is wrong is told so, not we
         self._thread = Thread(target=self._serve, name="modbus", daemon=True)
         self._thread.start()

@@ -8,6 +8,7 @@ from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
+from motionlang.extras import need
 from motionlang.files import replacing
 from motionlang.views.csv import Formatter, decimals_for
 from motionlang.views.mcap import write_mcap
@@ -75,6 +76,7 @@ def _entry(name: str) -> ZipInfo:
 
 def _write_parquet(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
     """A row group a chunk; the unit of each column is in its metadata. Needs pyarrow."""
+    need("a Parquet file", "pyarrow")
     import pyarrow as arrow  # type: ignore[import-untyped]
     from pyarrow.parquet import ParquetWriter  # type: ignore[import-untyped]
 

@@ -12,6 +12,7 @@ from operator import itemgetter
 from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
+from motionlang.extras import need
 from motionlang.views.lanes import lanes
 from motionlang.views.terminal import printable
 
@@ -30,6 +31,7 @@ _TEXTS = {"line": "integer", "command": "string", "state": "string", "axis": "in
 
 def write_mcap(trace: Trace, file: IO[bytes], rate: float, progress: Report) -> None:
     """Every message in the order of time. Needs the package mcap."""
+    need("an MCAP file", "mcap")
     from mcap.writer import CompressionType, Writer
 
     writer = Writer(file, compression=CompressionType.ZSTD)

@@ -13,6 +13,7 @@ from typing import IO, TYPE_CHECKING, Any
 
 from motionlang import __version__
 from motionlang.controller.record.records import GRAVE
+from motionlang.extras import need
 from motionlang.files import replacing
 from motionlang.report import events as events_of
 from motionlang.report import moves as moves_of
@@ -72,10 +73,11 @@ def write_plot(
 ) -> None:
     """Draw a window of `run` into a .png or .svg file; `servos` has what the motors did, by axis, where simulated.
 
-    Raises OSError, ImportError where matplotlib is missing, and ValueError where the window shows nothing.
+    Raises OSError, MissingExtra where matplotlib is missing, and ValueError where the window shows nothing.
     """
     import warnings
 
+    need("a picture", "matplotlib")
     from matplotlib import rc_context
 
     kind = os.path.splitext(path)[1].lower()[1:]

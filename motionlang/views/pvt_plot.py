@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from motionlang.extras import need
 from motionlang.files import replacing
 from motionlang.profile.pvt.points import knots
 from motionlang.views.plot import STYLE
@@ -28,7 +29,8 @@ SIZE, NARROW, DPI = (8.0, 7.5), 4.2, 120
 
 
 def write_pvt_plot(profiles: Sequence[Profile], titles: Sequence[str], path: str) -> None:
-    """Draw moves side by side into a .png or .svg file; OSError, and ImportError where matplotlib is missing."""
+    """Draw moves side by side into a .png or .svg file; OSError, and MissingExtra where matplotlib is missing."""
+    need("a picture", "matplotlib")
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 

@@ -7,6 +7,7 @@ import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from motionlang.extras import need
 from motionlang.files import replacing
 from motionlang.views.plot import DPI, STYLE
 from motionlang.views.plot_panel import FAINT, INK
@@ -33,7 +34,11 @@ TAKE_OFF = 0.06
 
 @contextmanager
 def drawing(path: str, width: float, height: float) -> Iterator[Figure]:
-    """A figure that is written to `path` (.png or .svg) at the end, the same bytes for the same picture."""
+    """A figure that is written to `path` (.png or .svg) at the end, the same bytes for the same picture.
+
+    OSError, and MissingExtra where matplotlib is missing.
+    """
+    need("a picture", "matplotlib")
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 

@@ -6,6 +6,7 @@ import csv
 import io
 from typing import IO, TYPE_CHECKING, Any
 
+from motionlang.extras import need
 from motionlang.files import replacing
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ def _cell(value: object) -> object:
 
 def _write_parquet(file: IO[bytes], names: Sequence[str], rows: list[Cells]) -> None:
     """A column is of numbers where all its values are, else of texts."""
+    need("a Parquet file", "pyarrow")
     import pyarrow as arrow  # type: ignore[import-untyped]
     from pyarrow.parquet import write_table  # type: ignore[import-untyped]
 

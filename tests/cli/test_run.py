@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.cli import output_files, run
+from motionlang.cli import run
 from motionlang.cli.commands import COMMANDS
 from tests.cli.programs import BALLSCREW, Cell
 
@@ -194,13 +194,14 @@ def test_a_picture_shows_the_part_that_was_asked_for(cell: Cell) -> None:
 
 
 def test_a_scope_page_needs_no_matplotlib(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(output_files, "find_spec", lambda name: None)
+    for name in ("matplotlib", "pyarrow"):
+        monkeypatch.setitem(sys.modules, name, None)
     assert cell("run", "ballscrew.mcl", "--plot", "x.html", "--report", "none").err == ""
     assert "MR" in (cell.folder / "x.html").read_text(encoding="utf-8")
     for option, file, extra in (("--plot", "x.svg", "plot"), ("--trace", "x.parquet", "parquet")):
         ran = cell("run", "ballscrew.mcl", option, file)
         assert ran.status == 2
-        assert f"pip install 'motionlang[{extra}]'" in ran.err
+        assert f'python -m pip install "motionlang[{extra}]"' in ran.err
 
 
 def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:

@@ -332,5 +332,5 @@ def test_a_com_port_is_a_serial_line(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_without_pyserial_it_is_said_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "serial", None)
-    with pytest.raises(ConnectionLost, match=re.escape("pip install motionlang[serial]")):
+    with pytest.raises(ConnectionLost, match=re.escape('python -m pip install "motionlang[serial]"')):
         Client.open("COM7")

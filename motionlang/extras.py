@@ -1,0 +1,43 @@
+"""Optional libraries: the extra of `pyproject.toml` that installs each, and the message where one is missing."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+# By the name that it is imported by: the extra, and the name that it is installed by.
+LIBRARIES = {
+    "matplotlib": ("plot", "matplotlib"),
+    "pyarrow": ("parquet", "pyarrow"),
+    "mcap": ("mcap", "mcap"),
+    "can": ("can", "python-can"),
+    "canopen": ("can", "canopen"),
+    "pymodbus": ("modbus", "pymodbus"),
+    "serial": ("serial", "pyserial"),
+    "shtab": ("completion", "shtab"),
+}
+
+
+class MissingExtra(ImportError):
+    """`user`, a feature or an option, needs libraries of an extra that are not installed.
+
+    `message` names them and `hint` is the command that installs them, in double quotes, which every shell takes.
+    """
+
+    def __init__(self, user: str, libraries: Sequence[str]) -> None:
+        names = " and ".join(LIBRARIES[library][1] for library in libraries)
+        self.message = f"{user} needs {names}"
+        self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
+        # An option can be left out; without a feature the command is of no use.
+        self.is_option = user.startswith("--")
+        super().__init__(f"{self.message}: {self.hint}")
+
+
+def need(user: str, *libraries: str) -> None:
+    """Raise MissingExtra if one of the `libraries`, all of one extra, is not installed."""
+    from importlib.util import find_spec
+
+    missing = [library for library in libraries if find_spec(library) is None]
+    if missing:
+        raise MissingExtra(user, missing)

@@ -1,0 +1,27 @@
+"""Builds the package from a copy of the tree without ignored files, as a release does."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+BUILD = "from setuptools import build_meta as b; import sys; print(b.build_{}(sys.argv[1]))"
+IGNORED = (".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", ".*_cache", ".hypothesis")
+
+
+def distributions(folder: Path, *kinds: str) -> list[Path]:
+    """The files made in an empty `folder`, one for each of `kinds`: "sdist" or "wheel"."""
+    pytest.importorskip("setuptools", minversion="77")
+    copy, out = folder / "motionlang", folder / "dist"
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*IGNORED))
+    out.mkdir()
+    for kind in kinds:
+        command = [sys.executable, "-c", BUILD.format(kind), str(out)]
+        subprocess.run(command, cwd=copy, check=True, capture_output=True)
+    suffix = {"sdist": "*.tar.gz", "wheel": "*.whl"}
+    return [next(out.glob(suffix[kind])) for kind in kinds]
