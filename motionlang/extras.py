@@ -1,4 +1,8 @@
-"""Optional libraries: the extra of `pyproject.toml` that installs each, and the message where one is missing."""
+"""Libraries that may be missing: the extra of `pyproject.toml` that installs each, and the message without it.
+
+numpy belongs to no extra, because the package depends on it. Some Pythons, such as a browser's, lack it all the same,
+and most runs do without.
+"""
 
 from __future__ import annotations
 
@@ -17,6 +21,8 @@ LIBRARIES = {
     "serial": ("serial", "pyserial"),
     "shtab": ("completion", "shtab"),
 }
+# The libraries that the package depends on and that a run may do without.
+REQUIRED = ("numpy",)
 
 
 class MissingExtra(ImportError):
@@ -26,9 +32,12 @@ class MissingExtra(ImportError):
     """
 
     def __init__(self, user: str, libraries: Sequence[str]) -> None:
-        names = " and ".join(LIBRARIES[library][1] for library in libraries)
+        names = " and ".join(LIBRARIES.get(library, ("", library))[1] for library in libraries)
         self.message = f"{user} needs {names}"
-        self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
+        if libraries[0] in REQUIRED:
+            self.hint = f"python -m pip install {names}"
+        else:
+            self.hint = f'python -m pip install "motionlang[{LIBRARIES[libraries[0]][0]}]"'
         # An option can be left out; without a feature the command is of no use.
         self.is_option = user.startswith("--")
         super().__init__(f"{self.message}: {self.hint}")
@@ -41,3 +50,12 @@ def need(user: str, *libraries: str) -> None:
     missing = [library for library in libraries if find_spec(library) is None]
     if missing:
         raise MissingExtra(user, missing)
+
+
+def missing(error: BaseException, user: str) -> MissingExtra | None:
+    """The error that says what `user` lacks, if `error` came of a library that is not installed; otherwise None."""
+    if isinstance(error, MissingExtra):
+        return error
+    if isinstance(error, ImportError) and error.name in REQUIRED:
+        return MissingExtra(user, [error.name])
+    return None

@@ -215,6 +215,48 @@ def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Pat
     check(install, uses, {absent})
 
 
+# What needs numpy among those that need no extra, and some more: by the option or the command that says so.
+WITHOUT_NUMPY = {
+    "run move.mnt --report json --prove": "--prove",
+    "run move.mnt --certify": "--certify",
+    "run move.mnt --paths": "--paths",
+    "run move.mnt --trace move.csv --rate 100": "--trace",
+    "run move.mnt --trace move.npz": "--trace",
+    "run move.mnt --plot move.html": "--plot",
+    "sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --prove": "--prove",
+    "run motor.mnt": "this run",
+    "pvt export --positions 0,10,20 --time 10 --format pdo": "motionlang pvt",
+    "servo step": "motionlang servo",
+    "diff move.mnt move.mnt": "motionlang diff",
+    "compare move.mnt recorded.csv --map position.0=2": "motionlang compare",
+    "compare move.mnt recorded.csv": "motionlang compare",
+}
+
+
+@links
+def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
+    """As in a browser's Python: each help is shown, and what needs numpy says so in a sentence."""
+    install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]) - {"numpy"})
+    (install.folder / "motor.mnt").write_text("PRINT 1\n")
+    (install.folder / "motor.machine.toml").write_text("[axis.0.plant]\nkind = 'dc'\n")
+    plain = [use for use, extra in needed().items() if not extra and use not in WITHOUT_NUMPY]
+    ran = install([f"{command} --help" for command in HELP] + plain + [*WITHOUT_NUMPY])
+    for command, (status, out, err) in ran.items():
+        user = WITHOUT_NUMPY.get(command)
+        told = (
+            "" if user is None else f"error[extra]: {user} needs numpy\n  hint: python -m pip install numpy\n"
+        )
+        assert (status, err) == (0 if user is None else 2 if user.startswith("--") else 1, told), command
+        assert out == "" or user is None, command
+    lines = "MOVER(0) = 5 : GO(0)\n.settle\n.plot\nPRINT POS(0)\n"
+    asked = subprocess.run(
+        [sys.executable, "-S", "-m", "motionlang", "repl"], input=lines, cwd=install.folder,
+        env=install.environment, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert "velocity of axis 0" in asked.stdout
+    assert asked.stdout.endswith("5.0000\n")
+
+
 @links
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGTERM to send")
 def test_a_board_is_served_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:

@@ -60,11 +60,12 @@ def _guarded(given: list[str]) -> int:
         from motionlang.cli.complaints import complain
         from motionlang.cli.crash import crash
         from motionlang.cli.run import CRASHED
-        from motionlang.extras import MissingExtra
+        from motionlang.extras import missing
 
-        if isinstance(error, MissingExtra):
-            complain([Diagnostic("extra", error.message, hint=error.hint)], None, "")
-            return 2 if error.is_option else 1
+        lacking = missing(error, " ".join(["motionlang", *given[:1]]))
+        if lacking is not None:
+            complain([Diagnostic("extra", lacking.message, hint=lacking.hint)], None, "")
+            return 2 if lacking.is_option else 1
         complain([crash(error, given)], None, "")
         return CRASHED
     return status

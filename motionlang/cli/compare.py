@@ -17,11 +17,10 @@ from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
 from motionlang.errors import ProgramError
 from motionlang.execution import dialect_of, machine_of, run
-from motionlang.measured.comparison import Mapped, compare
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
-    from motionlang.measured.comparison import Comparison
+    from motionlang.measured.comparison import Comparison, Mapped
     from motionlang.result import Run
 
 EPILOG = """\
@@ -84,6 +83,8 @@ def add_mapping(parser: argparse.ArgumentParser) -> None:
 
 
 def _mapped(text: str) -> Mapped:
+    from motionlang.measured.comparison import Mapped
+
     what, equals, column = text.partition("=")
     name, star, factor = column.rpartition("*")
     if not equals or not column:
@@ -132,6 +133,8 @@ def hold_against(result: Run, path: str, tolerances: dict[str, float], arguments
 
     The other arguments are `map`, `delay`, `plot`, `all` and `json`, as `compare` and `diff` have them.
     """
+    from motionlang.measured.comparison import compare
+
     try:
         recording = read_source(path)
     except OSError as error:

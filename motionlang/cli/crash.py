@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from motionlang import __version__
 from motionlang.errors import Diagnostic
 from motionlang.execution import dialect_of, machine_of
+from motionlang.extras import missing
 from motionlang.files import replacing
 from motionlang.source import LARGEST, STDIN
 
@@ -30,7 +31,13 @@ MOST = 1000
 
 
 def crash(error: BaseException, arguments: Sequence[str], source: Source | None = None) -> Diagnostic:
-    """Put together what led to an error, and tell of it; `source` is a program that lies in no file."""
+    """The message for an unexpected error, whose circumstances are stored; `source` is a program without a file.
+
+    An error that came of a missing library has its own message, with the code "extra", and nothing is stored.
+    """
+    lacking = missing(error, "this run")
+    if lacking is not None:
+        return Diagnostic("extra", lacking.message, hint=lacking.hint)
     what = "".join(traceback.format_exception_only(error)).strip().split("\n", 1)[0]
     try:
         folder = _bundle(error, arguments, source)

@@ -15,7 +15,6 @@ from motionlang.cli.output_files import written
 from motionlang.cli.parser import add_command
 from motionlang.cli.run_options import machine_time
 from motionlang.diff.charged import charged
-from motionlang.diff.motion import parting
 from motionlang.diff.reports import check, difference
 from motionlang.diff.tolerance import Tolerance
 from motionlang.errors import ProgramError
@@ -118,6 +117,8 @@ def diff_command(arguments: argparse.Namespace) -> int:
     found = difference(old, new, tolerance)
     parted, charges = None, []
     if old_run is not None and new_run is not None:
+        from motionlang.diff.motion import parting
+
         parted = parting(old_run, new_run, tolerance.size("position"))
         charges = charged(old_run, new_run) if found.time is not None else []
     if arguments.json:

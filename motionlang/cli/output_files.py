@@ -35,6 +35,8 @@ def wrong_target(option: str, path: str) -> str | None:
     if suffix not in formats:
         what = f"not {suffix} files" if suffix else "so the file needs one of these suffixes"
         return f"{option} writes {known}, {what}"
+    if option != "--profile-to":
+        need(option, "numpy")
     need_writer(option, path)
     return None
 

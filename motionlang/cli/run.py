@@ -54,7 +54,8 @@ def run_command(options: Options) -> int:
     except Exception as error:
         if told:
             raise
-        return _refuse(options, [_crash(error, options)], None, CRASHED)
+        found = _crash(error, options)
+        return _refuse(options, [found], None, 1 if found.code == "extra" else CRASHED)
 
 
 def _crash(error: Exception, options: Options, source: Source | None = None) -> Diagnostic:
@@ -123,7 +124,7 @@ def _tell(result: Run, options: Options) -> int:
         complain(left, result.source, options.file)
     sys.stdout.flush()
     if result.crash is not None:
-        return CRASHED
+        return 1 if result.diagnostics[-1].code == "extra" else CRASHED
     if result.status == "interrupted":
         return SIGNALS.status
     met = _complain_of_events(result, options) if result.machine.log.events else False

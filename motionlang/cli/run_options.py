@@ -17,6 +17,7 @@ from motionlang.cli.output_files import refused, wrong_target
 from motionlang.cli.parser import add_command, either
 from motionlang.cli.run import run_command
 from motionlang.execution import ONE_SHIFT
+from motionlang.extras import need
 
 if TYPE_CHECKING:
     from motionlang.cli.parser import Commands
@@ -191,6 +192,9 @@ def run_options(arguments: argparse.Namespace, parser: argparse.ArgumentParser) 
 def _run(arguments: argparse.Namespace) -> int:
     parser = arguments.parser
     check_options(arguments, parser)
+    for name in ("certify", "prove", "paths"):
+        if getattr(arguments, name):
+            need(f"--{name}", "numpy")
     options = run_options(arguments, parser)
     written = (("--trace", options.trace), ("--plot", options.plot), ("--profile-to", options.profile_to))
     for option, path in written:

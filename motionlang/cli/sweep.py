@@ -17,6 +17,7 @@ from motionlang.cli.sweep_options import EPILOG, add_options
 from motionlang.cli.sweep_report import Report
 from motionlang.errors import Diagnostic, ProgramError, Terminated
 from motionlang.execution import dialect_of, machine_of
+from motionlang.extras import need
 from motionlang.files import unwritable
 from motionlang.source import STDIN, Source
 from motionlang.sweeps import KEEP, Sweep
@@ -111,6 +112,9 @@ def _description(arguments: argparse.Namespace) -> Description:
         wishes.keep = [each.strip() for each in arguments.keep.split(",") if each.strip()]
     wishes.prove = wishes.prove or arguments.prove
     wishes.certify = wishes.certify or arguments.certify
+    for name in ("certify", "prove"):
+        if getattr(wishes, name):
+            need(f"--{name}", "numpy")
     if wishes.minimise is not None and wishes.maximise is not None:
         raise ValueError("one thing is best: give --minimise or --maximise")
     return wishes

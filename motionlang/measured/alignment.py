@@ -12,7 +12,7 @@ counts, and a reversed sign only if no other does.
 
 from __future__ import annotations
 
-from math import log
+from math import fsum, log
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -153,9 +153,8 @@ def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
 def _unlikeness(trace: Trace, signals: Sequence[Signal], delay: float) -> tuple[int, float]:
     """How many signs are reversed, and how far the scales are from 1, to about a percent."""
     scales = [fit(expected, values)[0] for values, expected in _pairs(trace, signals, delay)]
-    return sum(scale <= 0.0 for scale in scales), round(
-        sum(abs(log(abs(each))) for each in scales if each), 2
-    )
+    reversals = [scale for scale in scales if scale <= 0.0]
+    return len(reversals), round(fsum(abs(log(abs(scale))) for scale in scales if scale), 2)
 
 
 def _pairs(trace: Trace, signals: Sequence[Signal], delay: float) -> Iterator[tuple[Array, Array]]:

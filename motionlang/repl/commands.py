@@ -8,7 +8,7 @@ from os.path import expanduser
 
 from motionlang.errors import Diagnostic, nearest
 from motionlang.execution import ONE_SHIFT, dialect_of
-from motionlang.extras import MissingExtra
+from motionlang.extras import missing
 from motionlang.files import reason
 from motionlang.repl import status
 from motionlang.result import Run
@@ -64,7 +64,13 @@ def obey(session: Session, line: str) -> None:
     elif (argument and not command.argument) or (not argument and command.argument[:1].isalpha()):
         _wrong(session, "values", f"{command.usage} is how it is written", command.help)
     else:
-        command.obey(session, argument)
+        try:
+            command.obey(session, argument)
+        except ImportError as error:
+            lacking = missing(error, f".{command.name}")
+            if lacking is None:
+                raise
+            _wrong(session, "extra", lacking.message, lacking.hint)
 
 
 def _wrong(session: Session, code: str, message: str, hint: str = "") -> None:
@@ -159,8 +165,6 @@ def _picture(session: Session, path: str) -> None:
 
     try:
         write_plot(_so_far(session), path)
-    except MissingExtra as error:
-        _wrong(session, "extra", error.message, error.hint)
     except OSError as error:
         _wrong(session, "file", f"{path} cannot be written: {reason(error)}")
 

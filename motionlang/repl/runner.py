@@ -8,6 +8,7 @@ from traceback import walk_tb
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import ONE_SHIFT
+from motionlang.extras import missing
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import Machine
 from motionlang.lang.run_errors import explain
@@ -145,7 +146,10 @@ class Runner:
         foreground = source is not NOWHERE and task is self._scheduler.parent
         diagnostic = explain(self.dialect, source, task if foreground else None, error)
         if diagnostic is None:
-            raise error
+            lacking = missing(error, "this line")
+            if lacking is None:
+                raise error
+            diagnostic = Diagnostic("extra", lacking.message, hint=lacking.hint)
         self._tell([diagnostic], source)
 
 

@@ -9,6 +9,7 @@ from hashlib import sha256
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.execution import dialect, run
+from motionlang.extras import missing
 from motionlang.source import Source
 from motionlang.sweeps.quantities import quantity
 
@@ -173,8 +174,7 @@ class Worker:
         """What is wrong with a run: its first error; None for nothing."""
         diagnostics = [each for each in found.diagnostics if each.severity == "error"]
         if found.crash is not None:
-            what = f"{type(found.crash).__name__}: {found.crash}"
-            diagnostics.append(Diagnostic("crash", f"motionlang itself failed: {what}"))
+            diagnostics.append(_failed(found.crash))
         elif self.job.prove:
             diagnostics += found.proof().violations
         if self.job.certify and found.crash is None:
@@ -183,6 +183,14 @@ class Worker:
             lines = certificate(found.controller, found.machine.settings, found.time)
             diagnostics += violations(found.controller, lines, found.time)
         return told(diagnostics) if diagnostics else None
+
+
+def _failed(error: Exception) -> Diagnostic:
+    """The message for an unexpected error of a run, or for one that came of a missing library."""
+    lacking = missing(error, "this run")
+    if lacking is not None:
+        return Diagnostic("extra", lacking.message, hint=lacking.hint)
+    return Diagnostic("crash", f"motionlang itself failed: {type(error).__name__}: {error}")
 
 
 def told(diagnostics: Sequence[Diagnostic]) -> Problem:
