@@ -58,8 +58,8 @@ class Motion:
 
     @property
     def step(self) -> float:
-        """The `{d}` of a question."""
-        return self.distance / STEPS
+        """The `{d}` of a question; whole if it can be, since a board without a scale counts in whole counts."""
+        return float(self.distance // STEPS) or self.distance / STEPS
 
 
 def asked(language: str, *, motion: bool, without: Collection[str] = ()) -> list[Reading]:

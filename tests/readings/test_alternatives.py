@@ -87,6 +87,23 @@ def test_a_question_of_its_own_is_answered_as_the_reading_that_was_taken(each: R
     assert {verdict.answer: verdict.status for verdict in found.verdicts} == {found.verdicts[0].answer: HOLDS}
 
 
+@pytest.mark.parametrize("distance", [20.0, 12.5, 4.0, 1000.0])
+@pytest.mark.parametrize(
+    "each",
+    [each for each in readings().values() if each.probe and each.probe.motion],
+    ids=lambda each: each.name,
+)
+def test_a_question_fits_any_distance_that_is_allowed(each: Reading, distance: float) -> None:
+    """The virtual controller answers as the reading that it takes, however far the axis may move."""
+    assert each.probe is not None
+    name, axis = NAMES[each.probe.language]
+    result = run(
+        Source(name, alone(each, axis, Motion(axis, distance))), machine=machine_of(each), cache=False
+    )
+    (verdict,) = read("\n".join(result.output)).verdicts
+    assert (verdict.reading.name, verdict.status) == (each.name, HOLDS), verdict.answer
+
+
 def switched() -> list[tuple[Reading, object]]:
     """The readings that a program of their own asks about and the machine file can set, with each other value."""
     return [
