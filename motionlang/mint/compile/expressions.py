@@ -20,6 +20,7 @@ from motionlang.mint.resolve.symbols import (
 )
 from motionlang.mint.runtime.code_units import given_name
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.build import LINKS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -329,6 +330,46 @@ def _binary(b: Body, node: nodes.Binary) -> Value:
     return _known(b, node, left, right)
 
 
+class _Done(nodes.Node):
+    """The first operations of a chain, which are compiled."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, at: int, value: Value) -> None:
+        self.at, self.value = at, value
+
+
+def _done(b: Body, node: _Done) -> Value:
+    return node.value
+
+
+def _nested(first: nodes.Expr, links: list[nodes.Link]) -> nodes.Expr:
+    """Some operations of a chain, nested as the grammar has them."""
+    for link in links:
+        first = nodes.Binary(first.at, link.op, first, link.value)
+    return first
+
+
+def _chain(b: Body, node: nodes.Chain) -> Value:
+    """Operations in groups, each of which gives its result to a variable: Python's own nesting is limited, too."""
+    steps: list[str] = []
+    first: nodes.Expr = node.first
+    for begin in range(0, len(node.links), LINKS):
+        found = value(b, _nested(first, node.links[begin : begin + LINKS]))
+        if begin + LINKS >= len(node.links):
+            break
+        if found.const is None:
+            name = b.temp()
+            steps.append(f"({name} := {found.truth if isinstance(found, Answer) else found.text})")
+            found = Answer(name) if isinstance(found, Answer) else Value(name, found.type, found.range)
+        first = _Done(node.at, found)  # type: ignore[assignment]
+    if not steps:
+        return found
+    if isinstance(found, Answer):
+        return Answer(f"({', '.join([*steps, found.truth])})[-1]")
+    return Value(f"({', '.join([*steps, found.text])})[-1]", found.type, found.range)
+
+
 def _comparison(b: Body, node: nodes.Binary) -> Value:
     called, b.calls = b.calls, False
     left, right = value(b, node.left), value(b, node.right)
@@ -395,4 +436,6 @@ _VALUES: dict[type, Callable[..., Value]] = {
     nodes.Member: _member,
     nodes.Unary: _unary,
     nodes.Binary: _binary,
+    nodes.Chain: _chain,
+    _Done: _done,
 }

@@ -243,33 +243,22 @@ class Flow:
         return INTEGER, intervals.arithmetic("-", True, (0, 0, "i"), known)[0]
 
     def _binary(self, node: nodes.Binary, state: State) -> tuple[str, Range]:
-        op = node.op
-        left_type, left = self._value(node.left, state)
+        left = self._value(node.left, state)
         # What follows And and Or is looked at only sometimes: what is known there holds all the same.
-        right_type, right = self._value(node.right, state)
-        integer = left_type == INTEGER and right_type == INTEGER
-        kind = INTEGER if integer else FLOAT
-        if op in ("+", "-", "*"):
-            return kind, _result(op, integer, left, right)
-        if op in _COMPARED or op in ("And", "Or"):
-            return INTEGER, intervals.BOOL
-        if op in ("/", "^"):
-            return FLOAT, intervals.FLOAT
-        if op == "\\" and intervals.fits_integer(left) and intervals.fits_integer(right):
-            return INTEGER, intervals.quotient(left, right)
-        if op == "Mod":
-            whole = left[2] == "i" and right[2] == "i"
-            return kind, intervals.remainder(left, right) if whole else intervals.ANY
-        if op == "&" and min(left[0], right[0]) >= 0 and left[2] == right[2] == "i":
-            return INTEGER, (0, min(left[1], right[1], intervals.INT_HIGH), "i")
-        return INTEGER, intervals.INTEGER
+        return _operated(node.op, left, self._value(node.right, state))
+
+    def _chain(self, node: nodes.Chain, state: State) -> tuple[str, Range]:
+        found = self._value(node.first, state)
+        for link in node.links:
+            found = _operated(link.op, found, self._value(link.value, state))
+        return found
 
     def _read_all(self, node: nodes.Node, state: State) -> None:
         """Note what is known in every expression below a statement."""
         for slot in type(node).__slots__:
             child = getattr(node, slot)
             for each in child if child.__class__ is list else (child,):
-                if isinstance(each, (nodes.Name, nodes.Binary, nodes.Unary)):
+                if isinstance(each, (nodes.Name, nodes.Binary, nodes.Chain, nodes.Unary)):
                     self._value(each, state)
                 elif isinstance(each, nodes.Node):
                     self._read_all(each, state)
@@ -309,6 +298,27 @@ class Flow:
         return state
 
 
+def _operated(op: str, one: tuple[str, Range], other: tuple[str, Range]) -> tuple[str, Range]:
+    """Type and range of an operation on two sides."""
+    (left_type, left), (right_type, right) = one, other
+    integer = left_type == INTEGER and right_type == INTEGER
+    kind = INTEGER if integer else FLOAT
+    if op in ("+", "-", "*"):
+        return kind, _result(op, integer, left, right)
+    if op in _COMPARED or op in ("And", "Or"):
+        return INTEGER, intervals.BOOL
+    if op in ("/", "^"):
+        return FLOAT, intervals.FLOAT
+    if op == "\\" and intervals.fits_integer(left) and intervals.fits_integer(right):
+        return INTEGER, intervals.quotient(left, right)
+    if op == "Mod":
+        whole = left[2] == "i" and right[2] == "i"
+        return kind, intervals.remainder(left, right) if whole else intervals.ANY
+    if op == "&" and min(left[0], right[0]) >= 0 and left[2] == right[2] == "i":
+        return INTEGER, (0, min(left[1], right[1], intervals.INT_HIGH), "i")
+    return INTEGER, intervals.INTEGER
+
+
 # None is what reads nothing; what is not named here, everything below it.
 _STATEMENTS: dict[type, Callable[..., None] | None] = {
     nodes.Assign: Flow._assign,
@@ -326,6 +336,7 @@ _VALUES: dict[type, Callable[..., tuple[str, Range]]] = {
     nodes.Number: Flow._number,
     nodes.Name: Flow._name,
     nodes.Binary: Flow._binary,
+    nodes.Chain: Flow._chain,
     nodes.Unary: Flow._unary,
 }
 

@@ -7,6 +7,7 @@ from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import number, place, unknown, value
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.build import LINKS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ def print_(b: Body, node: nodes.Print) -> None:
     if not node.items or not node.items[-1].separator:
         texts.append("'\\n'")
     b.observes = True
-    b.act(_printed(b, " + ".join(_joined(texts)), where))
+    b.act(_printed(b, _together(texts), where))
 
 
 def _terminal(b: Body, node: nodes.Expr | None) -> str:
@@ -43,6 +44,12 @@ def _printed(b: Body, text: str, where: str = "") -> str:
     if not where and not b.whole.names.uses_terminal:
         return f"P({text})"
     return f"{_use(b, 'printer')}({', '.join(filter(None, (text, where)))})"
+
+
+def _together(texts: list[str]) -> str:
+    """Texts one behind the other; Python nests a sum of many too deeply."""
+    joined = _joined(texts)
+    return " + ".join(joined) if len(joined) <= LINKS else f"''.join(({', '.join(joined)}))"
 
 
 def _joined(texts: list[str]) -> list[str]:
@@ -110,7 +117,7 @@ def _print_on_row(b: Body, node: nodes.Stmt, where: nodes.Expr | None, items: li
     texts = [_shown(b, item) for item in items]
     b.observes = True
     start = f"{b.whole.use('env', 'row')}({row})"
-    b.act(_printed(b, " + ".join([start, *_joined(texts)])))
+    b.act(_printed(b, _together([start, *texts])))
 
 
 def input_(b: Body, node: nodes.Input) -> None:

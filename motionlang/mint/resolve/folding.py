@@ -40,6 +40,14 @@ def fold(node: nodes.Expr, means: Callable[[nodes.Name], Meaning] = resolved) ->
     if type(node) is nodes.Binary:
         left, right = fold(node.left, means), fold(node.right, means)
         return None if left is None or right is None else binary(node.op, left, right)
+    if type(node) is nodes.Chain:
+        value = fold(node.first, means)
+        for link in node.links:
+            right = fold(link.value, means)
+            if value is None or right is None:
+                return None
+            value = binary(link.op, value, right)
+        return value
     return None
 
 
@@ -59,6 +67,14 @@ def given(node: nodes.Expr, means: Callable[[nodes.Name], Meaning]) -> nodes.Exp
     if type(node) is nodes.Binary:
         left, right = given(node.left, means), given(node.right, means)
         return None if left is None or right is None else nodes.Binary(node.at, node.op, left, right)
+    if type(node) is nodes.Chain:
+        first, links = given(node.first, means), []
+        for link in node.links:
+            right = given(link.value, means)
+            if first is None or right is None:
+                return None
+            links.append(nodes.Link(link.at, link.op, right))
+        return None if first is None else nodes.Chain(node.at, first, links)
     return None
 
 

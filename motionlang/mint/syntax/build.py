@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 # Blocks inside one another, an ElseIf being inside its If: a limit of this program, not of Mint.
 DEEPEST = 200
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
+LINKS = 50  # operations behind one another that stay nested
 INFINITE = float("inf")
 _BEYOND = 1 << 1023
 MOST_NUMBERS = 50_000

@@ -1,14 +1,63 @@
-"""How deeply the expressions of a program are nested: what comes after the parser walks them recursively."""
+"""The nesting of a program: long chains of operations are made flat, and what is nested too deeply is refused.
+
+The grammar is left-associative, so that the parser makes `a + b + c …` a `Binary` in a `Binary` and so on. The passes
+after it are recursive, and Python's recursion is limited. A chain of operations is no nesting to its author, so a long
+one becomes a `Chain`, which is one level; brackets, arguments and signs are levels. Only texts with long lines come
+here. Cost: one visit of each node, without recursion.
+"""
 
 from __future__ import annotations
 
 from motionlang.errors import Diagnostic, ProgramError
-from motionlang.mint.syntax.build import DEEPEST_EXPRESSION
-from motionlang.mint.syntax.nodes import Node
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.build import DEEPEST_EXPRESSION, LINKS
+from motionlang.mint.syntax.nodes import Binary, Chain, Link, Node
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.mint.syntax.nodes import Module
+
+# What is nested in an expression; the nodes of statements begin anew.
+_NESTS = (
+    nodes.Name,
+    nodes.Member,
+    nodes.Unary,
+    Binary,
+    Chain,
+    Link,
+    nodes.Number,
+    nodes.String,
+    nodes.Omitted,
+)
+
+
+def flatten_chains(module: Module) -> None:
+    """Replace every run of more than `LINKS` operations by a `Chain`."""
+    waiting: list[Node] = [module]
+    while waiting:
+        node = waiting.pop()
+        for name in node.__slots__:
+            value = getattr(node, name)
+            if isinstance(value, Node):
+                value = _flat(value)
+                setattr(node, name, value)
+                waiting.append(value)
+            elif isinstance(value, list):
+                value[:] = [_flat(each) for each in value]
+                waiting += value
+
+
+def _flat(node: Node) -> Node:
+    """A `Chain` for the long run of operations that begins with a node; any other node as it is."""
+    operations: list[Binary] = []
+    first = node
+    while type(first) is Binary:
+        operations.append(first)
+        first = first.left
+    if len(operations) <= LINKS:
+        return node
+    links = [Link(each.right.at, each.op, each.right) for each in reversed(operations)]
+    return Chain(node.at, first, links)  # type: ignore[arg-type]
 
 
 def check_depth(module: Module) -> None:
@@ -44,8 +93,8 @@ def _too_deep(module: Module) -> list[Node]:
 
 def _children(node: Node, depth: int) -> list[tuple[Node, int]]:
     values = [getattr(node, name) for name in node.__slots__]
-    found = [(value, depth) for value in values if isinstance(value, Node)]
+    found = [value for value in values if isinstance(value, Node)]
     for value in values:
         if isinstance(value, list):
-            found += [(each, depth) for each in value]
-    return found
+            found += value
+    return [(each, depth if isinstance(each, _NESTS) else 0) for each in found]

@@ -10,6 +10,8 @@ The grammar knows no keyword of the motion library: `SPEED(0) = 10` is an `Assig
 
 from __future__ import annotations
 
+from motionlang.mint.syntax.chain import Chain as Chain  # noqa: PLC0414
+from motionlang.mint.syntax.chain import Link as Link  # noqa: PLC0414
 from motionlang.mint.syntax.given import Cast as Cast  # noqa: PLC0414 - so are these
 from motionlang.mint.syntax.given import Given as Given  # noqa: PLC0414
 from motionlang.mint.syntax.node import Node as Node  # noqa: PLC0414 - nodes.Node to everybody else
@@ -89,7 +91,7 @@ class Omitted(Node):
         self.at = at
 
 
-Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Omitted
+Expr = Number | String | Given | Cast | Name | Member | Unary | Binary | Chain | Omitted
 
 
 # ---------------------------------------------------------------------------------------------- statements

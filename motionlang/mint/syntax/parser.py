@@ -34,8 +34,9 @@ def parse(source: Source) -> Module:
         raise diagnose(source) from None
     module.places = Places(source, TABLES, texts, kinds)
     if not _short(module.places):
-        from motionlang.mint.syntax.nesting import check_depth
+        from motionlang.mint.syntax.nesting import check_depth, flatten_chains
 
+        flatten_chains(module)
         check_depth(module)
     return module
 

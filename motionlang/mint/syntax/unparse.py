@@ -22,6 +22,11 @@ def shown(node: nodes.Expr, inside: bool = False) -> str:
     if type(node) is nodes.Unary:
         gap = " " if node.op.isalpha() else ""
         return f"{node.op}{gap}{shown(node.operand, True)}"
+    if type(node) is nodes.Chain:
+        text = shown(node.first, True) + "".join(
+            f" {link.op} {shown(link.value, True)}" for link in node.links
+        )
+        return f"({text})" if inside else text
     assert type(node) is nodes.Binary
     text = f"{shown(node.left, True)} {node.op} {shown(node.right, True)}"
     return f"({text})" if inside else text

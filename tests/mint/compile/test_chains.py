@@ -1,0 +1,101 @@
+"""Chains are no nesting: thousands of terms, conditions or statements run as few do; brackets remain limited."""
+
+from __future__ import annotations
+
+import sys
+from math import fsum, nextafter
+
+import pytest
+
+from motionlang.execution import dialect, run
+from motionlang.result import Run
+from motionlang.source import Source
+
+LENGTH = 3000
+HEAD = "Dim a As Integer, f As Float\n"
+# A condition that is true by its last part alone, and one that its last part alone makes false.
+ANY = " Or ".join([*(f"a = {n}" for n in range(1, LENGTH)), "a = 0"])
+ALL = " And ".join([*(f"a <> {n}" for n in range(1, LENGTH)), "a <> 0"])
+
+CHAINS = {
+    "constants": ("PRINT 1" + " + 1" * LENGTH, "3001"),
+    "integers": ("a = 1 : PRINT a" + " + a" * LENGTH, "3001"),
+    "floats": ("f = 0.5 : PRINT f" + " - f" * LENGTH, "-1499.5000"),
+    # 1 / 3 / 3 … * 3 * 3 …, which brackets anywhere else would not bring back to 1.
+    "products": ("f = 3 : PRINT 1" + " / f" * 600 + " * f" * 600, "1.0000"),
+    "tight and loose": ("a = 3 : PRINT 1" + " + a * a - 8" * LENGTH, "3001"),
+    "bits": ("a = 7 : PRINT a" + " & a" * LENGTH + " | 8", "15"),
+    "texts": ('PRINT Len(""' + ' & "x"' * LENGTH + ")", "3000"),
+    "comparisons": ("a = 1 : PRINT 0" + " = a" * LENGTH, "0"),
+    "powers": ("f = 1 : PRINT 2" + " ^ f" * LENGTH, "2.0000"),
+    "Or": (f"If {ANY} Then PRINT 5", "5"),
+    "And": (f"If {ALL} Then PRINT 5 Else PRINT 6", "6"),
+    "Or of And": ("If " + " Or ".join(f"a = {n} And a < 9" for n in range(LENGTH, -1, -1)) + " Then PRINT 5", "5"),
+    # 3001 times true, an odd number of them.
+    "Xor": ("PRINT 0" + " Xor a = 0" * (LENGTH + 1), "1"),
+    "While": ("While a < 7 And " + " And ".join(["a <> 9"] * LENGTH) + "\na = a + 1\nEnd While\nPRINT a", "7"),
+    "PAUSE": ("PAUSE " + " And ".join(["IDLE(0)"] * LENGTH) + "\nPRINT 5", "5"),
+    "Const": ("Const c = 1" + " + 1" * LENGTH + "\nPRINT c", "3001"),
+    "Define": ("Define d = 1" + " + a" * LENGTH + "\na = 2 : PRINT d", "6001"),
+    "Case list": (f"Select Case a\nCase {', '.join(map(str, range(LENGTH, -1, -1)))}\nPRINT 5\nEnd Select", "5"),
+    "Cases": ("a = 9\nSelect Case a\n" + "".join(f"Case {n}\nPRINT {n}\n" for n in range(LENGTH)) + "End Select", "9"),
+    "PRINT": ("PRINT " + "; ".join(["a"] * LENGTH), "0" * LENGTH),
+    "one line": (": ".join(["a = a + 1"] * LENGTH) + ": PRINT a", "3000"),
+    "one-line If": ("If a = 0 Then " + ": ".join(["a = a + 1"] * LENGTH) + "\nPRINT a", "3000"),
+    "Dim": ("Dim " + ", ".join(f"v{n} As Integer" for n in range(LENGTH)) + "\nPRINT v7", "0"),
+}  # fmt: skip
+
+
+def ran(text: str) -> Run:
+    return run(Source("chain.mnt", f"{HEAD}{text}\n"), cache=False)
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_a_chain_of_thousands(name: str) -> None:
+    text, shown = CHAINS[name]
+    made = ran(text)
+    assert (made.status, made.output, made.diagnostics) == ("ended", [shown], [])
+    found = dialect("mint").check(Source("chain.mnt", f"{HEAD}{text}\n"), {})
+    assert [each for each in found if each.severity == "error"] == []
+
+
+@pytest.mark.parametrize("name", ["floats", "tight and loose", "Or", "While", "PRINT"])
+def test_a_chain_does_not_depend_on_the_room_that_python_has(name: str) -> None:
+    """Called from deep inside, and with Python's limit raised, it is the same run."""
+    text, shown = CHAINS[name]
+
+    def deep(frames: int) -> list[str]:
+        return deep(frames - 1) if frames else ran(text).output
+
+    before = sys.getrecursionlimit()
+    assert deep(before // 3) == [shown]
+    sys.setrecursionlimit(20 * before)
+    try:
+        assert ran(text).output == [shown]
+    finally:
+        sys.setrecursionlimit(before)
+
+
+@pytest.mark.parametrize("count", [49, 50, 51, 52, 100, 101, 102, 151])
+def test_a_chain_is_worked_out_from_the_left(count: int) -> None:
+    """Around the length from which operations are taken in groups: rounding and overflow are those of each step."""
+    terms = [f"{n % 7}.1" for n in range(count)]
+    expected = 0.1
+    for term in terms:
+        expected += float(term)
+    assert expected != fsum([0.1, *map(float, terms)])
+    wide = " " * 400  # a text without long lines is not looked at
+    chain = "".join(f" + {term}" for term in terms)
+    shown = f"PRINT f = {expected!r}, f = {nextafter(expected, 0.0)!r}"
+    assert ran(f"f = 0.1\nf = f{chain}{wide}\n{shown}").output == ["10"]
+    over = ran(f"a = 2000000000\na = a{' + 0' * count} + a{' - a' * 2}{wide}\nPRINT a")
+    assert [each.code for each in over.diagnostics] == ["overflow"]
+
+
+@pytest.mark.parametrize("opening", ["(", "-", "Abs(", "(1 + "])
+def test_what_is_nested_is_limited_as_before(opening: str) -> None:
+    closing = ")" if "(" in opening else ""
+    assert ran(f"a = {opening * 60}1{closing * 60}").status == "ended"
+    made = ran(f"a = {opening * 1000}1{closing * 1000}")
+    if opening != "(":  # brackets around brackets leave nothing in the tree
+        assert [each.message for each in made.diagnostics] == ["the expression is nested more than 200 deep"]
