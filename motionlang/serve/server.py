@@ -19,6 +19,7 @@ from motionlang.serve.channel import Channel, DeviceChannel, Gone, TcpChannel
 from motionlang.serve.host import Host
 from motionlang.serve.limits import Limits
 from motionlang.serve.pace import RealTime
+from motionlang.serve.refusals import Refusals
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -60,6 +61,7 @@ class Server:
         self.served = 0
         self._limits = limits or Limits()
         self._spy, self._complain = spy, complain
+        self._refusals = Refusals(complain)
         self._listeners: dict[socket.socket, Callable[[], None]] = {}
         self._refusing = False
         self._known: set[str] = set()
@@ -113,6 +115,7 @@ class Server:
         """Wait for something to do, `timeout` seconds at most, and do it."""
         for key, _ in self._selector.select(timeout):
             key.data()
+        self._refusals.report()
         self._guard(self.pace.before)
         for host in self.hosts:
             if host.waits:
@@ -124,6 +127,7 @@ class Server:
 
     def close(self) -> None:
         """Say farewell to every host: what the board has said still goes out, if they take it soon."""
+        self._refusals.flush()
         end = time.monotonic() + FAREWELL
         for host in list(self.hosts):
             self._send_rest(host, end)
@@ -144,7 +148,7 @@ class Server:
             return
         except OSError as error:
             # No more connections may be open: listen again when one has been closed.
-            self._complain(f"no host can connect: {error.strerror or error}")
+            self._refusals.add(f"no host can connect: {error.strerror or error}")
             self._refuse()
             return
         name = address.shown(*peer[:2])
@@ -163,7 +167,7 @@ class Server:
         return True
 
     def _turn_away(self, connection: socket.socket, name: str) -> None:
-        self._complain(f"{name} was turned away: {self._limits.hosts} hosts are connected already")
+        self._refusals.add(f"{name} was turned away: {self._limits.hosts} hosts are connected already")
         with connection:
             connection.setblocking(False)
             try:
@@ -204,12 +208,11 @@ class Server:
     def _timeout(self) -> float | None:
         if any(host.may_go_on(self.pace) for host in self.hosts):
             return 0.0
-        timeout = self.pace.timeout()
+        times = [self.pace.timeout(), self._refusals.left]
         ends = [host.ended for host in self.hosts if host.ended is not None]
-        if not ends:
-            return timeout
-        left = max(0.0, min(ends) + self._limits.linger - time.monotonic())
-        return left if timeout is None else min(timeout, left)
+        if ends:
+            times.append(max(0.0, min(ends) + self._limits.linger - time.monotonic()))
+        return min((each for each in times if each is not None), default=None)
 
     def _woken(self) -> None:
         try:

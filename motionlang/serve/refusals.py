@@ -1,0 +1,49 @@
+"""Reports of hosts that could not connect: at most one line a second, however fast they come."""
+
+from __future__ import annotations
+
+from time import monotonic
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# Seconds between two lines.
+INTERVAL = 1.0
+
+
+class Refusals:
+    """`complain` takes a line: the first refusal at once, then the latest of each second with the number of others.
+
+    Call `report` after `left` seconds, and `flush` at the end.
+    """
+
+    def __init__(self, complain: Callable[[str], None], now: Callable[[], float] = monotonic) -> None:
+        self._complain, self._now = complain, now
+        self._latest = ""
+        self._count = 0
+        self._due = float("-inf")
+
+    @property
+    def left(self) -> float | None:
+        """Seconds until `report` has a line to write; None without one."""
+        return max(0.0, self._due - self._now()) if self._count else None
+
+    def add(self, text: str) -> None:
+        """A host was refused, for the reason in `text`."""
+        self._latest = text
+        self._count += 1
+        self.report()
+
+    def report(self) -> None:
+        """Write a line if there is one to write and a second has passed since the last."""
+        if self._count and self._now() >= self._due:
+            self.flush()
+
+    def flush(self) -> None:
+        """Write the refusals of the last second."""
+        if self._count:
+            others = self._count - 1
+            self._complain(f"{self._latest} ({others} more since the last line)" if others else self._latest)
+            self._count = 0
+            self._due = self._now() + INTERVAL
