@@ -17,7 +17,6 @@ LIBRARIES = {
     "mcap": ("mcap", "mcap"),
     "can": ("can", "python-can"),
     "canopen": ("can", "canopen"),
-    "pymodbus": ("modbus", "pymodbus"),
     "serial": ("serial", "pyserial"),
     "shtab": ("completion", "shtab"),
 }

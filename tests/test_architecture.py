@@ -107,7 +107,6 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pyarrow": ("views",),
     "mcap": ("views",),
     "can": ("copley",),
-    "pymodbus": ("serve",),
     "canopen": ("copley",),
     "pygments": ("views",),
     "serial": ("client",),

@@ -74,7 +74,7 @@ sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --out rows.parquet [parquet]
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --plot sweep.svg [plot]
 compare move.mnt recorded.csv
 probe mint
-serve move.mnt --modbus 127.0.0.1:0 [modbus]
+serve move.mnt --modbus 127.0.0.1:0
 completion bash [completion]
 """
 DRIVER = """\

@@ -52,7 +52,7 @@ def add_parser(commands: Commands, summary: str) -> None:
         "--modbus",
         type=_address,
         metavar="HOST:PORT",
-        help="run a Mint program and let Modbus TCP clients reach its memory here (needs pymodbus)",
+        help="run a Mint program and let Modbus TCP clients reach its memory here",
     )
     add("--pty", action="store_true", help="make a serial device, and print its path (not on Windows)")
     _add_time(parser)

@@ -10,6 +10,7 @@ from motionlang.cli.complaints import complain
 from motionlang.controller.io.host_memory import PRODUCTS, product
 from motionlang.errors import Diagnostic
 from motionlang.execution import end_of, run
+from motionlang.serve import Limits
 from motionlang.serve.address import is_loopback, shown
 from motionlang.serve.outside import STEP, LockStep, RealTime
 from motionlang.views.terminal import shower
@@ -34,11 +35,11 @@ def serve_modbus(
 
     host, port = args.modbus
     outside = _outside(args)
-    server = ModbusServer(outside, host, port)
+    server = ModbusServer(outside, host, port, limits=Limits(hosts=args.hosts), complain=_complain)
     try:
         server.start()
-    except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+    except (OSError, UnicodeError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
         return _refuse(f"nobody can connect at {shown(host, port)}: {reason}", "take another port")
     _greet(server, source, str(settings.get("controller.model", "")))
     before = signal.signal(signal.SIGTERM, signal.default_int_handler)  # as good an end as Ctrl-C
@@ -91,6 +92,10 @@ def _refuse(message: str, hint: str) -> int:
 def _show(text: str) -> None:
     shower(sys.stdout)(text)
     sys.stdout.flush()
+
+
+def _complain(text: str) -> None:
+    _say(f"motionlang serve: {text}\n")
 
 
 def _say(text: str) -> None:

@@ -2,124 +2,207 @@
 
 Element n of the comms array or of NetData is the holding registers 2n, its low half, and 2n + 1. Registers of elements
 that do not exist are answered with "illegal data address". Function codes: 3 and 4 read, 6, 16, 22 and 23 write.
+
+The server has a thread and an event loop of its own; each request is answered by the run, between two steps
+(`outside.py`). A connection's requests are answered in their order, one at a time, so a client that sends ahead holds
+up itself alone. Every frame has the header of Modbus TCP: transaction, protocol (0), length, unit. The unit is ignored
+and sent back. A frame of another protocol is skipped. A length that no frame can have ends the connection, as the next
+frame could not be found.
 """
 
 from __future__ import annotations
 
 import asyncio
-import logging
+from asyncio import IncompleteReadError, StreamReader, StreamWriter
+from functools import partial
+from struct import pack, unpack
 from threading import Event, Thread
+from time import monotonic
 from typing import TYPE_CHECKING
 
-from motionlang.extras import need
+from motionlang.serve import address
+from motionlang.serve.limits import Limits
+from motionlang.serve.modbus_requests import (
+    DEVICE_FAILURE,
+    ILLEGAL_ADDRESS,
+    Rejected,
+    Request,
+    exception,
+    parse,
+)
 from motionlang.serve.outside import Closed
+from motionlang.serve.refusals import Refusals
 
 if TYPE_CHECKING:
-    from typing import Any
+    from collections.abc import Callable
+    from socket import socket
 
     from motionlang.controller.io.host_memory import HostMemory
     from motionlang.serve.outside import Outside
 
-REGISTER_FUNCTIONS = frozenset((3, 4, 6, 16, 22, 23))
-REGISTERS = 2000
-# Wall seconds that the server's thread has to start and to end.
-PATIENCE = 10.0
+# Bytes of the header, and the lengths that it can state: a unit and a function at least.
+HEADER, SHORTEST, LONGEST = 6, 2, 254
+# Wall seconds that the server's thread has to start and to end, and that a client has at the end to take its answer.
+PATIENCE, FAREWELL = 10.0, 0.5
+
+
+class Connection:
+    """A client: whether one of its requests is being answered, and when the last one came, on the wall clock."""
+
+    def __init__(self, writer: StreamWriter) -> None:
+        self.writer, self.busy, self.heard = writer, False, monotonic()
 
 
 class ModbusServer:
-    """Listens at an address from `start` to `stop`, in a thread of its own; `port` is the one it got.
+    """Listens at an address from `start` to `stop`; `port` is the one it got.
 
-    OSError from `start` where the address cannot be had, MissingExtra where pymodbus is not installed.
+    At most `limits.hosts` clients are connected. Beyond that the one that has been silent for longest, and for
+    `limits.idle` seconds, makes room, or the new one is turned away, which `complain` is told. OSError from `start`
+    where the address cannot be had.
     """
 
-    def __init__(self, outside: Outside, host: str, port: int) -> None:
+    def __init__(
+        self,
+        outside: Outside,
+        host: str,
+        port: int,
+        *,
+        limits: Limits | None = None,
+        complain: Callable[[str], None] = lambda text: None,
+    ) -> None:
         self._outside, self.host, self.port = outside, host, port
+        self._limits = limits or Limits()
+        self._refusals = Refusals(complain)
         self.requests = 0
-        self._asked = 0  # requests that have no answer yet
+        self._connections: dict[asyncio.Task[None], Connection] = {}
         self._ready = Event()
-        self._trouble: Exception | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._server: Any = None
+        self._over: asyncio.Event | None = None
         self._thread: Thread | None = None
 
     def start(self) -> None:
         """Listen; returns when clients can connect."""
-        need("Modbus", "pymodbus")
-        logging.getLogger("pymodbus").setLevel(logging.CRITICAL)  # a client that is wrong is told so, not we
-        self._thread = Thread(target=self._serve, name="modbus", daemon=True)
+        try:
+            listener = address.listen(self.host, self.port)
+        except OSError as error:
+            where = address.shown(self.host, self.port)
+            raise OSError(error.errno, error.strerror or str(error), where) from None
+        self.port = listener.getsockname()[1]
+        run = partial(asyncio.run, self._listen(listener))
+        self._thread = Thread(target=run, name="modbus", daemon=True)
         self._thread.start()
         self._ready.wait(PATIENCE)
-        if self._trouble is not None:
-            raise self._trouble
 
     def stop(self) -> None:
         """Close every connection and end the thread."""
-        if self._loop is not None and self._server is not None and self._thread is not None:
-            asyncio.run_coroutine_threadsafe(self._end(), self._loop)
+        if self._loop is not None and self._over is not None and self._thread is not None:
+            self._loop.call_soon_threadsafe(self._over.set)
             self._thread.join(PATIENCE)
 
-    def _serve(self) -> None:
-        try:
-            asyncio.run(self._listen())
-        except OSError as error:
-            self._trouble = error
-        finally:
-            self._ready.set()
-
-    async def _listen(self) -> None:
-        from pymodbus.server import ModbusTcpServer
-        from pymodbus.simulator import DataType, SimData, SimDevice
-
-        registers = SimData(0, count=REGISTERS, values=0, datatype=DataType.REGISTERS)
-        device = SimDevice(id=0, simdata=[registers], action=self._action)
-        self._loop = asyncio.get_running_loop()
-        self._server = ModbusTcpServer(device, address=(self.host, self.port))
-        if not await self._server.listen():
-            raise OSError(f"{self.host}:{self.port} cannot be listened at")
-        self.port = self._server.transport.sockets[0].getsockname()[1]
+    async def _listen(self, listener: socket) -> None:
+        self._loop, self._over = asyncio.get_running_loop(), asyncio.Event()
+        server = await asyncio.start_server(self._accept, sock=listener)
         self._ready.set()
-        await self._server.serving
+        await self._over.wait()
+        server.close()
+        self._refusals.flush()
+        await self._end()
 
     async def _end(self) -> None:
         """Let every client have its answer first; none takes long, as the run answers no more."""
-        while self._asked:
-            await asyncio.sleep(0)
-        await self._server.shutdown()
+        for connection in self._connections.values():
+            if not connection.busy:
+                connection.writer.close()
+        if self._connections:
+            _, late = await asyncio.wait(self._connections, timeout=FAREWELL)
+            for task in late:
+                task.cancel()
 
-    async def _action(
-        self,
-        function: int,
-        start: int,
-        address: int,
-        count: int,
-        registers: list[int],
-        values: list[int] | list[bool] | None,
-    ) -> Any:
-        """One request of a client: answered by the run, with what its memory holds."""
-        from pymodbus.constants import ExcCodes
+    # ----------------------------------------------------------------------------------- clients come and go
 
-        if function not in REGISTER_FUNCTIONS:
-            return ExcCodes.ILLEGAL_FUNCTION
-        self.requests += 1
-        self._asked += 1
+    async def _accept(self, reader: StreamReader, writer: StreamWriter) -> None:
+        if len(self._connections) >= self._limits.hosts and not self._make_room():
+            name = address.shown(*writer.get_extra_info("peername")[:2])
+            self._refuse(f"{name} was turned away: {self._limits.hosts} clients are connected already")
+            writer.close()
+            return
+        task = asyncio.current_task()
+        assert task is not None
+        connection = self._connections[task] = Connection(writer)
         try:
-            question = self._outside.ask(lambda: self._exchange(address, count, values))
-            found = await asyncio.wrap_future(question)
-        except Closed:
-            return ExcCodes.DEVICE_FAILURE
+            while await self._answer_next(reader, connection):
+                pass
+        except (OSError, IncompleteReadError, asyncio.CancelledError):
+            pass
         finally:
-            self._asked -= 1
-        if found is None:
-            return ExcCodes.ILLEGAL_ADDRESS
-        registers[address - start : address - start + count] = found  # type: ignore[call-overload]
-        return None
+            self._connections.pop(task, None)
+            writer.close()
 
-    def _exchange(self, address: int, count: int, values: list[int] | list[bool] | None) -> list[int] | None:
-        """Write where there are values, then read; None where there are no such registers."""
+    def _make_room(self) -> bool:
+        """Let the client go that has been silent for longest, if it has been so long enough: it may come again."""
+        now = monotonic()
+        silent = [
+            (connection.heard, task)
+            for task, connection in self._connections.items()
+            if not connection.busy and now - connection.heard >= self._limits.idle
+        ]
+        if not silent:
+            return False
+        _, task = min(silent, key=lambda each: each[0])
+        del self._connections[task]
+        task.cancel()
+        return True
+
+    def _refuse(self, text: str) -> None:
+        scheduled = self._refusals.left is not None
+        self._refusals.add(text)
+        left = self._refusals.left
+        if left is not None and not scheduled:
+            asyncio.get_running_loop().call_later(left, self._refusals.flush)
+
+    # -------------------------------------------------------------------------------------------- requests
+
+    async def _answer_next(self, reader: StreamReader, connection: Connection) -> bool:
+        """Answer the next request of a client; False where no further one can be found."""
+        transaction, protocol, length = unpack(">HHH", await reader.readexactly(HEADER))
+        if not SHORTEST <= length <= LONGEST:
+            return False
+        unit, *_ = request = await reader.readexactly(length)
+        connection.heard = monotonic()
+        if protocol == 0:
+            connection.busy = True
+            answer = await self._answer(request[1:])
+            connection.writer.write(pack(">HHHB", transaction, 0, len(answer) + 1, unit) + answer)
+            connection.busy = False
+            await connection.writer.drain()
+        return self._over is not None and not self._over.is_set()
+
+    async def _answer(self, data: bytes) -> bytes:
+        """The response to a request, or the exception that refuses it."""
+        try:
+            request = parse(data)
+            self.requests += 1
+            question = self._outside.ask(lambda: self._exchange(request))
+            found = await asyncio.wrap_future(question)
+        except Rejected as rejected:
+            return exception(data[0], rejected.code)
+        except Closed:
+            return exception(data[0], DEVICE_FAILURE)
+        assert isinstance(found, list)
+        return request.answer(found)
+
+    def _exchange(self, request: Request) -> list[int]:
+        """Write, then read; Rejected where there are no such registers, and then nothing is written."""
         assert self._outside.machine is not None
         memory: HostMemory = self._outside.machine.host
-        if not memory.has_registers(memory.mapping, address, count):
-            return None
-        if values is not None:
-            memory.write_registers(memory.mapping, address, list(values))
-        return memory.registers(memory.mapping, address, count)
+        area = memory.mapping
+        if not all(memory.has_registers(area, first, count) for first, count in request.spans):
+            raise Rejected(ILLEGAL_ADDRESS)
+        values = request.values
+        if request.masks is not None:
+            keep, add = request.masks
+            (old,) = memory.registers(area, request.into, 1)
+            values = (old & keep | add & ~keep,)
+        if values:
+            memory.write_registers(area, request.into, values)
+        return memory.registers(area, request.start, request.quantity)

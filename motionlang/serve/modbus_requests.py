@@ -1,0 +1,121 @@
+"""Requests of the Modbus application protocol (V1.1b3) for registers, and the answers to them.
+
+A request is checked in the order of the specification: the function code (exception 01), the quantities and lengths
+(03), then the addresses (02). A `Request` here is one that passed the first two; the third is the memory's to say.
+"""
+
+from __future__ import annotations
+
+from struct import pack, unpack
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE, DEVICE_FAILURE = 1, 2, 3, 4
+MAX_READ, MAX_WRITTEN, MAX_WRITTEN_WITH_READ = 125, 123, 121
+
+
+class Rejected(Exception):
+    """A request that is answered with an exception `code`."""
+
+    def __init__(self, code: int) -> None:
+        self.code = code
+        super().__init__(code)
+
+
+class Request(NamedTuple):
+    """Write `values` from the register `into` on, then read `quantity` registers from `start` on.
+
+    `masks` (and, or) change the register `into` instead: it becomes (old and AND) or (OR and not AND).
+    """
+
+    function: int
+    start: int = 0
+    quantity: int = 0
+    into: int = 0
+    values: tuple[int, ...] = ()
+    masks: tuple[int, int] | None = None
+
+    @property
+    def spans(self) -> tuple[tuple[int, int], ...]:
+        """The first register and the number of registers of each area that the request needs."""
+        written = 1 if self.masks is not None else len(self.values)
+        return tuple(span for span in ((self.start, self.quantity), (self.into, written)) if span[1])
+
+    def answer(self, registers: list[int]) -> bytes:
+        """The response, with the registers that were read."""
+        if self.quantity:
+            return pack(f">BB{self.quantity}H", self.function, 2 * self.quantity, *registers)
+        if self.masks is not None:
+            return pack(">BHHH", self.function, self.into, *self.masks)
+        last = self.values[0] if self.function == 6 else len(self.values)
+        return pack(">BHH", self.function, self.into, last)
+
+
+def parse(request: bytes) -> Request:
+    """The request in a protocol data unit; Rejected with its exception code otherwise."""
+    reader = _READERS.get(request[0])
+    if reader is None:
+        raise Rejected(ILLEGAL_FUNCTION)
+    return reader(request[0], request[1:])
+
+
+def exception(function: int, code: int) -> bytes:
+    """The response that refuses a request."""
+    return bytes((function | 0x80, code))
+
+
+def _read(function: int, data: bytes) -> Request:
+    start, count = _words(data, 2)
+    return Request(function, start, _quantity(count, MAX_READ))
+
+
+def _write_one(function: int, data: bytes) -> Request:
+    into, value = _words(data, 2)
+    return Request(function, into=into, values=(value,))
+
+
+def _write(function: int, data: bytes) -> Request:
+    into, count = _words(data[:4], 2)
+    return Request(function, into=into, values=_values(data[4:], _quantity(count, MAX_WRITTEN)))
+
+
+def _write_masked(function: int, data: bytes) -> Request:
+    into, keep, add = _words(data, 3)
+    return Request(function, into=into, masks=(keep, add))
+
+
+def _write_and_read(function: int, data: bytes) -> Request:
+    start, count, into, written = _words(data[:8], 4)
+    values = _values(data[8:], _quantity(written, MAX_WRITTEN_WITH_READ))
+    return Request(function, start, _quantity(count, MAX_READ), into, values)
+
+
+def _words(data: bytes, count: int) -> tuple[int, ...]:
+    if len(data) != 2 * count:
+        raise Rejected(ILLEGAL_VALUE)
+    return unpack(f">{count}H", data)
+
+
+def _values(data: bytes, count: int) -> tuple[int, ...]:
+    """Register values behind the byte that says how many bytes they have."""
+    if not data or data[0] != 2 * count:
+        raise Rejected(ILLEGAL_VALUE)
+    return _words(data[1:], count)
+
+
+def _quantity(count: int, most: int) -> int:
+    if not 1 <= count <= most:
+        raise Rejected(ILLEGAL_VALUE)
+    return count
+
+
+_READERS: dict[int, Callable[[int, bytes], Request]] = {
+    3: _read,
+    4: _read,
+    6: _write_one,
+    16: _write,
+    22: _write_masked,
+    23: _write_and_read,
+}

@@ -1,0 +1,186 @@
+"""Requests and exceptions of the Modbus application protocol V1.1b3, byte by byte over a real connection.
+
+The server answers from a run that has NetData: elements 0 to 999, registers 0 to 1999.
+"""
+
+from __future__ import annotations
+
+import socket
+import struct
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from threading import Thread
+
+from motionlang import run
+from motionlang.serve import Limits
+from motionlang.serve.modbus import ModbusServer
+from motionlang.serve.outside import LockStep
+from motionlang.source import Source
+
+PATIENCE = 60.0
+PROGRAM = "NETINTEGER(0) = 0x00030002\nNETINTEGER(5) = 0x12\nPAUSE NETINTEGER(999) = 1\n"
+
+
+@contextmanager
+def served(
+    limits: Limits | None = None, complain: Callable[[str], None] = lambda text: None
+) -> Iterator[ModbusServer]:
+    outside = LockStep()
+    server = ModbusServer(outside, "127.0.0.1", 0, limits=limits, complain=complain)
+    server.start()
+    source = Source("served.mnt", PROGRAM)
+    thread = Thread(target=lambda: run(source, until=float("inf"), outside=outside, cache=False))
+    thread.start()
+    try:
+        yield server
+        outside.ask(partial(end, outside)).result(PATIENCE)
+        thread.join(PATIENCE)
+    finally:
+        outside.close()
+        server.stop()
+
+
+def end(outside: LockStep) -> None:
+    """Let the program end: it waits for this element."""
+    assert outside.machine is not None
+    outside.machine.host.write("netdata", 999, [1])
+
+
+@contextmanager
+def client(server: ModbusServer) -> Iterator[Callable[[bytes], bytes]]:
+    """What asks: it sends a request in a frame and returns the response out of its frame."""
+    with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+
+        def ask(request: bytes) -> bytes:
+            connection.sendall(frame(request))
+            return response(connection)
+
+        yield ask
+
+
+def frame(request: bytes, transaction: int = 7, protocol: int = 0, unit: int = 9) -> bytes:
+    return struct.pack(">HHHB", transaction, protocol, len(request) + 1, unit) + request
+
+
+def response(connection: socket.socket, transaction: int = 7) -> bytes:
+    head = exactly(connection, 7)
+    found, protocol, length, unit = struct.unpack(">HHHB", head)
+    assert (found, protocol, unit) == (transaction, 0, 9)
+    return exactly(connection, length - 1)
+
+
+def exactly(connection: socket.socket, count: int) -> bytes:
+    data = b""
+    while len(data) < count:
+        more = connection.recv(count - len(data))
+        assert more, "the server closed the connection"
+        data += more
+    return data
+
+
+def words(function: int, *values: int) -> bytes:
+    return struct.pack(f">B{len(values)}H", function, *values)
+
+
+ZEROS = "00" * 242
+# A request, and the response that the specification has for it.
+ANSWERS = {
+    "read holding registers": ("03 0000 0002", "03 04 0002 0003"),
+    "read input registers": ("04 0001 0001", "04 02 0003"),
+    "read the last register": ("03 07cf 0001", "03 02 0000"),
+    "read 125 registers": ("03 000c 007d", "03 fa" + "00" * 250),
+    "write a register": ("06 0014 1234", "06 0014 1234"),
+    "write registers": ("10 0014 0002 04 000a 0102", "10 0014 0002"),
+    # The example of the specification, 6.16: 12 hex and F2, or 25 and not F2, is 17.
+    "mask write": ("16 000a 00f2 0025", "16 000a 00f2 0025"),
+    "write 121 and read": ("17 0000 0001 0020 0079 f2" + ZEROS, "17 02 0002"),
+    # 01: functions that this server does not have.
+    "read coils": ("01 0000 0001", "81 01"),
+    "read discrete inputs": ("02 0000 0001", "82 01"),
+    "write a coil": ("05 ffff ff00", "85 01"),
+    "write coils": ("0f 0000 0001 01 01", "8f 01"),
+    "diagnostics": ("08 0000 0000", "88 01"),
+    "report server id": ("11", "91 01"),
+    "read device identification": ("2b 0e 01 00", "ab 01"),
+    "function 0": ("00", "80 01"),
+    "function 80 hex": ("83 0000 0001", "83 01"),
+    # 03 before 02: quantities, and lengths that do not fit them.
+    "read no register": ("03 0000 0000", "83 03"),
+    "read 126 registers": ("03 0000 007e", "83 03"),
+    "read 126 registers that do not exist": ("04 ffff 007e", "84 03"),
+    "read, too short": ("03 0000 00", "83 03"),
+    "read, too long": ("03 0000 0001 00", "83 03"),
+    "write a register, too short": ("06 0014", "86 03"),
+    "write no register": ("10 0000 0000 00", "90 03"),
+    "write 124 registers": ("10 0000 007c f8" + "00" * 246, "90 03"),
+    "write with another byte count": ("10 0000 0002 02 0001 0002", "90 03"),
+    "write with a value missing": ("10 0000 0002 04 0001", "90 03"),
+    "mask write, too short": ("16 000a 00f2", "96 03"),
+    "read and write no register": ("17 0000 0001 0000 0000 00", "97 03"),
+    "read no register and write": ("17 0000 0000 0000 0001 02 0001", "97 03"),
+    "read 126 registers and write": ("17 0000 007e 0000 0001 02 0001", "97 03"),
+    # 02: registers of which one does not exist.
+    "read beyond the end": ("03 07cf 0002", "83 02"),
+    "read beyond 65535": ("03 ffff 0002", "83 02"),
+    "write beyond the end": ("06 07d0 0001", "86 02"),
+    "write across the end": ("10 07cf 0002 04 0001 0002", "90 02"),
+    "mask write beyond the end": ("16 07d0 0000 0000", "96 02"),
+    "write, and read beyond the end": ("17 07cf 0002 0014 0001 02 0009", "97 02"),
+    "write beyond the end, and read": ("17 0000 0001 07d0 0001 02 0009", "97 02"),
+}  # fmt: skip
+
+
+def test_each_request_has_the_response_of_the_specification() -> None:
+    with served() as server, client(server) as ask:
+        found = {name: ask(bytes.fromhex(request)) for name, (request, _) in ANSWERS.items()}
+        assert found == {name: bytes.fromhex(answer) for name, (_, answer) in ANSWERS.items()}
+        assert ask(words(3, 10, 1)) == bytes.fromhex("03 02 0017")  # what the mask wrote
+        # What was refused wrote nothing: 20 and 21 have what "write registers" wrote.
+        assert ask(words(3, 20, 2)) == bytes.fromhex("03 04 000a 0102")
+
+
+def test_requests_sent_ahead_are_answered_in_order() -> None:
+    with served() as server, socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+        ahead = [frame(words(6, 30 + k, k), transaction=k) for k in range(100)]
+        connection.sendall(b"".join(ahead))
+        assert [response(connection, k) for k in range(100)] == [words(6, 30 + k, k) for k in range(100)]
+
+
+def test_frames_of_other_protocols_are_skipped_and_no_frame_ends_the_connection() -> None:
+    with served() as server:
+        with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+            connection.sendall(frame(words(3, 0, 1), protocol=1) + frame(words(3, 0, 1)))
+            assert response(connection) == bytes.fromhex("03 02 0002")
+        for length in (0, 1, 255, 65535):
+            with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
+                connection.sendall(struct.pack(">HHHB", 1, 0, length, 1))
+                assert connection.recv(1) == b""
+
+
+def test_a_client_too_many_is_turned_away() -> None:
+    """The first two are served on. Each refusal is in a line, or counted in the next one."""
+    lines: list[str] = []
+    with served(Limits(hosts=2), lines.append) as server:
+        with client(server) as first, client(server) as second:
+            assert first(words(3, 0, 1)) == second(words(3, 0, 1))
+            for _ in range(20):
+                with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as third:
+                    assert third.recv(1) == b""
+            assert first(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
+        assert lines[0].endswith(" was turned away: 2 clients are connected already")
+    refused = [line for line in lines if "turned away" in line]
+    others = [
+        int(line.rpartition("(")[2].split()[0]) for line in refused if line.endswith("since the last line)")
+    ]
+    assert len(refused) + sum(others) == 20
+
+
+def test_a_silent_client_makes_room() -> None:
+    with served(Limits(hosts=1, idle=0.0)) as server:
+        silent = socket.create_connection(("127.0.0.1", server.port), PATIENCE)
+        silent.sendall(frame(words(3, 0, 1)))
+        assert response(silent) == bytes.fromhex("03 02 0002")
+        with silent, client(server) as ask:
+            assert ask(words(3, 1, 1)) == bytes.fromhex("03 02 0003")
+            assert silent.recv(1) == b""
