@@ -9,6 +9,7 @@ from motionlang.cli.complaints import refuse, unreadable
 from motionlang.cli.input_files import read_machine_file, read_source
 from motionlang.cli.machine_options import add_machine, set_values
 from motionlang.cli.options import Options
+from motionlang.cli.output_queue import never_waiting
 from motionlang.cli.parser import add_command
 from motionlang.cli.serve_board import serve_board
 from motionlang.cli.serve_modbus import serve_modbus
@@ -106,8 +107,10 @@ def serve_command(args: argparse.Namespace) -> int:
             return status
     if args.modbus is not None:
         assert source is not None
-        return serve_modbus(args, source, settings, overrides)
-    return serve_board(args, source, settings, overrides)
+        with never_waiting() as queues:
+            return serve_modbus(args, source, settings, overrides, queues)
+    with never_waiting() as queues:
+        return serve_board(args, source, settings, overrides, queues)
 
 
 def _check(args: argparse.Namespace) -> None:

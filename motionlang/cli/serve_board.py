@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
+from motionlang.cli.output_queue import dropped
 from motionlang.controller.faults import Refusal
 from motionlang.errors import Diagnostic
 from motionlang.lang.machine.machine import Machine
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from types import FrameType
     from typing import TextIO
 
+    from motionlang.cli.output_queue import OutputQueue
     from motionlang.serve.pace import Pace
 
 
@@ -31,8 +33,9 @@ def serve_board(
     source: Source | None,
     settings: dict[str, object],
     overrides: dict[str, float | str],
+    queues: list[OutputQueue],
 ) -> int:
-    """Serve until a signal; 1 where the board or its ways in cannot be made."""
+    """Serve until a signal; 1 where the board or its ways in cannot be made. `queues` are those of the output."""
     if source is not None:
         settings.setdefault("controller.model", written_for(source.name))
     try:
@@ -51,7 +54,7 @@ def serve_board(
         if not _open(server, args, console):
             return 1
         _until_signal(server)
-    _say(f"served {server.served} hosts; machine time {console.now:.3f} s\n")
+    _say(f"served {server.served} hosts; machine time {console.now:.3f} s{dropped(queues)}\n")
     return 0
 
 

@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.cli.complaints import complain
+from motionlang.cli.output_queue import dropped
 from motionlang.controller.io.host_memory import PRODUCTS, product
 from motionlang.errors import Diagnostic
 from motionlang.execution import end_of, run
@@ -18,6 +19,7 @@ from motionlang.views.terminal import shower
 if TYPE_CHECKING:
     import argparse
 
+    from motionlang.cli.output_queue import OutputQueue
     from motionlang.result import Run
     from motionlang.serve.modbus import ModbusServer
     from motionlang.serve.outside import Outside
@@ -29,6 +31,7 @@ def serve_modbus(
     source: Source,
     settings: dict[str, object],
     overrides: dict[str, float | str],
+    queues: list[OutputQueue],
 ) -> int:
     """Run the program until it ends or a signal comes; 1 where it is wrong or the address cannot be had."""
     from motionlang.serve.modbus import ModbusServer
@@ -57,7 +60,7 @@ def serve_modbus(
         signal.signal(signal.SIGTERM, before)
         outside.close()
         server.stop()
-    return _farewell(result, server, args.file)
+    return _farewell(result, server, args.file, queues)
 
 
 def _outside(args: argparse.Namespace) -> Outside:
@@ -76,11 +79,10 @@ def _greet(server: ModbusServer, source: Source, model: str) -> None:
         _say(f"warning: whoever reaches this computer can write through {where}; there is no password\n")
 
 
-def _farewell(result: Run, server: ModbusServer, file: str) -> int:
-    sys.stdout.flush()
+def _farewell(result: Run, server: ModbusServer, file: str, queues: list[OutputQueue]) -> int:
     troubles = [each for each in result.diagnostics if each.code != "interrupted"]
     complain(troubles, result.source, file)
-    _say(f"answered {server.requests} requests; machine time {result.time:.3f} s\n")
+    _say(f"answered {server.requests} requests; machine time {result.time:.3f} s{dropped(queues)}\n")
     return int(any(each.severity == "error" for each in troubles))
 
 

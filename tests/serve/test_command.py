@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import socket
 import subprocess
@@ -13,7 +14,9 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli import main
+from motionlang.cli.output_queue import CAPACITY
 from motionlang.client import Client
+from tests.cli.programs import LONGEST
 
 COMMAND = [sys.executable, "-m", "motionlang", "serve"]
 
@@ -56,6 +59,22 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
     assert "press.mcl:4:1\n" in err
     assert "1 < 1TP,TR20\n1 > 01 800\n1 > 7\n" in err
     assert "Traceback" not in err
+
+
+def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
+    """More than the pipe and the queue hold is logged; hosts are answered, and SIGTERM ends the server."""
+    logged = 2 * (CAPACITY + 65536)
+    with running("--tcp", "0", "--log", "--clock", "lockstep") as process:
+        with Client.open(line_with(process, "listening on "), timeout=LONGEST) as board:
+            for _ in range(logged // 250):
+                board.send(";" + "x" * 249)
+            assert board.send("1TP") == ["01 0"]
+        process.send_signal(signal.SIGTERM)
+        out, _ = process.communicate(timeout=LONGEST)
+    assert process.returncode == 0
+    found = re.search(r"^served 1 hosts; .*; (\d+) lines of standard error dropped$", out, re.MULTILINE)
+    assert found, out
+    assert int(found[1]) >= logged // 250 // 2
 
 
 def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> None:

@@ -18,8 +18,10 @@ import pytest
 
 from motionlang import Run, run
 from motionlang.cli import main
+from motionlang.cli.output_queue import CAPACITY
 from motionlang.serve.outside import LockStep, Outside, RealTime
 from motionlang.source import Source
+from tests.cli.programs import LONGEST
 
 pytest.importorskip("pymodbus")
 from pymodbus.client import ModbusTcpClient
@@ -176,6 +178,26 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
         out, err = process.communicate(timeout=10)
     assert (process.returncode, out) == (0, "")
     assert re.fullmatch(r"answered 1 requests; machine time \d+\.\d{3} s\n", err)
+
+
+def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
+    """The program prints without end into a pipe that is not read; clients are answered, and SIGTERM ends it."""
+    program = tmp_path / "chatter.mnt"
+    program.write_text('Loop\n  NETINTEGER(1) = NETINTEGER(1) + 1\n  PRINT "{}"\nEnd Loop\n'.format("x" * 99))
+    command = [sys.executable, "-m", "motionlang", "serve", str(program), "--modbus", "127.0.0.1:0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        greeting = process.stderr.readline()
+        with ModbusTcpClient("127.0.0.1", port=int(greeting.split()[2].rpartition(":")[2])) as client:
+            while True:  # until more has been printed than the pipe and the queue hold
+                low, high = client.read_holding_registers(2, count=2).registers
+                if (low + (high << 16)) * 100 > 2 * (CAPACITY + 65536):
+                    break
+        process.send_signal(signal.SIGTERM)
+        status = process.wait(LONGEST)
+        _, err = process.communicate()
+    assert status == 0
+    assert re.search(r"; \d+ lines of standard output dropped\n$", err), err
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,135 @@
+"""Standard output and standard error of a server, whose writes never wait for a reader.
+
+A pipe holds 64 KB and a terminal can be stopped with Ctrl-S. A write to either then waits for as long as the reader
+likes, and a server that waits there serves no host and ignores SIGTERM. So a thread writes to the descriptor, from a
+queue of at most `CAPACITY` characters. What does not fit is dropped and its lines are counted. When the queue has been
+written, a line on standard error reports the count, so a log shows where it has a gap. Regular files are written to
+directly: they take every write.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+from collections import deque
+from contextlib import contextmanager
+from threading import Condition, Thread
+from typing import TYPE_CHECKING, cast
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any, TextIO
+
+CAPACITY = 1 << 18
+# Seconds at the end for what is queued to be written.
+FAREWELL = 0.5
+
+
+class OutputQueue:
+    """A text stream for `stream`; a line about what was dropped goes to `notes`, or in its own place without."""
+
+    def __init__(self, stream: TextIO, name: str, notes: OutputQueue | None = None) -> None:
+        self._stream, self.name, self._notes = stream, name, notes
+        self._descriptor = stream.fileno()
+        self._queue: deque[str] = deque()
+        self._size = 0
+        self._dropped = 0
+        self._broken = False
+        self._changed = Condition()
+        # Lines dropped so far.
+        self.dropped = 0
+        stream.flush()
+        Thread(target=self._serve, name=name, daemon=True).start()
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        """Queue `text`, or drop it if there is no room; neither waits."""
+        with self._changed:
+            # Nothing is queued behind a gap before the gap has been reported.
+            if self._dropped or self._size + len(text) > CAPACITY:
+                lines = text.count("\n") or 1
+                self._dropped += lines
+                self.dropped += lines
+            elif text:
+                self._queue.append(text)
+                self._size += len(text)
+                self._changed.notify_all()
+        return len(text)
+
+    def flush(self) -> None:
+        """Do nothing: the thread writes as soon as it can."""
+
+    def close(self) -> None:
+        """Wait until everything is written, but no longer than `FAREWELL`."""
+        with self._changed:
+            self._changed.wait_for(lambda: not (self._size or self._dropped), FAREWELL)
+
+    def _serve(self) -> None:
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: self._size or self._dropped)
+                text = "".join(self._queue) if self._queue else self._note()
+                self._queue.clear()
+            self._put(text)
+            with self._changed:
+                self._size -= len(text)
+                self._changed.notify_all()
+
+    def _note(self) -> str:
+        """Report the gap, after which there is room again: what to write here, "" if `notes` has taken it."""
+        text = f"motionlang: {_lines(self._dropped)} of {self.name} dropped, as it was not read\n"
+        self._dropped = 0
+        if self._notes is not None:
+            self._notes.write(text)
+            return ""
+        self._size += len(text)
+        return text
+
+    def _put(self, text: str) -> None:
+        """Write all of `text`; a reader that has gone is no reason to end."""
+        data = memoryview(text.encode(self._stream.encoding, self._stream.errors or "strict"))
+        try:
+            while data and not self._broken:
+                data = data[os.write(self._descriptor, data) :]
+        except OSError:
+            self._broken = True
+
+
+def _lines(count: int) -> str:
+    return "1 line" if count == 1 else f"{count} lines"
+
+
+@contextmanager
+def never_waiting() -> Iterator[list[OutputQueue]]:
+    """Give standard output and standard error a queue each where a write could wait; yields these queues."""
+    before = sys.stdout, sys.stderr
+    queues: list[OutputQueue] = []
+    notes: OutputQueue | None = None
+    try:
+        if _may_wait(sys.stderr):
+            notes = OutputQueue(sys.stderr, "standard error")
+            sys.stderr = cast("TextIO", notes)
+            queues.append(notes)
+        if _may_wait(sys.stdout):
+            queues.append(OutputQueue(sys.stdout, "standard output", notes))
+            sys.stdout = cast("TextIO", queues[-1])
+        yield queues
+    finally:
+        for queue in reversed(queues):
+            queue.close()
+        sys.stdout, sys.stderr = before
+
+
+def _may_wait(stream: TextIO) -> bool:
+    try:
+        return not stat.S_ISREG(os.fstat(stream.fileno()).st_mode)
+    except (OSError, ValueError):  # no descriptor: a stream in memory
+        return False
+
+
+def dropped(queues: list[OutputQueue]) -> str:
+    """The end of a sentence that says how many lines were dropped; "" for none."""
+    return "".join(f"; {_lines(queue.dropped)} of {queue.name} dropped" for queue in queues if queue.dropped)
