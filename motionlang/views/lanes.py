@@ -27,6 +27,18 @@ class Lane(NamedTuple):
     times: list[float]
     values: list[float]
 
+    def spans(self, end: float) -> list[tuple[float, float]]:
+        """When a digital channel is on, in a run that ends at `end`."""
+        found: list[tuple[float, float]] = []
+        begin = None
+        for time, value in zip(self.times, self.values, strict=True):
+            if value and begin is None:
+                begin = time
+            elif not value and begin is not None:
+                found.append((begin, time))
+                begin = None
+        return found if begin is None else [*found, (begin, end)]
+
 
 def lanes(controller: Controller) -> list[Lane]:
     """A lane for every channel that ever changed, group by group, by their numbers."""

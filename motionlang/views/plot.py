@@ -152,7 +152,7 @@ def _figure(run: Run, servos: Mapping[int, ServoTrace], window: Window) -> Figur
 def _draw_axis(group: Sequence[Axes], picture: _Picture, axis: int, second: float) -> None:
     rows = picture.moves[axis]
     for axes, panel in zip(group, picture.panels[axis], strict=True):
-        draw_panel(axes, panel, rows, second)
+        draw_panel(axes, panel, rows, picture.span, second)
     name_moves(group[0], rows, picture.span, second)
     mark_events(group, [row for row in picture.events if row.get("axis") == axis], picture.span, second)
 
@@ -162,7 +162,7 @@ def _draw_channels(group: Sequence[Axes], picture: _Picture, second: float) -> N
     for axes, lane in zip(group, picture.analogue, strict=False):
         draw_analogue(axes, lane, picture.span[1], second)
     if picture.digital:
-        draw_lanes(group[-1], picture.digital, picture.span[1], second)
+        draw_lanes(group[-1], picture.digital, picture.span, second)
 
 
 def _layout(heights: Sequence[Sequence[float]], head: float) -> tuple[Figure, list[list[Axes]]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from motionlang.views.spans import visible
 from motionlang.views.words import peak_of
 
 if TYPE_CHECKING:
@@ -32,12 +33,13 @@ ON, EVENT = "#3f6d9e", "#b3261e"
 MOST_SHADED, MOST_NAMED, MOST_EVENTS = 60, 40, 12
 # A letter of a name as a part of the width of the picture, and half a gap between two names.
 LETTER, GAP = 0.0072, 0.004
+POINTS_PER_INCH = 72.0
 
 
-def draw_panel(axes: Axes, panel: Panel, rows: Rows, second: float) -> None:
+def draw_panel(axes: Axes, panel: Panel, rows: Rows, span: tuple[float, float], second: float) -> None:
     """The curves of a panel, `rows` being the moves of its axis; `second` is a unit of the time axis in seconds."""
     if is_shaded(rows):
-        _shade(axes, rows, second)
+        _shade(axes, rows, pixel_of(axes, span), second)
     dense = len(rows) > MOST_SHADED
     for curve in panel.curves:
         axes.plot(
@@ -83,17 +85,15 @@ def draw_analogue(axes: Axes, lane: Lane, end: float, second: float) -> None:
     _dress(axes, min(lane.values), max(lane.values))
 
 
-def draw_lanes(axes: Axes, lanes: Sequence[Lane], end: float, second: float) -> None:
-    """Digital channels, one below the other: a bar while on, a line while off."""
+def draw_lanes(axes: Axes, lanes: Sequence[Lane], span: tuple[float, float], second: float) -> None:
+    """Digital channels in a `span` of time, one below the other: a bar while on, a line while off."""
+    begin, end = span
     for row, lane in enumerate(lanes):
-        edges = [*lane.times[1:], end]
-        spans = [
-            (begin / second, (finish - begin) / second)
-            for begin, finish, value in zip(lane.times, edges, lane.values, strict=True)
-            if value
-        ]
-        axes.hlines(row + 0.34, 0.0, end / second, color=AXIS, linewidth=0.8, zorder=1.5)
-        axes.broken_barh(spans, (row - 0.34, 0.68), facecolor=ON, edgecolor="none", alpha=0.8, zorder=2)
+        on = visible(lane.spans(end), span, pixel_of(axes, span))
+        bars = [(start / second, (stop - start) / second) for start, stop in on]
+        axes.hlines(row + 0.34, begin / second, end / second, color=AXIS, linewidth=0.8, zorder=1.5)
+        # Above the frame (2.5), so that a pulse at the begin is seen.
+        axes.broken_barh(bars, (row - 0.34, 0.68), facecolor=ON, edgecolor="none", alpha=0.8, zorder=2.6)
     axes.set_yticks(range(len(lanes)), [lane.name for lane in lanes])
     axes.set_ylim(len(lanes) - 0.4, -0.6)
     axes.grid(True, axis="x", color="#8496a8", alpha=0.25, linewidth=0.7)
@@ -168,14 +168,26 @@ def _above(axes: Axes, text: str, x: float, across: str, side: str, size: float)
     )
 
 
-def _shade(axes: Axes, rows: Rows, second: float) -> None:
-    """Colour the phases of every move."""
+def pixel_of(axes: Axes, span: tuple[float, float]) -> float:
+    """Seconds of a point, the unit of an SVG and at least a pixel of a PNG, where `axes` show `span`."""
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    inches = axes.get_position().width * figure.get_figwidth()
+    return (span[1] - span[0]) / (inches * POINTS_PER_INCH)
+
+
+def _shade(axes: Axes, rows: Rows, pixel: float, second: float) -> None:
+    """Colour the phases of every move; one that is shorter than a pixel lies over those after it."""
     for row in rows:
         begin = row["start_time"]
         for phase in row["phases"]:
             end = begin + phase["duration"]
             colour = PHASES.get(phase["name"], PHASES["hold"])
-            axes.axvspan(begin / second, end / second, color=colour, linewidth=0, zorder=0.5)
+            is_short = end - begin < pixel
+            shown = begin + pixel if is_short else end
+            axes.axvspan(
+                begin / second, shown / second, color=colour, linewidth=0, zorder=0.6 if is_short else 0.5
+            )
             begin = end
 
 

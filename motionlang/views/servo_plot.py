@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.extras import need
 from motionlang.files import replacing
+from motionlang.views.outline import thinned
 from motionlang.views.plot import DPI, STYLE
 from motionlang.views.plot_panel import FAINT, INK
 from motionlang.views.servo import SHAPE_NAMES
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 BLUE, GREEN, RED, GREY, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#9aa6b2", "#6b4fa0"
 COLOURS = (BLUE, GREEN, RED, VIOLET)
 WIDTH = 10.0
-MOST_POINTS = 20_000
 TAKE_OFF = 0.06
 """Seconds of the start of a move that show what the DAC does."""
 
@@ -64,8 +64,7 @@ def dress(panel: Axes, label: str, unit: str = "") -> None:
 
 def plot_trace(trace: ServoTrace, title: str, path: str) -> None:
     """Position over demand, velocity, following error, output with integral, and torque of one axis."""
-    every = max(1, len(trace) // MOST_POINTS)
-    time = trace.time[::every]
+    span = float(trace.time[0]), float(trace.time[-1])
     rows: list[tuple[str, str, list[tuple[str, str, str]]]] = [
         ("position", "counts", [("demand", GREY, "demand"), ("position", BLUE, "motor")]),
         ("velocity", "counts/s", [("velocity", GREEN, "")]),
@@ -78,7 +77,8 @@ def plot_trace(trace: ServoTrace, title: str, path: str) -> None:
         figure.suptitle(title, x=0.01, ha="left", fontsize=12, fontweight="bold")
         for panel, (label, unit, lines) in zip(panels, rows, strict=True):
             for name, colour, legend in lines:
-                panel.plot(time, trace[name][::every], color=colour, linewidth=1.3, label=legend or None)
+                points = thinned(trace.time, trace[name], span)
+                panel.plot(*points, color=colour, linewidth=1.3, label=legend or None)
             dress(panel, label, unit)
             if any(legend for _, _, legend in lines):
                 panel.legend(loc="upper right", frameon=False, fontsize=8, ncols=2)

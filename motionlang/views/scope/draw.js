@@ -2,7 +2,7 @@
 
 const NS = "http://www.w3.org/2000/svg";
 const LEFT = 132, RIGHT = 8, GAP = 30;
-const MOST_PHASES = 600, MOST_SPANS = 2000;
+const MOST_PHASES = 600;
 
 const escaped = (text) => String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 const n = (value) => value.toFixed(2);
@@ -90,17 +90,23 @@ function tickText(value, decimals) {
 
 function phasesSvg({ axis, top, height }) {
   if (!axis) return "";
-  const parts = [];
+  const parts = [], short = [];
+  let edge = -1;
   for (const move of inView(axis)) {
     let begin = move.start;
     for (const [name, duration] of move.phases) {
       const x = Math.max(LEFT, xOf(begin)), right = Math.min(LEFT + width, xOf(begin + duration));
-      if (right > x + 0.5) parts.push(`<rect class="phase-${data.phases.includes(name) ? name : "hold"}" x="${n(x)}" y="${top}" width="${n(right - x)}" height="${height}"/>`);
+      const rect = (wide) => `<rect class="phase-${data.phases.includes(name) ? name : "hold"}" x="${n(x)}" y="${top}" width="${n(wide)}" height="${height}"/>`;
+      if (right >= x + 1) parts.push(rect(right - x));
+      else if (right >= x && x + 1 - edge >= 0.5) {
+        short.push(rect(1));
+        edge = x + 1;
+      }
       begin += duration;
     }
     if (parts.length > MOST_PHASES) return "";
   }
-  return parts.join("");
+  return [...parts, ...short].join("");
 }
 
 /** The moves of an axis that can be seen. */
@@ -135,9 +141,9 @@ function lanesSvg(panel) {
     const y = panel.top + i * LANE;
     parts.push(`<text class="name" x="0" y="${y + 14}">${escaped(lane.name)}</text>`);
     parts.push(`<line class="off" x1="${LEFT}" x2="${LEFT + width}" y1="${y + 18}" y2="${y + 18}"/>`);
-    const points = seriesPoints(lane.times, lane.values.map((value) => (value ? 1 : 0)), true, view.begin, view.end, width);
-    const path = points.map(([time, value]) => `${n(xOf(time))} ${y + 18 - 14 * value}`).join("L");
-    parts.push(`<path class="on" d="M${LEFT} ${y + 18}L${path}L${LEFT + width} ${y + 18}Z"/>`);
+    const spans = visibleSpans(spansOn(lane, END), view.begin, view.end, (view.end - view.begin) / width);
+    const path = spans.map(([begin, end]) => `M${n(xOf(begin))} ${y + 18}V${y + 4}H${n(xOf(end))}V${y + 18}Z`).join("");
+    if (path) parts.push(`<path class="on" d="${path}"/>`);
   });
   return parts.join("");
 }
@@ -150,11 +156,11 @@ function bandsSvg(panel) {
     parts.push(`<text class="name" x="0" y="${y + 14}">${escaped(band.name)}</text>`);
     parts.push(`<line class="off" x1="${LEFT}" x2="${LEFT + width}" y1="${y + 18}" y2="${y + 18}"/>`);
     let edge = -1;
-    for (const [begin, end, what, line] of spansIn(band).slice(0, MOST_SPANS)) {
-      const x = Math.max(LEFT, xOf(begin)), right = Math.min(LEFT + width, xOf(end));
+    for (const [begin, end, what, line] of spansIn(band)) {
+      const x = Math.max(LEFT, xOf(begin)), right = Math.max(x + 1, Math.min(LEFT + width, xOf(end)));
       if (right - edge < 0.5) continue;
       edge = right;
-      parts.push(`<rect class="wait" x="${n(x)}" y="${y + 3}" width="${n(Math.max(0.5, right - x))}" height="15"/>`);
+      parts.push(`<rect class="wait" x="${n(x)}" y="${y + 3}" width="${n(right - x)}" height="15"/>`);
       const text = [`${what} · line ${line}`, what].find((each) => each.length * 6.2 < right - x - 4);
       if (text) parts.push(`<text class="in" x="${n(x + 4)}" y="${y + 14}">${escaped(text)}</text>`);
     }

@@ -201,6 +201,44 @@ function seriesPoints(times, values, isStepped, begin, end, columns) {
   return thinner.done();
 }
 
+/** When a digital channel is on, in a run that ends at `end`: [begin, end] of each span. */
+function spansOn({ times, values }, end) {
+  const spans = [];
+  let begin = null;
+  times.forEach((time, i) => {
+    if (values[i] && begin === null) begin = time;
+    else if (!values[i] && begin !== null) {
+      spans.push([begin, time]);
+      begin = null;
+    }
+  });
+  return begin === null ? spans : [...spans, [begin, end]];
+}
+
+/** Spans of time as a picture of `first` to `last` can show them, none narrower than `pixel`: `visible` of spans.py. */
+function visibleSpans(spans, first, last, pixel) {
+  const made = [];
+  for (const [start, stop] of spans) {
+    if (stop < first || start > last) continue;
+    let begin = Math.max(start, first), end = Math.min(stop, last);
+    if (end - begin < pixel) {
+      begin = Math.min(begin, last - pixel);
+      end = begin + pixel;
+    }
+    const previous = made[made.length - 1];
+    if (previous && begin - previous[1] < pixel) {
+      if (begin - previous[0] >= 2 * pixel) previous[1] = begin - pixel;
+      else if (end - previous[1] >= 2 * pixel) begin = previous[1] + pixel;
+      else if (begin <= previous[1]) {
+        previous[1] = Math.max(previous[1], end);
+        continue;
+      }
+    }
+    made.push([begin, end]);
+  }
+  return made;
+}
+
 /** The value of such a series at a time. */
 function seriesAt(times, values, isStepped, time) {
   const i = indexAt(times, time);
