@@ -43,14 +43,28 @@ def _utf16(data: bytes) -> str:
     return "utf-16-le" if odd else "utf-16-be"
 
 
+def _with_blanks(text: str) -> str:
+    """The text with a blank for each form feed and end-of-file mark of DOS that is in no string."""
+    import re
+
+    return re.sub(r'"[^"\n]*"|[\f\x1a]', lambda found: found[0] if found[0][0] == '"' else " ", text)
+
+
 class Source:
-    """`name` for messages and `text` with `\\n` line ends; nothing else of the file is kept."""
+    """`name` for messages and `text` with `\\n` line ends; nothing else of the file is kept.
+
+    A form feed between two pages of a listing, and the end-of-file mark of DOS (0x1A), are blanks outside of strings.
+    """
 
     __slots__ = ("_ends", "_lines", "name", "text")
 
     def __init__(self, name: str, text: str) -> None:
         self.name = name
-        self.text = text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+        if "\r" in text:
+            text = text.replace("\r\n", "\n").replace("\r", "\n")
+        if "\f" in text or "\x1a" in text:
+            text = _with_blanks(text)
+        self.text = text
         self._lines: list[str] | None = None
         self._ends: list[int] | None = None
 

@@ -61,7 +61,18 @@ BESIDE: tuple[set[str], ...] = ({"report", "result"},)
 # under two names does not know each other. The rows of the keywords are on the ground, what keywords do is higher up.
 FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lang": (
-        ("keyword", "gains", "program", "task", "statement_time", "lint", "cache", "run_errors", "dialect"),
+        (
+            "keyword",
+            "gains",
+            "program",
+            "task",
+            "statement_time",
+            "lint",
+            "cache",
+            "run_errors",
+            "dialect",
+            "typography",
+        ),
         ("attention", "parsing", "machine", "recurrence", "waits_in_turn"),
         ("scheduler",),
     ),

@@ -9,6 +9,7 @@ from motionlang.client.answer import ASKED, CANCELLED, code_of, end_of, lines_of
 from motionlang.client.errors import AxisFault, ClientError, CommandError, ConnectionLost, NoReply
 from motionlang.client.status import Status
 from motionlang.client.wire import SerialWire, TcpWire
+from motionlang.source import Source
 
 if TYPE_CHECKING:
     import os
@@ -149,7 +150,7 @@ class Client:
         from motionlang.mccl.syntax.parser import without_comment
 
         answer: list[str] = []
-        for number, line in enumerate(text.splitlines(), 1):
+        for number, line in enumerate(Source("", text).text.split("\n"), 1):
             line = without_comment(line).strip()
             if line:
                 try:

@@ -128,9 +128,14 @@ def _wrong(text: str, word: Word, fault: Fault) -> Command:
 
 def _no_command(text: str) -> Command:
     """The command of a text that does not have the form of one."""
+    from motionlang.lang.typography import typographic
     from motionlang.mccl.syntax.mistakes import stuck
 
     end, expected = stuck(text)
+    misprint = typographic(text[end:].lstrip(" \t"))
+    if misprint is not None:
+        name = text[:end].lstrip(_DIGITS)[:2].upper()
+        return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
     if "MNEMONIC" in expected:
         wrong = "a number alone is no command" if not text.strip(_DIGITS) else f"{text} is no command"
         hint = "a command is [axis] two letters [parameter], such as 1MR1000"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from motionlang.lang.parsing.parser import BAD, END
+from motionlang.lang.typography import typographic
 from motionlang.mint.syntax.tables import SPELLINGS
 
 VALUE = {"NUMBER", "STRING"}  # where both may stand, any value may
@@ -44,6 +45,8 @@ def hint(kinds: set[str], before: str, text: str) -> str:
     """What to do about it, as far as one can tell."""
     if text[:1] == '"' and not text.endswith('"', 1):
         return 'add the closing "'
+    if found_typographic := typographic(text):
+        return found_typographic[1]
     if text == "!":
         return SLIPS["!", "="]
     if text.lower() == "elseif" and "ELSE" in kinds:
@@ -83,6 +86,8 @@ def _bad(text: str) -> str:
         return f"{found('', text)} is not a number"
     if text[0] == "`":
         return "a character is written between two back quotes: `A`"
+    if found_typographic := typographic(text):
+        return found_typographic[0]
     if text.isprintable():
         return f"{found('', text)} has no meaning in Mint"
     return f"the character {ord(text[0]):#04x} has no meaning in Mint"

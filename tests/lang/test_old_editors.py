@@ -1,0 +1,87 @@
+"""Characters that editors leave behind: form feeds, the end-of-file mark of DOS, typographic quotes and dashes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from motionlang import run
+from motionlang.client import Client
+from motionlang.execution import dialect_for
+from motionlang.lang.typography import TYPOGRAPHIC, typographic
+from motionlang.source import Source
+
+MINT = b"SPEED(0) = 50\x0c\r\n\x0cMOVER(0) = \x0c5 : GO(0)\x1a\r\nPAUSE\x0cIDLE(0)\r\n\x0c\r\nPRINT POS(0)\r\n\x1a\x1a"
+MCCL = b"1MN\x0c\r\n\x0c1MR5,\x0c1WS0\x1a\r\n\x0c\r\n1TP\r\n\x1a\x1a"
+
+
+@pytest.mark.parametrize(("name", "data", "output"), [("a.mnt", MINT, ["5.0000"]), ("a.mcl", MCCL, ["01 5"])])
+def test_form_feeds_and_the_end_of_file_are_blanks(
+    name: str, data: bytes, output: list[str], tmp_path: Path
+) -> None:
+    """Between words, at the begin and the end of lines, on lines of their own, and at the end of the file."""
+    (tmp_path / name).write_bytes(data)
+    made = run(tmp_path / name, cache=False)
+    assert (made.status, made.output, made.diagnostics) == ("ended", output, [])
+    plain = data.replace(b"\x0c", b" ").replace(b"\x1a", b" ")
+    assert run(Source.from_bytes(name, plain), cache=False).report == made.report
+
+
+def test_a_form_feed_in_a_string_is_sent() -> None:
+    assert run(Source("a.mnt", 'PRINT "page\x0c", "\x1a" \x0c\n'), cache=False).output == ["page\x0c\x1a"]
+
+
+def test_a_client_downloads_such_a_file() -> None:
+    with Client.virtual() as board:
+        assert board.download(MCCL.decode("latin-1")) == ["01 5"]
+
+
+def mistakes(name: str, text: str | bytes) -> list[tuple[int, str, str]]:
+    """Line, message and hint of every error of a program."""
+    source = Source(name, text) if isinstance(text, str) else Source.from_bytes(name, text)
+    found = dialect_for(source, None).check(source)
+    return [(each.line, each.message, each.hint) for each in found if each.severity == "error"]
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "hint"),
+    [
+        ("PRINT “on”\n", '“ is a typographic quote, not the plain "', 'type "'),
+        ("PRINT 1 ‘ one\n", "‘ is a typographic quote, not the plain '", "type '"),
+        ("SPEED(0) = 5 – 2\n", "– is a typographic dash, not the plain -", "type -"),
+        ("PRINT −2\n", "− is a typographic dash, not the plain -", "type -"),
+        (b"PRINT \x93on\x94\n", '“ is a typographic quote, not the plain "', 'type "'),
+        (
+            "PRINT\u00a02\n",
+            "a blank that does not break a line stands here, not a plain one",
+            "type a plain blank",
+        ),
+    ],
+)
+def test_mint_names_the_plain_character(text: str | bytes, message: str, hint: str) -> None:
+    assert (1, message, hint) in mistakes("a.mnt", text)
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "hint"),
+    [
+        ("1MN\n1MR–200\n", "– is a typographic dash, not the plain -", "type -"),
+        ("1MN\n1MR −200\n", "− is a typographic dash, not the plain -", "type -"),
+        ("1MN\n“on”\n", '“ is a typographic quote, not the plain "', 'type "'),
+        (b"1MN\n1MR\x96200\n", "– is a typographic dash, not the plain -", "type -"),
+    ],
+)
+def test_mccl_names_the_plain_character(text: str | bytes, message: str, hint: str) -> None:
+    assert mistakes("a.mcl", text) == [(2, f"{message} (?2: bad command format)", hint)]
+
+
+def test_in_strings_and_comments_they_may_stand() -> None:
+    made = run(Source("a.mnt", 'PRINT "“on” – off" \' ‘so’\n'), cache=False)
+    assert (made.output, made.diagnostics) == (["“on” – off"], [])
+
+
+def test_no_plain_character_is_typographic() -> None:
+    assert all(typographic(chr(code)) is None for code in range(128))
+    assert typographic("") is None
+    assert not any(character.isascii() for character in TYPOGRAPHIC)
