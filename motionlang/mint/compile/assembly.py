@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from motionlang.mint.compile import jumps
 from motionlang.mint.compile.expressions import counted
+from motionlang.mint.compile.first_values import fresh
 from motionlang.mint.compile.lines import Line, names_in, text_of
 from motionlang.mint.compile.splitting import SIZE
-from motionlang.mint.compile.statements import fresh
 from motionlang.mint.resolve.handlers import label_handlers
 from motionlang.mint.resolve.symbols import FLOAT, Function, Symbol
 from motionlang.mint.runtime.code_units import FILE, TIME, Code, Unit

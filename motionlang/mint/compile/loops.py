@@ -128,7 +128,7 @@ def leave_loop(b: Body, node: nodes.Exit, kind: str) -> None:
     name = f"Exit {kind.capitalize()}".rstrip()
     around = [(k, flag) for k, flag in b.loops if k]
     if not kind:
-        inner = [k for k, _ in around if k != "select"]
+        inner = [k for k, _ in around if k not in ("select", "if")]
         if not inner:
             b.problem("stray-end", "Exit stands outside a loop", node)
             return
@@ -154,6 +154,23 @@ def leaves(body: list[nodes.Stmt], kind: str, inside: bool = False) -> bool:
 MANY_CASES = 100
 
 
+def branches(node: nodes.If) -> list[nodes.If]:
+    """An If and its ElseIfs, however many."""
+    found = [node]
+    while len(node.orelse) == 1 and type(node.orelse[0]) is nodes.If:
+        node = node.orelse[0]
+        found.append(node)
+    return found
+
+
+def is_long(node: nodes.If) -> bool:
+    """Whether a chain of ElseIf is a loop in Python, of one turn, as that of a long Select is."""
+    count = 0
+    while len(node.orelse) == 1 and type(node.orelse[0]) is nodes.If and count <= MANY_CASES:
+        node, count = node.orelse[0], count + 1
+    return count > MANY_CASES
+
+
 def is_loop(node: nodes.Select) -> bool:
     """Whether a Select is a loop in Python, of one turn, which `break` leaves."""
     return len(node.cases) > MANY_CASES or any(leaves(case.body, "select") for case in node.cases)
@@ -176,5 +193,10 @@ def _leaves(node: nodes.Stmt, kind: str, inside: bool, in_loop: bool, nested: bo
         if _KINDS[type(node)] == kind:
             return False
         in_loop = nested = True
-    bodies = (getattr(node, "body", None), getattr(node, "orelse", None))
-    return any(_leaves(each, kind, inside, in_loop, nested) for body in bodies if body for each in body)
+    if type(node) is nodes.If:
+        nested = nested or is_long(node)
+        chain = branches(node)
+        bodies = [*(branch.body for branch in chain), chain[-1].orelse]
+        return any(_leaves(each, kind, inside, in_loop, nested) for body in bodies for each in body)
+    body: list[nodes.Stmt] = getattr(node, "body", None) or []
+    return any(_leaves(each, kind, inside, in_loop, nested) for each in body)

@@ -17,7 +17,7 @@ from motionlang.mint.compile.calls import call
 from motionlang.mint.compile.conversions import article, converted
 from motionlang.mint.compile.expressions import condition, place, unknown, value
 from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
+from motionlang.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, STRING, TIME, Symbol, Type
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import meant
 
@@ -187,26 +187,6 @@ def _take_or_give(b: Body, text: str, wanted: str) -> None:
     b.pending += 1
 
 
-def zero(kind: Type) -> str:
-    """The text of a new variable's value."""
-    if kind.name == RECORD and kind.record is not None:
-        splitting = [fresh(member, sizes) for _, member, sizes in kind.record.members.values()]
-        return f"[{', '.join(splitting)}]"
-    return {INTEGER: "0", FLOAT: "0.0", STRING: "''", TIME: "0.0", SEMAPHORE: "[None]"}.get(kind.name, "None")
-
-
-def fresh(kind: Type, sizes: tuple[int, ...]) -> str:
-    """The text of a new variable or array; element 0 of an array is never used."""
-    if not sizes:
-        return zero(kind)
-    count = 1
-    for size in sizes:
-        count *= size
-    if kind.name == RECORD:
-        return f"[None] + [{zero(kind)} for _ in range({count})]"
-    return f"[{zero(kind)}] * {count + 1}"
-
-
 def _dim(b: Body, node: nodes.Dim) -> None:
     _initialise(b, node)
     if node.nv:
@@ -305,6 +285,9 @@ def _run(b: Body, node: nodes.Run) -> None:
 
 
 def _if(b: Body, node: nodes.If) -> None:
+    if loops.is_long(node):
+        _long_if(b, node)
+        return
     _warn_of_else_if(b, node.orelse)
     test = condition(b, node.condition)
     b.settle()
@@ -328,6 +311,32 @@ def _if(b: Body, node: nodes.If) -> None:
     b.noted = b.noted or noted
 
 
+def _long_if(b: Body, node: nodes.If) -> None:
+    """A chain of many ElseIf: a test for each branch, in a loop of one turn that the chosen branch leaves."""
+    b.flush()
+    b.noted = True
+    b.emit("while True:", LOOP)
+    b.indent += 1
+    b.loops.append(("if", ""))
+    for branch in loops.branches(node):
+        _warn_of_else_if(b, branch.orelse)
+        b.at = branch.at
+        b.observes = b.calls = b.whole.checks = False
+        test = condition(b, branch.condition)
+        b.settle()
+        b.pending += 1
+        b.flush()
+        b.emit(f"if {test}:")
+        inner(b, branch.body)
+        b.emit(" break", BREAK)
+    block(b, branch.orelse)
+    b.flush()
+    b.loops.pop()
+    b.emit("break", BREAK)
+    b.indent -= 1
+    loops.go_on_leaving(b)
+
+
 def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
     """`Else If b Then x = 1` may be meant for an Else with an If of one line: what follows then belongs to the Else."""
     chained = orelse[0] if len(orelse) == 1 else None
@@ -349,10 +358,12 @@ def _select(b: Body, node: nodes.Select) -> None:
     b.flush()
     b.emit(f"{name} = {subject.bare}")
     once = loops.is_loop(node)
+    flag = ""
     if once:
+        flag = loops.flag_for(b, "select", [each for case in node.cases for each in case.body])
         b.emit("while True:", LOOP)
         b.indent += 1
-    b.loops.append(("select" if once else "", ""))
+    b.loops.append(("select" if once else "", flag))
     _cases(b, node, tests)
     b.loops.pop()
     if once:

@@ -95,15 +95,24 @@ class _Flattening:
     # ------------------------------------------------------------------------------------------- the blocks
 
     def if_(self, node: nodes.If, around: Around) -> list[nodes.Stmt]:
-        other, end = self._label("else"), self._label("end if")
-        return [
-            nodes.If(node.at, node.condition, [], [nodes.Jump(node.at, "exit", other)]),
-            *self.body(node.body, around),
-            nodes.Jump(node.at, "exit", end),
-            nodes.Label(node.at, other),
-            *self.body(node.orelse, around),
-            nodes.Label(node.at, end),
-        ]
+        out: list[nodes.Stmt] = []
+        ends: list[nodes.Stmt] = []
+        while True:
+            other, end = self._label("else"), self._label("end if")
+            out += [
+                nodes.If(node.at, node.condition, [], [nodes.Jump(node.at, "exit", other)]),
+                *self.body(node.body, around),
+                nodes.Jump(node.at, "exit", end),
+                nodes.Label(node.at, other),
+            ]
+            ends.append(nodes.Label(node.at, end))
+            if (
+                len(node.orelse) != 1
+                or type(node.orelse[0]) is not nodes.If
+                or not _has_label(node.orelse[0])
+            ):
+                return [*out, *self.body(node.orelse, around), *reversed(ends)]
+            node = node.orelse[0]
 
     def select(self, node: nodes.Select, around: Around) -> list[nodes.Stmt]:
         end = self._label("end select")

@@ -44,7 +44,7 @@ CLOSERS = {
 DECLARATIONS = {"SUB", "FUNCTION", "TASK", "EVENT", "STARTUP", "TYPE"}
 
 # What the grammar makes of the beginning of a block, by what it began with.
-_HEADS = {"select_head": "SELECT", "for_head": "FOR", "line_then": "THEN"}
+_HEADS = {"select_head": "SELECT", "for_head": "FOR", "if_head": "IF", "line_then": "THEN"}
 
 # The plainest line that opens the block or goes on with it.
 PLAIN = {
@@ -101,7 +101,7 @@ def opened_blocks(top: Cell) -> list[Block]:
         if kind in ("THEN", "DO"):
             after_then = "_NL" if kind == "DO" else above
         elif kind in OPENERS:
-            blocks.append(Block(kind, cell.at, kind == "IF" and after_then != "_NL"))
+            blocks.append(Block(kind, cell.at, cell.symbol == "IF" and after_then != "_NL"))
         above = cell.symbol
     return blocks
 

@@ -10,6 +10,7 @@ from motionlang.mint.syntax.nodes import (
     Event,
     Expr,
     For,
+    If,
     Label,
     Module,
     Name,
@@ -31,7 +32,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.parsing.parser import Stack
 
-# Blocks inside one another, an ElseIf being inside its If: a limit of this program, not of Mint.
+# Blocks inside one another: a limit of this program, not of Mint.
 DEEPEST = 200
 DEEPEST_EXPRESSION = 200  # nodes inside one another; each costs the compiler two or three frames of 1,000
 LINKS = 50  # operations behind one another that stay nested
@@ -109,6 +110,25 @@ def body(stack: Stack) -> list[Stmt]:
     if depth > DEEPEST:
         raise TooDeep
     return []
+
+
+def if_head(first: If) -> tuple[If, If]:
+    """A block If up to a body: its first and its last branch."""
+    return first, first
+
+
+def else_if(head: tuple[If, If], body: list[Stmt], branch: If) -> tuple[If, If]:
+    """A block If with the body of its last branch and a further ElseIf."""
+    first, last = head
+    last.body, last.orelse = body, [branch]
+    return first, branch
+
+
+def if_end(head: tuple[If, If], body: list[Stmt], orelse: list[Stmt]) -> If:
+    """A whole block If: the body of its last branch, and that of its Else."""
+    first, last = head
+    last.body, last.orelse = body, orelse
+    return first
 
 
 def label_before(body: list[Stmt], at: int, texts: list[str]) -> list[Stmt]:

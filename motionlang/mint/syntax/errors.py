@@ -85,7 +85,7 @@ class _Reader:
         blocks = opened_blocks(self.deepest)
         if blocks and len(self.diagnostics) < MOST:
             message = f"blocks are nested more than {DEEPEST} deep here"
-            hint = "move the inner ones into a Sub, or write Select Case for a chain of ElseIf"
+            hint = "move the inner ones into a Sub"
             self.report(
                 "syntax", message, blocks[min(1, len(blocks) - 1)].at, hint
             )  # the last one has no body yet

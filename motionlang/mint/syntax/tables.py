@@ -324,13 +324,19 @@ def _plus_37(S, M, top, T):
     return S, top
 
 
-def _line_print_38(S, M, top, T):
+def _if_38(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = if_head(If(v0, v1, [], []))
+    return S, top
+
+
+def _line_print_39(S, M, top, T):
     (S, _, v0), _, v1 = S
     top = line_print(v0, T[v0], v1, top)
     return S, top
 
 
-def _last_item_39(S, M, top, T):
+def _last_item_40(S, M, top, T):
     n = new(PrintItem)
     n.at = top.at
     n.value = top
@@ -340,7 +346,7 @@ def _last_item_39(S, M, top, T):
     return S, top
 
 
-def _print_40(S, M, top, T):
+def _print_41(S, M, top, T):
     (S, _, v0), _, v1 = S
     n = new(Print)
     n.at = v0
@@ -352,24 +358,30 @@ def _print_40(S, M, top, T):
     return S, top
 
 
-def _none_41(S, M, top, T):
+def _none_42(S, M, top, T):
     top = []
     return S, top
 
 
-def _for_42(S, M, top, T):
+def _for_43(S, M, top, T):
     (S, _, v0), _, v1 = S
     top = counted(v0, v1, None, T)
     return S, top
 
 
-def _for_shared_43(S, M, top, T):
+def _for_shared_44(S, M, top, T):
     (S, _, v0), _, v1 = S
     top = counted(v0, v1, top, T)
     return S, top
 
 
-def _member_44(S, M, top, T):
+def _if_end_45(S, M, top, T):
+    (S, _, v0), _, v1 = S
+    top = if_end(v0, v1, [])
+    return S, top
+
+
+def _member_46(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Member)
     n.at = v0.at
@@ -380,18 +392,18 @@ def _member_44(S, M, top, T):
     return S, top
 
 
-def _next_case_45(S, M, top, T):
+def _next_case_47(S, M, top, T):
     (S, _, v0), _, v1 = S
     top = next_case(v0, v1, top)
     return S, top
 
 
-def _one_omitted_46(S, M, top, T):
+def _one_omitted_48(S, M, top, T):
     top = [Omitted(top)]
     return S, top
 
 
-def _assign_48(S, M, top, T):
+def _assign_50(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Assign)
     n.at = v0.at
@@ -402,7 +414,7 @@ def _assign_48(S, M, top, T):
     return S, top
 
 
-def _name_args_50(S, M, top, T):
+def _name_args_52(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     n = new(Name)
     n.at = v0
@@ -413,7 +425,7 @@ def _name_args_50(S, M, top, T):
     return S, top
 
 
-def _name_axes_51(S, M, top, T):
+def _name_axes_53(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     n = new(Name)
     n.at = v0
@@ -424,7 +436,7 @@ def _name_axes_51(S, M, top, T):
     return S, top
 
 
-def _type_52(S, M, top, T):
+def _type_54(S, M, top, T):
     n = new(TypeName)
     n.at = top
     n.name = T[top]
@@ -433,20 +445,20 @@ def _type_52(S, M, top, T):
     return S, top
 
 
-def _constant_53(S, M, top, T):
+def _constant_55(S, M, top, T):
     (S, _, v0), _, _ = S
     top = Const(v0, T[v0], None, top)
     return S, top
 
 
-def _more_54(S, M, top, T):
+def _more_56(S, M, top, T):
     (S, _, v0), _, _ = S
     v0.append(top)
     top = v0
     return S, top
 
 
-def _define_55(S, M, top, T):
+def _define_57(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     n = new(Define)
     n.at = v0
@@ -456,32 +468,32 @@ def _define_55(S, M, top, T):
     return S, top
 
 
-def _plain_more_56(S, M, top, T):
+def _plain_more_58(S, M, top, T):
     (S, _, v0), _, _ = S
     v0.append(declare(top))
     top = v0
     return S, top
 
 
-def _variable_57(S, M, top, T):
+def _variable_59(S, M, top, T):
     (S, _, v0), _, _ = S
     top = declare(v0, top)
     return S, top
 
 
-def _valued_variable_58(S, M, top, T):
+def _valued_variable_60(S, M, top, T):
     (S, _, v0), _, _ = S
     top = declare(v0, None, top)
     return S, top
 
 
-def _more_values_59(S, M, top, T):
+def _more_values_61(S, M, top, T):
     (S, _, v0), _, _ = S
     top = more_values(v0, top)
     return S, top
 
 
-def _parameter_60(S, M, top, T):
+def _parameter_62(S, M, top, T):
     n = new(Parameter)
     n.at = top
     n.name = T[top]
@@ -492,13 +504,13 @@ def _parameter_60(S, M, top, T):
     return S, top
 
 
-def _none_61(S, M, top, T):
+def _none_63(S, M, top, T):
     S, _, _ = S
     top = []
     return S, top
 
 
-def _and_63(S, M, top, T):
+def _and_65(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Binary)
     n.at = v0.at
@@ -509,7 +521,13 @@ def _and_63(S, M, top, T):
     return S, top
 
 
-def _line_if_65(S, M, top, T):
+def _if_67(S, M, top, T):
+    ((S, _, v0), _, v1), _, _ = S
+    top = if_head(If(v0, v1, [], []))
+    return S, top
+
+
+def _line_if_68(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     n = new(If)
     n.at = v0
@@ -520,7 +538,7 @@ def _line_if_65(S, M, top, T):
     return S, top
 
 
-def _or_66(S, M, top, T):
+def _or_69(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Binary)
     n.at = v0.at
@@ -531,7 +549,7 @@ def _or_66(S, M, top, T):
     return S, top
 
 
-def _xor_67(S, M, top, T):
+def _xor_70(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Binary)
     n.at = v0.at
@@ -542,7 +560,7 @@ def _xor_67(S, M, top, T):
     return S, top
 
 
-def _mod_68(S, M, top, T):
+def _mod_71(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Binary)
     n.at = v0.at
@@ -553,7 +571,7 @@ def _mod_68(S, M, top, T):
     return S, top
 
 
-def _input_69(S, M, top, T):
+def _input_72(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     n = new(Input)
     n.at = v0
@@ -565,7 +583,7 @@ def _input_69(S, M, top, T):
     return S, top
 
 
-def _input_70(S, M, top, T):
+def _input_73(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     n = new(Input)
     n.at = v0
@@ -577,7 +595,7 @@ def _input_70(S, M, top, T):
     return S, top
 
 
-def _loop_71(S, M, top, T):
+def _loop_74(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     n = new(Loop)
     n.at = v0
@@ -586,19 +604,19 @@ def _loop_71(S, M, top, T):
     return S, top
 
 
-def _rest_72(S, M, top, T):
+def _rest_75(S, M, top, T):
     S, _, v0 = S
     top = printed(top, None, [], T[v0])
     return S, top
 
 
-def _rest_last_73(S, M, top, T):
+def _rest_last_76(S, M, top, T):
     S, _, _ = S
     top = printed([], None, top, "")
     return S, top
 
 
-def _print_item_74(S, M, top, T):
+def _print_item_77(S, M, top, T):
     (S, _, v0), _, v1 = S
     n = new(PrintItem)
     n.at = v1.at
@@ -610,13 +628,13 @@ def _print_item_74(S, M, top, T):
     return S, top
 
 
-def _for_75(S, M, top, T):
+def _for_78(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     top = counted(v0, v1, top, T)
     return S, top
 
 
-def _test_76(S, M, top, T):
+def _test_79(S, M, top, T):
     n = new(CaseTest)
     n.at = top.at
     n.op = '='
@@ -626,19 +644,19 @@ def _test_76(S, M, top, T):
     return S, top
 
 
-def _last_case_77(S, M, top, T):
+def _last_case_80(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     top = last_case(v0, v1)
     return S, top
 
 
-def _one_78(S, M, top, T):
+def _one_81(S, M, top, T):
     S, _, v0 = S
     top = [v0]
     return S, top
 
 
-def _assign_same_79(S, M, top, T):
+def _assign_same_82(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     n = new(Assign)
     n.at = v0.at
@@ -649,7 +667,7 @@ def _assign_same_79(S, M, top, T):
     return S, top
 
 
-def _next_omitted_80(S, M, top, T):
+def _next_omitted_83(S, M, top, T):
     S, _, v0 = S
     n = new(Omitted)
     n.at = top
@@ -658,14 +676,14 @@ def _next_omitted_80(S, M, top, T):
     return S, top
 
 
-def _last_81(S, M, top, T):
+def _last_84(S, M, top, T):
     S, _, v0 = S
     v0.append(top)
     top = v0
     return S, top
 
 
-def _assign_82(S, M, top, T):
+def _assign_85(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     n = new(Assign)
     n.at = v0.at
@@ -676,13 +694,13 @@ def _assign_82(S, M, top, T):
     return S, top
 
 
-def _pair_83(S, M, top, T):
+def _pair_86(S, M, top, T):
     (S, _, v0), _, _ = S
     top = [v0, top]
     return S, top
 
 
-def _parameter_by_reference_84(S, M, top, T):
+def _parameter_by_reference_87(S, M, top, T):
     S, _, v0 = S
     n = new(Parameter)
     n.at = v0
@@ -694,7 +712,7 @@ def _parameter_by_reference_84(S, M, top, T):
     return S, top
 
 
-def _parameter_by_value_85(S, M, top, T):
+def _parameter_by_value_88(S, M, top, T):
     S, _, v0 = S
     n = new(Parameter)
     n.at = v0
@@ -706,18 +724,7 @@ def _parameter_by_value_85(S, M, top, T):
     return S, top
 
 
-def _if_do_86(S, M, top, T):
-    (((S, _, v0), _, v1), _, _), _, v3 = S
-    n = new(If)
-    n.at = v0
-    n.condition = v1
-    n.body = v3
-    n.orelse = top
-    top = n
-    return S, top
-
-
-def _input_87(S, M, top, T):
+def _input_89(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     n = new(Input)
     n.at = v0
@@ -729,13 +736,13 @@ def _input_87(S, M, top, T):
     return S, top
 
 
-def _rest_88(S, M, top, T):
+def _rest_90(S, M, top, T):
     (S, _, v0), _, v1 = S
     top = printed(v1, top, [], T[v0])
     return S, top
 
 
-def _print_89(S, M, top, T):
+def _print_91(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     n = new(Print)
     n.at = v0
@@ -747,7 +754,7 @@ def _print_89(S, M, top, T):
     return S, top
 
 
-def _last_using_90(S, M, top, T):
+def _last_using_92(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(PrintItem)
     n.at = v0.at
@@ -758,7 +765,7 @@ def _last_using_90(S, M, top, T):
     return S, top
 
 
-def _repeat_91(S, M, top, T):
+def _repeat_93(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     n = new(Repeat)
     n.at = v0
@@ -768,7 +775,7 @@ def _repeat_91(S, M, top, T):
     return S, top
 
 
-def _select_92(S, M, top, T):
+def _select_94(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     n = new(Select)
     n.at = v0
@@ -778,7 +785,7 @@ def _select_92(S, M, top, T):
     return S, top
 
 
-def _startup_93(S, M, top, T):
+def _startup_95(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     n = new(Startup)
     n.at = v0
@@ -787,7 +794,7 @@ def _startup_93(S, M, top, T):
     return S, top
 
 
-def _while_94(S, M, top, T):
+def _while_96(S, M, top, T):
     (((S, _, v0), _, v1), _, _), _, v3 = S
     n = new(While)
     n.at = v0
@@ -797,7 +804,13 @@ def _while_94(S, M, top, T):
     return S, top
 
 
-def _case_else_95(S, M, top, T):
+def _else_if_97(S, M, top, T):
+    (((S, _, v0), _, v1), _, v2), _, v3 = S
+    top = else_if(v0, v1, If(v2, v3, [], []))
+    return S, top
+
+
+def _case_else_98(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Case)
     n.at = v0
@@ -807,7 +820,7 @@ def _case_else_95(S, M, top, T):
     return S, top
 
 
-def _case_96(S, M, top, T):
+def _case_99(S, M, top, T):
     (S, _, v0), _, v1 = S
     n = new(Case)
     n.at = v0
@@ -817,7 +830,7 @@ def _case_96(S, M, top, T):
     return S, top
 
 
-def _sized_type_97(S, M, top, T):
+def _sized_type_100(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(TypeName)
     n.at = v0
@@ -827,19 +840,19 @@ def _sized_type_97(S, M, top, T):
     return S, top
 
 
-def _constant_98(S, M, top, T):
+def _constant_101(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     top = Const(v0, T[v0], v2, top)
     return S, top
 
 
-def _typed_variable_99(S, M, top, T):
+def _typed_variable_102(S, M, top, T):
     (((S, _, v0), _, _), _, v2), _, _ = S
     top = declare(v0, v2, top)
     return S, top
 
 
-def _event_100(S, M, top, T):
+def _event_103(S, M, top, T):
     ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
     n = new(Event)
     n.at = v0
@@ -849,7 +862,7 @@ def _event_100(S, M, top, T):
     return S, top
 
 
-def _parameter_101(S, M, top, T):
+def _parameter_104(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(Parameter)
     n.at = v0
@@ -861,7 +874,7 @@ def _parameter_101(S, M, top, T):
     return S, top
 
 
-def _parameter_102(S, M, top, T):
+def _parameter_105(S, M, top, T):
     (S, _, v0), _, v1 = S
     n = new(Parameter)
     n.at = v0
@@ -873,18 +886,7 @@ def _parameter_102(S, M, top, T):
     return S, top
 
 
-def _if_103(S, M, top, T):
-    ((((S, _, v0), _, v1), _, _), _, _), _, v4 = S
-    n = new(If)
-    n.at = v0
-    n.condition = v1
-    n.body = v4
-    n.orelse = top
-    top = n
-    return S, top
-
-
-def _line_if_else_104(S, M, top, T):
+def _line_if_else_106(S, M, top, T):
     ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
     n = new(If)
     n.at = v0
@@ -895,7 +897,7 @@ def _line_if_else_104(S, M, top, T):
     return S, top
 
 
-def _input_105(S, M, top, T):
+def _input_107(S, M, top, T):
     ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
     n = new(Input)
     n.at = v0
@@ -907,13 +909,13 @@ def _input_105(S, M, top, T):
     return S, top
 
 
-def _rest_using_106(S, M, top, T):
+def _rest_using_108(S, M, top, T):
     ((S, _, _), _, v1), _, v2 = S
     top = printed(top, None, [v1], T[v2])
     return S, top
 
 
-def _print_107(S, M, top, T):
+def _print_109(S, M, top, T):
     ((((S, _, v0), _, _), _, v2), _, _), _, v4 = S
     n = new(Print)
     n.at = v0
@@ -925,7 +927,7 @@ def _print_107(S, M, top, T):
     return S, top
 
 
-def _last_open_108(S, M, top, T):
+def _last_open_110(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     n = new(PrintItem)
     n.at = v0.at
@@ -936,7 +938,7 @@ def _last_open_108(S, M, top, T):
     return S, top
 
 
-def _print_using_109(S, M, top, T):
+def _print_using_111(S, M, top, T):
     (((S, _, v0), _, v1), _, _), _, v3 = S
     n = new(PrintItem)
     n.at = v1.at
@@ -948,7 +950,7 @@ def _print_using_109(S, M, top, T):
     return S, top
 
 
-def _select_nothing_110(S, M, top, T):
+def _select_nothing_112(S, M, top, T):
     ((((S, _, v0), _, _), _, v2), _, _), _, _ = S
     n = new(Select)
     n.at = v0
@@ -958,13 +960,13 @@ def _select_nothing_110(S, M, top, T):
     return S, top
 
 
-def _task_111(S, M, top, T):
+def _task_113(S, M, top, T):
     ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
     top = task(v0, T[v1], v3)
     return S, top
 
 
-def _user_type_112(S, M, top, T):
+def _user_type_114(S, M, top, T):
     ((((S, _, v0), _, v1), _, _), _, v3), _, _ = S
     n = new(UserType)
     n.at = v0
@@ -974,20 +976,26 @@ def _user_type_112(S, M, top, T):
     return S, top
 
 
-def _extend_113(S, M, top, T):
+def _extend_115(S, M, top, T):
     (S, _, v0), _, v1 = S
     top = extended(v0, v1)
     return S, top
 
 
-def _shared_further_114(S, M, top, T):
+def _shared_further_116(S, M, top, T):
     (((S, _, v0), _, v1), _, v2), _, v3 = S
     v0.append(counted(v1, v2, v3, T))
     top = v0
     return S, top
 
 
-def _member_args_115(S, M, top, T):
+def _if_else_117(S, M, top, T):
+    ((((S, _, v0), _, v1), _, _), _, _), _, v4 = S
+    top = if_end(v0, v1, v4)
+    return S, top
+
+
+def _member_args_118(S, M, top, T):
     ((((S, _, v0), _, _), _, v2), _, _), _, v4 = S
     n = new(Member)
     n.at = v0.at
@@ -998,7 +1006,7 @@ def _member_args_115(S, M, top, T):
     return S, top
 
 
-def _test_is_116(S, M, top, T):
+def _test_is_119(S, M, top, T):
     (S, _, v0), _, v1 = S
     n = new(CaseTest)
     n.at = v0
@@ -1009,7 +1017,7 @@ def _test_is_116(S, M, top, T):
     return S, top
 
 
-def _test_range_117(S, M, top, T):
+def _test_range_120(S, M, top, T):
     (S, _, v0), _, _ = S
     n = new(CaseTest)
     n.at = v0.at
@@ -1020,7 +1028,7 @@ def _test_range_117(S, M, top, T):
     return S, top
 
 
-def _for_head_118(S, M, top, T):
+def _for_head_121(S, M, top, T):
     (((((S, _, v0), _, v1), _, _), _, v3), _, _), _, v5 = S
     n = new(For)
     n.at = v0
@@ -1033,7 +1041,7 @@ def _for_head_118(S, M, top, T):
     return S, top
 
 
-def _parameter_by_reference_119(S, M, top, T):
+def _parameter_by_reference_122(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     n = new(Parameter)
     n.at = v0
@@ -1045,7 +1053,7 @@ def _parameter_by_reference_119(S, M, top, T):
     return S, top
 
 
-def _parameter_by_reference_120(S, M, top, T):
+def _parameter_by_reference_123(S, M, top, T):
     ((S, _, v0), _, v1), _, v2 = S
     n = new(Parameter)
     n.at = v0
@@ -1057,7 +1065,7 @@ def _parameter_by_reference_120(S, M, top, T):
     return S, top
 
 
-def _parameter_by_value_121(S, M, top, T):
+def _parameter_by_value_124(S, M, top, T):
     ((S, _, v0), _, v1), _, _ = S
     n = new(Parameter)
     n.at = v0
@@ -1069,7 +1077,7 @@ def _parameter_by_value_121(S, M, top, T):
     return S, top
 
 
-def _parameter_by_value_122(S, M, top, T):
+def _parameter_by_value_125(S, M, top, T):
     ((S, _, v0), _, v1), _, v2 = S
     n = new(Parameter)
     n.at = v0
@@ -1081,7 +1089,7 @@ def _parameter_by_value_122(S, M, top, T):
     return S, top
 
 
-def _function_123(S, M, top, T):
+def _function_126(S, M, top, T):
     (((((S, _, v0), _, v1), _, v2), _, _), _, v4), _, _ = S
     n = new(Sub)
     n.at = v0
@@ -1094,7 +1102,7 @@ def _function_123(S, M, top, T):
     return S, top
 
 
-def _input_124(S, M, top, T):
+def _input_127(S, M, top, T):
     (((((S, _, v0), _, _), _, v2), _, _), _, v4), _, _ = S
     n = new(Input)
     n.at = v0
@@ -1106,7 +1114,7 @@ def _input_124(S, M, top, T):
     return S, top
 
 
-def _input_125(S, M, top, T):
+def _input_128(S, M, top, T):
     (((((S, _, v0), _, _), _, v2), _, _), _, v4), _, _ = S
     n = new(Input)
     n.at = v0
@@ -1118,13 +1126,13 @@ def _input_125(S, M, top, T):
     return S, top
 
 
-def _rest_using_126(S, M, top, T):
+def _rest_using_129(S, M, top, T):
     (((S, _, _), _, v1), _, v2), _, v3 = S
     top = printed(v3, top, [v1], T[v2])
     return S, top
 
 
-def _sub_127(S, M, top, T):
+def _sub_130(S, M, top, T):
     (((((S, _, v0), _, v1), _, v2), _, _), _, v4), _, _ = S
     n = new(Sub)
     n.at = v0
@@ -1137,20 +1145,20 @@ def _sub_127(S, M, top, T):
     return S, top
 
 
-def _extend_128(S, M, top, T):
+def _extend_131(S, M, top, T):
     ((S, _, v0), _, _), _, v2 = S
     top = extended(v0, v2)
     return S, top
 
 
-def _shared_129(S, M, top, T):
+def _shared_132(S, M, top, T):
     ((((S, _, v0), _, v1), _, v2), _, _), _, v4 = S
     v0.append(counted(v1, v2, v4, T))
     top = v0
     return S, top
 
 
-def _parameter_130(S, M, top, T):
+def _parameter_133(S, M, top, T):
     (((S, _, v0), _, v1), _, _), _, _ = S
     n = new(Parameter)
     n.at = v0
@@ -1162,19 +1170,13 @@ def _parameter_130(S, M, top, T):
     return S, top
 
 
-def _third_131(S, M, top, T):
-    ((S, _, _), _, _), _, v2 = S
-    top = v2
-    return S, top
-
-
-def _rest_using_two_132(S, M, top, T):
+def _rest_using_two_134(S, M, top, T):
     ((((S, _, _), _, v1), _, _), _, v3), _, v4 = S
     top = printed(top, None, [v1, v3], T[v4])
     return S, top
 
 
-def _print_using_two_133(S, M, top, T):
+def _print_using_two_135(S, M, top, T):
     (((((S, _, v0), _, v1), _, _), _, v3), _, _), _, v5 = S
     n = new(PrintItem)
     n.at = v1.at
@@ -1186,7 +1188,7 @@ def _print_using_two_133(S, M, top, T):
     return S, top
 
 
-def _for_head_134(S, M, top, T):
+def _for_head_136(S, M, top, T):
     (((((((S, _, v0), _, v1), _, _), _, v3), _, _), _, v5), _, _), _, v7 = S
     n = new(For)
     n.at = v0
@@ -1199,7 +1201,7 @@ def _for_head_134(S, M, top, T):
     return S, top
 
 
-def _parameter_by_reference_135(S, M, top, T):
+def _parameter_by_reference_137(S, M, top, T):
     ((((S, _, v0), _, v1), _, v2), _, _), _, _ = S
     n = new(Parameter)
     n.at = v0
@@ -1211,7 +1213,7 @@ def _parameter_by_reference_135(S, M, top, T):
     return S, top
 
 
-def _parameter_by_value_136(S, M, top, T):
+def _parameter_by_value_138(S, M, top, T):
     ((((S, _, v0), _, v1), _, v2), _, _), _, _ = S
     n = new(Parameter)
     n.at = v0
@@ -1223,7 +1225,7 @@ def _parameter_by_value_136(S, M, top, T):
     return S, top
 
 
-def _function_137(S, M, top, T):
+def _function_139(S, M, top, T):
     (((((((S, _, v0), _, v1), _, v2), _, _), _, v4), _, _), _, v6), _, _ = S
     n = new(Sub)
     n.at = v0
@@ -1236,13 +1238,7 @@ def _function_137(S, M, top, T):
     return S, top
 
 
-def _else_if_138(S, M, top, T):
-    (((S, _, v0), _, v1), _, _), _, v3 = S
-    top = [If(v0, v1, v3, top)]
-    return S, top
-
-
-def _input_139(S, M, top, T):
+def _input_140(S, M, top, T):
     (((((((S, _, v0), _, _), _, v2), _, _), _, v4), _, _), _, v6), _, _ = S
     n = new(Input)
     n.at = v0
@@ -1254,7 +1250,7 @@ def _input_139(S, M, top, T):
     return S, top
 
 
-def _rest_using_two_140(S, M, top, T):
+def _rest_using_two_141(S, M, top, T):
     (((((S, _, _), _, v1), _, _), _, v3), _, v4), _, v5 = S
     top = printed(v5, top, [v1, v3], T[v4])
     return S, top
@@ -1590,50 +1586,53 @@ RULES = (
     (2, 'unary{atom}', _minus_35),
     (2, 'negated', _not_36),
     (2, 'unary{atom}', _plus_37),
+    (3, 'if_head', _if_38),
     (1, 'line_then', None),
     (2, 'unary{operand}', _complement_34),
     (3, 'name{NAME}', _name_empty_30),
     (2, 'unary{operand}', _minus_35),
     (2, 'unary{operand}', _plus_37),
-    (3, 'inline_statement', _line_print_38),
-    (1, 'print_last', _last_item_39),
-    (3, 'inline_statement', _print_40),
+    (3, 'inline_statement', _line_print_39),
+    (1, 'print_last', _last_item_40),
+    (3, 'inline_statement', _print_41),
     (0, 'task_body', _body_11),
-    (1, 'seps', _none_41),
+    (1, 'seps', _none_42),
     (0, 'members', _none_0),
     (2, 'body', _skip_4),
-    (3, 'inline_statement', _for_42),
+    (3, 'inline_statement', _for_43),
     (2, 'body', _label_before_9),
-    (3, 'inline_statement', _for_shared_43),
-    (3, 'ref{name{leading}}', _member_44),
-    (3, 'ref{name{NAME}}', _member_44),
-    (3, 'select_head', _next_case_45),
-    (1, 'slots', _one_omitted_46),
+    (3, 'inline_statement', _for_shared_44),
+    (1, 'end_if', None),
+    (3, 'statement', _if_end_45),
+    (3, 'ref{name{leading}}', _member_46),
+    (3, 'ref{name{NAME}}', _member_46),
+    (3, 'select_head', _next_case_47),
+    (1, 'slots', _one_omitted_48),
     (3, 'inline_statement', 2),
-    (3, 'inline_statement', _assign_48),
+    (3, 'inline_statement', _assign_50),
     (4, 'name{leading}', 3),
-    (4, 'name{leading}', _name_args_50),
-    (4, 'name{leading}', _name_axes_51),
-    (1, 'type', _type_52),
-    (3, 'constant', _constant_53),
-    (3, 'constants', _more_54),
-    (4, 'inline_statement', _define_55),
-    (3, 'closed_dims', _plain_more_56),
-    (3, 'closed_dims', _more_54),
-    (3, 'open_dims', _more_54),
-    (3, 'typed', _variable_57),
-    (3, 'valued', _valued_variable_58),
-    (3, 'open_dims', _more_values_59),
-    (3, 'closed_dims', _more_54),
-    (3, 'open_dims', _more_54),
-    (1, 'parameter', _parameter_60),
+    (4, 'name{leading}', _name_args_52),
+    (4, 'name{leading}', _name_axes_53),
+    (1, 'type', _type_54),
+    (3, 'constant', _constant_55),
+    (3, 'constants', _more_56),
+    (4, 'inline_statement', _define_57),
+    (3, 'closed_dims', _plain_more_58),
+    (3, 'closed_dims', _more_56),
+    (3, 'open_dims', _more_56),
+    (3, 'typed', _variable_59),
+    (3, 'valued', _valued_variable_60),
+    (3, 'open_dims', _more_values_61),
+    (3, 'closed_dims', _more_56),
+    (3, 'open_dims', _more_56),
+    (1, 'parameter', _parameter_62),
     (1, 'leading', None),
     (1, 'leading', None),
-    (2, 'parameters', _none_61),
+    (2, 'parameters', _none_63),
     (1, 'parameter_list', _one_12),
     (3, 'name{word}', _name_empty_30),
     (3, 'atom', 4),
-    (3, 'and{atom}', _and_63),
+    (3, 'and{atom}', _and_65),
     (3, 'power{atom}', 0),
     (3, 'bit_and_not{atom}', 0),
     (3, 'bit_and{atom}', 0),
@@ -1646,38 +1645,39 @@ RULES = (
     (3, 'compare_not{atom}', 0),
     (3, 'compare{atom}', 0),
     (3, 'compare_not{atom}', 0),
+    (4, 'if_head', _if_67),
     (2, 'line_then', _skip_4),
     (1, 'closed', _one_12),
     (1, 'line_tail', None),
     (1, 'closed', None),
     (1, 'inline', _one_12),
     (1, 'line_tail', _one_12),
-    (4, 'line_if', _line_if_65),
-    (3, 'ref{name{word}}', _member_44),
-    (3, 'or{atom}', _or_66),
-    (3, 'or{atom}', _xor_67),
+    (4, 'line_if', _line_if_68),
+    (3, 'ref{name{word}}', _member_46),
+    (3, 'or{atom}', _or_69),
+    (3, 'or{atom}', _xor_70),
     (3, 'shift{atom}', 0),
     (3, 'sum{atom}', 0),
     (3, 'sum{atom}', 0),
     (3, 'term{atom}', 0),
-    (3, 'term{atom}', _mod_68),
-    (3, 'term{atom}', _mod_68),
+    (3, 'term{atom}', _mod_71),
+    (3, 'term{atom}', _mod_71),
     (3, 'term{atom}', 0),
-    (4, 'inline_statement', _input_69),
-    (4, 'inline_statement', _input_69),
+    (4, 'inline_statement', _input_72),
+    (4, 'inline_statement', _input_72),
     (1, 'formats', _one_12),
-    (4, 'inline_statement', _input_70),
+    (4, 'inline_statement', _input_73),
     (1, 'end_loop', None),
     (1, 'end_loop', None),
-    (4, 'inline_statement', _loop_71),
+    (4, 'inline_statement', _loop_74),
     (4, 'name{NAME}', 3),
-    (4, 'name{NAME}', _name_args_50),
-    (4, 'name{NAME}', _name_axes_51),
-    (3, 'and{operand}', _and_63),
+    (4, 'name{NAME}', _name_args_52),
+    (4, 'name{NAME}', _name_axes_53),
+    (3, 'and{operand}', _and_65),
     (3, 'power{operand}', 0),
-    (3, 'bare', _more_54),
-    (2, 'rest', _rest_72),
-    (2, 'rest', _rest_last_73),
+    (3, 'bare', _more_56),
+    (2, 'rest', _rest_75),
+    (2, 'rest', _rest_last_76),
     (3, 'bit_and_not{operand}', 0),
     (3, 'bit_and{operand}', 0),
     (3, 'bit_or_not{operand}', 0),
@@ -1689,705 +1689,695 @@ RULES = (
     (3, 'compare_not{operand}', 0),
     (3, 'compare{operand}', 0),
     (3, 'compare_not{operand}', 0),
-    (3, 'or{operand}', _or_66),
-    (3, 'or{operand}', _xor_67),
+    (3, 'or{operand}', _or_69),
+    (3, 'or{operand}', _xor_70),
     (3, 'shift{operand}', 0),
     (3, 'sum{operand}', 0),
     (3, 'sum{operand}', 0),
     (3, 'term{operand}', 0),
-    (3, 'term{operand}', _mod_68),
-    (3, 'term{operand}', _mod_68),
+    (3, 'term{operand}', _mod_71),
+    (3, 'term{operand}', _mod_71),
     (3, 'term{operand}', 0),
-    (3, 'print_list', _print_item_74),
-    (3, 'print_list', _print_item_74),
+    (3, 'print_list', _print_item_77),
+    (3, 'print_list', _print_item_77),
     (2, 'seps', _skip_4),
-    (4, 'inline_statement', _for_75),
+    (4, 'inline_statement', _for_78),
     (3, 'body', 1),
     (3, 'body', 1),
     (3, 'body', 1),
-    (1, 'test', _test_76),
+    (2, 'else_if', _skip_4),
+    (2, 'end_if', _skip_4),
+    (1, 'test', _test_79),
     (1, 'tests', _one_12),
-    (4, 'select', _last_case_77),
-    (2, 'slots', _one_78),
-    (4, 'inline_statement', _assign_same_79),
-    (2, 'slots', _next_omitted_80),
-    (2, 'values', _last_81),
-    (4, 'inline_statement', _assign_82),
-    (3, 'several', _pair_83),
-    (3, 'several', _more_54),
-    (3, 'exprs', _more_54),
+    (4, 'select', _last_case_80),
+    (2, 'slots', _one_81),
+    (4, 'inline_statement', _assign_same_82),
+    (2, 'slots', _next_omitted_83),
+    (2, 'values', _last_84),
+    (4, 'inline_statement', _assign_85),
+    (3, 'several', _pair_86),
+    (3, 'several', _more_56),
+    (3, 'exprs', _more_56),
     (4, 'declared', 3),
-    (4, 'declared', _name_args_50),
-    (2, 'parameter', _parameter_by_reference_84),
-    (2, 'parameter', _parameter_by_value_85),
+    (4, 'declared', _name_args_52),
+    (2, 'parameter', _parameter_by_reference_87),
+    (2, 'parameter', _parameter_by_value_88),
     (3, 'parameters', 4),
     (4, 'name{word}', 3),
-    (4, 'name{word}', _name_args_50),
-    (4, 'name{word}', _name_axes_51),
-    (1, 'end_if', None),
-    (1, 'if_tail', _none_41),
-    (5, 'statement', _if_do_86),
+    (4, 'name{word}', _name_args_52),
+    (4, 'name{word}', _name_axes_53),
     (2, 'inline', _skip_4),
-    (5, 'inline_statement', _input_87),
+    (5, 'inline_statement', _input_89),
     (2, 'end_loop', _skip_4),
-    (3, 'rest', _rest_88),
-    (5, 'inline_statement', _print_89),
-    (3, 'print_last', _last_using_90),
-    (5, 'inline_statement', _repeat_91),
-    (5, 'select_head', _select_92),
-    (5, 'declaration', _startup_93),
+    (3, 'rest', _rest_90),
+    (5, 'inline_statement', _print_91),
+    (3, 'print_last', _last_using_92),
+    (5, 'inline_statement', _repeat_93),
+    (5, 'select_head', _select_94),
+    (5, 'declaration', _startup_95),
     (2, 'task_body', _skip_4),
     (2, 'task_body', _label_before_9),
     (1, 'member_list', _one_12),
     (1, 'end_while', None),
     (1, 'end_while', None),
     (1, 'end_while', None),
-    (5, 'inline_statement', _while_94),
-    (3, 'case', _case_else_95),
-    (3, 'case', _case_96),
+    (5, 'inline_statement', _while_96),
+    (5, 'if_head', _else_if_97),
+    (5, 'if_head', _else_if_97),
+    (3, 'case', _case_else_98),
+    (3, 'case', _case_99),
     (3, 'slots', 1),
-    (3, 'type', _sized_type_97),
-    (5, 'constant', _constant_98),
-    (5, 'valued', _typed_variable_99),
-    (6, 'declaration', _event_100),
-    (3, 'parameter', _parameter_101),
-    (3, 'parameter', _parameter_102),
-    (3, 'parameter_list', _more_54),
-    (2, 'else_if', _skip_4),
-    (2, 'end_if', _skip_4),
-    (6, 'statement', _if_103),
+    (3, 'type', _sized_type_100),
+    (5, 'constant', _constant_101),
+    (5, 'valued', _typed_variable_102),
+    (6, 'declaration', _event_103),
+    (3, 'parameter', _parameter_104),
+    (3, 'parameter', _parameter_105),
+    (3, 'parameter_list', _more_56),
     (2, 'line_else', _skip_4),
-    (6, 'line_if', _line_if_else_104),
-    (3, 'closed', _more_54),
-    (3, 'inline', _more_54),
-    (3, 'line_tail', _more_54),
-    (6, 'inline_statement', _input_105),
-    (6, 'inline_statement', _input_105),
-    (3, 'formats', _pair_83),
-    (4, 'rest', _rest_using_106),
-    (6, 'inline_statement', _print_107),
-    (4, 'print_last', _last_open_108),
-    (5, 'print_list', _print_using_109),
-    (6, 'select', _select_nothing_110),
-    (6, 'declaration', _task_111),
+    (6, 'line_if', _line_if_else_106),
+    (3, 'closed', _more_56),
+    (3, 'inline', _more_56),
+    (3, 'line_tail', _more_56),
+    (6, 'inline_statement', _input_107),
+    (6, 'inline_statement', _input_107),
+    (3, 'formats', _pair_86),
+    (4, 'rest', _rest_using_108),
+    (6, 'inline_statement', _print_109),
+    (4, 'print_last', _last_open_110),
+    (5, 'print_list', _print_using_111),
+    (6, 'select', _select_nothing_112),
+    (6, 'declaration', _task_113),
     (3, 'task_body', 1),
     (3, 'task_body', 1),
     (3, 'task_body', 1),
     (3, 'task_body', 1),
     (3, 'task_body', 1),
-    (6, 'declaration', _user_type_112),
-    (3, 'members', _extend_113),
-    (3, 'members', _extend_113),
+    (6, 'declaration', _user_type_114),
+    (3, 'members', _extend_115),
+    (3, 'members', _extend_115),
     (2, 'end_while', _skip_4),
-    (5, 'shared', _shared_further_114),
-    (6, 'ref{name{leading}}', _member_args_115),
-    (6, 'ref{name{NAME}}', _member_args_115),
-    (3, 'test', _test_is_116),
-    (3, 'test', _test_is_116),
-    (3, 'test', _test_range_117),
-    (3, 'tests', _more_54),
-    (7, 'for_head', _for_head_118),
-    (4, 'parameter', _parameter_by_reference_119),
-    (4, 'parameter', _parameter_by_reference_120),
-    (4, 'parameter', _parameter_by_value_121),
-    (4, 'parameter', _parameter_by_value_122),
-    (7, 'routine', _function_123),
-    (6, 'ref{name{word}}', _member_args_115),
-    (7, 'inline_statement', _input_124),
-    (7, 'inline_statement', _input_124),
-    (7, 'inline_statement', _input_125),
-    (5, 'rest', _rest_using_126),
-    (7, 'routine', _sub_127),
-    (4, 'members', _extend_128),
-    (4, 'members', _extend_128),
-    (3, 'member_list', _more_54),
-    (6, 'shared', _shared_129),
-    (5, 'parameter', _parameter_130),
-    (4, 'if_tail', _third_131),
-    (6, 'rest', _rest_using_two_132),
-    (6, 'rest', _rest_using_two_132),
-    (7, 'print_list', _print_using_two_133),
-    (7, 'print_list', _print_using_two_133),
-    (9, 'for_head', _for_head_134),
-    (6, 'parameter', _parameter_by_reference_135),
-    (6, 'parameter', _parameter_by_value_136),
-    (9, 'routine', _function_137),
-    (5, 'if_tail', _else_if_138),
-    (5, 'if_tail', _else_if_138),
-    (6, 'closed_if', _line_if_else_104),
-    (9, 'inline_statement', _input_139),
-    (9, 'inline_statement', _input_139),
-    (7, 'rest', _rest_using_two_140),
-    (7, 'rest', _rest_using_two_140),
+    (5, 'shared', _shared_further_116),
+    (6, 'statement', _if_else_117),
+    (6, 'ref{name{leading}}', _member_args_118),
+    (6, 'ref{name{NAME}}', _member_args_118),
+    (3, 'test', _test_is_119),
+    (3, 'test', _test_is_119),
+    (3, 'test', _test_range_120),
+    (3, 'tests', _more_56),
+    (7, 'for_head', _for_head_121),
+    (4, 'parameter', _parameter_by_reference_122),
+    (4, 'parameter', _parameter_by_reference_123),
+    (4, 'parameter', _parameter_by_value_124),
+    (4, 'parameter', _parameter_by_value_125),
+    (7, 'routine', _function_126),
+    (6, 'ref{name{word}}', _member_args_118),
+    (7, 'inline_statement', _input_127),
+    (7, 'inline_statement', _input_127),
+    (7, 'inline_statement', _input_128),
+    (5, 'rest', _rest_using_129),
+    (7, 'routine', _sub_130),
+    (4, 'members', _extend_131),
+    (4, 'members', _extend_131),
+    (3, 'member_list', _more_56),
+    (6, 'shared', _shared_132),
+    (5, 'parameter', _parameter_133),
+    (6, 'rest', _rest_using_two_134),
+    (6, 'rest', _rest_using_two_134),
+    (7, 'print_list', _print_using_two_135),
+    (7, 'print_list', _print_using_two_135),
+    (9, 'for_head', _for_head_136),
+    (6, 'parameter', _parameter_by_reference_137),
+    (6, 'parameter', _parameter_by_value_138),
+    (9, 'routine', _function_139),
+    (6, 'closed_if', _line_if_else_106),
+    (9, 'inline_statement', _input_140),
+    (9, 'inline_statement', _input_140),
+    (7, 'rest', _rest_using_two_141),
+    (7, 'rest', _rest_using_two_141),
 )
 
 ROWS = (
     '1=items 2=start d0',
-    '3=AUTO 4=BYREF,BYVAL,NV,STEP,TO,USING,leading 5=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 11=EVENT 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 28=STARTUP 29=SUB 30=TASK 31=TYPE 32=WHILE 33=_NL 34=axes 35=call 36=declaration,routine 37=for_head 38=inline_statement,select,statement 39=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d1',
+    '3=AUTO 4=BYREF,BYVAL,NV,STEP,TO,USING,leading 5=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 11=EVENT 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 28=STARTUP 29=SUB 30=TASK 31=TYPE 32=WHILE 33=_NL 34=axes 35=call 36=declaration,routine 37=for_head 38=if_head 39=inline_statement,select,statement 40=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target d1',
     '',
     'r2=COLON,ELSE,_NL d3',
-    '45=LPAR 46=LSQB d4',
+    '46=LPAR 47=LSQB d4',
     'd5',
-    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 48=constant 49=constants',
-    '50=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 52=NV 53=closed_dims 54=declared 55=dims 56=open_dims 57=typed 58=valued',
+    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 49=constant 50=constants',
+    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '52=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 53=NV 54=closed_dims 55=declared 56=dims 57=open_dims 58=typed 59=valued',
     'd6',
-    '59=NAME d7',
-    '60=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d8',
-    '61=EVENT,FOR,FUNCTION,LOOP,REPEAT,SELECT,SUB,TASK,WHILE,exit_kind d9',
-    '62=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '60=NAME d7',
+    '61=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d8',
+    '62=EVENT,FOR,FUNCTION,LOOP,REPEAT,SELECT,SUB,TASK,WHILE,exit_kind d9',
     '63=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '64=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 65=HASH',
-    '66=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 67=HASH',
-    '68=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 83=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 89=HASH 90=STRING 91=axes,variable 84=name{word},ref{name{word}} d10',
-    '92=COLON,_NL,sep',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 93=COMPLEMENT 9=DOTTED 94=LPAR 95=LSQB 96=MINUS 74=NOT 75=NUMBER 97=PLUS 77=STRING 98=and{operand},bit_and_not{operand},bit_or_not{operand},compare_not{operand},negated,not{operand} 99=axes,operand,power{operand},unary{operand},variable 100=bare 101=bit_and{operand} 102=bit_or{operand} 103=compare{operand} 84=name{word},ref{name{word}} 104=or{operand} 105=shift{operand} 106=sum{operand} 107=term{operand} d11',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 108=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '109=HASH 110=print_list d12',
-    '111=COLON,_NL,sep',
+    '64=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '65=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 66=HASH',
+    '67=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word 68=HASH',
+    '69=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 84=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 90=HASH 91=STRING 92=axes,variable 85=name{word},ref{name{word}} d10',
+    '93=COLON,_NL,sep',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 94=COMPLEMENT 9=DOTTED 95=LPAR 96=LSQB 97=MINUS 75=NOT 76=NUMBER 98=PLUS 78=STRING 99=and{operand},bit_and_not{operand},bit_or_not{operand},compare_not{operand},negated,not{operand} 100=axes,operand,power{operand},unary{operand},variable 101=bare 102=bit_and{operand} 103=bit_or{operand} 104=compare{operand} 85=name{word},ref{name{word}} 105=or{operand} 106=shift{operand} 107=sum{operand} 108=term{operand} d11',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 109=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '110=HASH 111=print_list d12',
+    '112=COLON,_NL,sep',
     'd13',
-    '112=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d14',
-    '113=CASE',
-    '114=COLON,_NL,sep d15',
-    '115=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '116=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d16',
-    '117=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d17',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 118=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '113=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d14',
+    '114=CASE',
+    '115=COLON,_NL,sep d15',
+    '116=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '117=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d16',
+    '118=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d17',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 119=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd18',
     'r19=EQUAL d20',
     'd21',
-    '119=COLON 120=_NL',
-    '121=body 122=shared d22',
-    '123=COLON 124=_NL',
-    '125=_NL',
+    '120=COLON 121=_NL',
+    '122=body 123=shared d22',
+    '124=body d22',
+    '125=COLON 126=_NL',
+    '127=_NL',
     'r23=DOT,EQUAL d24',
-    '126=DOT d25',
-    '127=DOT d26',
-    '128=body d22',
-    '129=EQUAL',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 130=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 131=expr 84=name{word},ref{name{word}} 85=or{atom} 132=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 134=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '135=AS 136=EQUAL',
+    '128=DOT d25',
+    '129=DOT d26',
+    '130=body d22',
+    '131=EQUAL',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 132=RPAR 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 133=expr 85=name{word},ref{name{word}} 86=or{atom} 134=several 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 135=expr 136=exprs 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '137=AS 138=EQUAL',
     'd27',
-    '137=COMMA d28',
-    '138=EQUAL',
-    '139=LPAR d29',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 53=closed_dims 54=declared 140=dims 56=open_dims 57=typed 58=valued d30',
-    '141=COMMA d31',
-    '142=AS 143=EQUAL d32',
+    '139=COMMA d28',
+    '140=EQUAL',
+    '141=LPAR d29',
+    '52=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 54=closed_dims 55=declared 142=dims 57=open_dims 58=typed 59=valued d30',
+    '143=COMMA d31',
+    '144=AS 145=EQUAL d32',
     'd33',
-    '144=COMMA d34',
+    '146=COMMA d34',
     'd35',
     'd36',
     'd37',
-    '145=COLON,_NL,sep',
+    '147=COLON,_NL,sep',
     'd38',
-    '146=EQUAL',
-    '147=LPAR 148=parameters d39',
+    '148=EQUAL',
+    '149=LPAR 150=parameters d39',
     'd40',
-    '149=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
+    '151=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
     'd41',
-    '150=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
+    '152=AUTO,BYREF,BYVAL,END,EVENT,EXIT,INPUT,LOOP,NAME,NEXT,NV,PAUSE,REPEAT,RETURN,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,label,leading,word',
     'd42',
-    '151=LPAR 152=LSQB d43',
+    '153=LPAR 154=LSQB d43',
     'd44',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 153=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 154=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 155=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 156=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 155=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 156=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 157=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 158=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd45',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 157=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 159=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
     'd46',
-    '158=AND d47',
-    '159=CIRCUMFLEX d48',
-    '160=AMPERSAND d49',
-    '161=VBAR d50',
-    '162=COMPARE 163=EQUAL d51',
-    '164=DO 165=THEN 166=line_then',
-    '167=DOT d52',
-    '168=OR 169=XOR d53',
-    '170=SHIFT d54',
-    '171=MINUS 172=PLUS d55',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d56',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 177=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '178=COMMA 179=SEMICOLON',
-    '180=USING d57',
-    '181=body d22',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 182=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 183=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 184=expr 84=name{word},ref{name{word}} 85=or{atom} 185=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 186=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 187=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 188=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '189=AND d58',
-    '190=CIRCUMFLEX d59',
-    '191=COMMA 192=SEMICOLON 193=USING 194=rest d60',
-    '195=AMPERSAND d61',
-    '196=VBAR d62',
-    '197=COMPARE 198=EQUAL d63',
-    '199=OR 200=XOR d64',
-    '201=SHIFT d65',
-    '202=MINUS 203=PLUS d66',
-    '204=DIVIDE 205=MOD 206=PERCENT 207=STAR d67',
+    '160=AND d47',
+    '161=CIRCUMFLEX d48',
+    '162=AMPERSAND d49',
+    '163=VBAR d50',
+    '164=COMPARE 165=EQUAL d51',
+    '166=DO 167=THEN 168=line_then',
+    '169=DOT d52',
+    '170=OR 171=XOR d53',
+    '172=SHIFT d54',
+    '173=MINUS 174=PLUS d55',
+    '175=DIVIDE 176=MOD 177=PERCENT 178=STAR d56',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 179=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '180=COMMA 181=SEMICOLON',
+    '182=USING d57',
+    '183=body d22',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 184=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 185=RPAR 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 186=expr 85=name{word},ref{name{word}} 86=or{atom} 187=several 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 135=expr 188=exprs 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 189=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 190=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '191=AND d58',
+    '192=CIRCUMFLEX d59',
+    '193=COMMA 194=SEMICOLON 195=USING 196=rest d60',
+    '197=AMPERSAND d61',
+    '198=VBAR d62',
+    '199=COMPARE 200=EQUAL d63',
+    '201=OR 202=XOR d64',
+    '203=SHIFT d65',
+    '204=MINUS 205=PLUS d66',
+    '206=DIVIDE 207=MOD 208=PERCENT 209=STAR d67',
     'd68',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 208=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 210=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d69',
-    '211=body d22',
-    'd70',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 212=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 210=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 211=expr 85=name{word},ref{name{word}} 86=or{atom} 212=print_last 87=shift{atom} 88=sum{atom} 89=term{atom} d69',
     '213=body d22',
-    '147=LPAR 214=parameters d39',
-    '215=COLON,_NL,sep',
-    '216=COLON,_NL,sep 217=seps',
-    '218=COLON,_NL,sep',
+    'd70',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 214=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '215=body d22',
+    '149=LPAR 216=parameters d39',
+    '217=COLON,_NL,sep',
+    '218=COLON,_NL,sep 219=seps',
+    '220=COLON,_NL,sep',
     'd71',
     'd72',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 220=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 222=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '225=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 222=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 224=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '227=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 228=ELSE 229=ELSEIF,else_if 230=END 231=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 232=end_if 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
     'd73',
     'd74',
     'd75',
-    '226=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '227=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 228=CASE 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 229=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 230=case 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 231=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 232=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 233=slots 87=sum{atom} 88=term{atom} 234=values',
+    '233=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '234=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 235=CASE 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 236=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 237=case 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 238=COMMA 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 239=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 240=slots 88=sum{atom} 89=term{atom} 241=values',
     'd76',
-    '235=COMMA 236=RPAR',
-    '237=COMMA 238=RPAR',
+    '242=COMMA 243=RPAR',
+    '244=COMMA 245=RPAR',
     'd77',
-    '239=COMMA 240=RSQB',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 242=type',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 243=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '47=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 244=constant',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 245=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 246=expr 84=name{word},ref{name{word}} 85=or{atom} 247=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '246=COMMA 247=RSQB',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 249=type',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 250=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '48=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 251=constant',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 252=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 253=expr 85=name{word},ref{name{word}} 86=or{atom} 254=several 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd78',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 248=declared 249=typed 250=valued',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 251=type',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 252=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '253=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 254=bit_and{atom} 255=bit_or{atom} 256=declared 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom} 257=typed 258=valued',
-    '259=body d22',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 260=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '261=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 262=BYREF 263=BYVAL 264=RPAR 265=parameter 266=parameter_list',
-    '267=AS 268=COLON,_NL,sep',
+    '52=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 255=declared 256=typed 257=valued',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 258=type',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 259=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '260=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 261=bit_and{atom} 262=bit_or{atom} 263=declared 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom} 264=typed 265=valued',
+    '266=body d22',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 267=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '268=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 269=BYREF 270=BYVAL 271=RPAR 272=parameter 273=parameter_list',
+    '274=AS 275=COLON,_NL,sep',
     'd79',
     'd80',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 269=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 270=expr 84=name{word},ref{name{word}} 85=or{atom} 271=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 272=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 276=RPAR 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 277=expr 85=name{word},ref{name{word}} 86=or{atom} 278=several 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 135=expr 279=exprs 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd81',
-    '273=RPAR',
+    '280=RPAR',
     'd82',
     'd83',
     'd84',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 274=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 275=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 276=negated 277=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 278=bit_and_not{atom} 279=bit_and{atom} 84=name{word},ref{name{word}} 280=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 281=bit_and_not{atom},bit_or_not{atom} 80=bit_and{atom} 282=bit_or{atom} 84=name{word},ref{name{word}} 283=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 284=bit_and_not{atom},bit_or_not{atom} 80=bit_and{atom} 285=bit_or{atom} 84=name{word},ref{name{word}} 286=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '287=body d22',
-    '288=_NL d85',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 289=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 290=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 291=closed 292=closed_if 37=for_head 293=inline 294=inline_statement,select 295=line_if 296=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '297=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 298=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 299=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 300=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 301=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 302=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 303=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 304=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 305=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 306=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '307=COMMA',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 308=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 309=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 310=expr 311=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 312=END 313=ENDL 314=ENDLOOP 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 315=end_loop 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    'd86',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 281=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 282=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 283=negated 284=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 285=bit_and_not{atom} 286=bit_and{atom} 85=name{word},ref{name{word}} 287=negated 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 288=bit_and_not{atom},bit_or_not{atom} 81=bit_and{atom} 289=bit_or{atom} 85=name{word},ref{name{word}} 290=negated 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 291=bit_and_not{atom},bit_or_not{atom} 81=bit_and{atom} 292=bit_or{atom} 85=name{word},ref{name{word}} 293=negated 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    'd85',
+    '294=_NL d86',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 295=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 296=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 297=closed 298=closed_if 37=for_head 299=inline 300=inline_statement,select 301=line_if 302=line_tail 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '303=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 304=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 305=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 306=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 307=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 308=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 309=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 310=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 311=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 312=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '313=COMMA',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 314=axes,variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 315=axes,variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 316=expr 317=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 318=END 319=ENDL 320=ENDLOOP 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 321=end_loop 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
     'd87',
-    '235=COMMA 316=RPAR',
-    '237=COMMA 317=RPAR',
-    '239=COMMA 318=RSQB',
     'd88',
+    '242=COMMA 322=RPAR',
+    '244=COMMA 323=RPAR',
+    '246=COMMA 324=RSQB',
     'd89',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 319=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 320=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 321=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '322=print_list d12',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 323=expr 324=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd90',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 325=negated 326=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 327=bit_and_not{atom} 328=bit_and{atom} 84=name{word},ref{name{word}} 329=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 330=bit_and_not{atom},bit_or_not{atom} 80=bit_and{atom} 331=bit_or{atom} 84=name{word},ref{name{word}} 332=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 333=bit_and_not{atom},bit_or_not{atom} 80=bit_and{atom} 334=bit_or{atom} 84=name{word},ref{name{word}} 335=negated 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 336=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 337=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 338=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 339=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 340=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 341=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 342=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 343=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 344=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}}',
-    '345=COMMA',
-    '346=COMMA 347=SEMICOLON 348=USING d91',
-    'd92',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 349=UNTIL 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '216=COLON,_NL,sep 350=seps',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 351=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '352=COLON,_NL,sep',
-    '353=task_body d93',
-    'd94',
-    '354=COLON,_NL,sep 355=members d95',
-    '356=body d22',
-    'd96',
-    '357=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d97',
-    'd98',
-    '358=body 359=shared d22',
-    '360=COLON 361=_NL',
-    '362=_NL',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 325=bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 326=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 327=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '328=print_list d12',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 329=expr 330=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    'd91',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 331=negated 332=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 333=bit_and_not{atom} 334=bit_and{atom} 85=name{word},ref{name{word}} 335=negated 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 336=bit_and_not{atom},bit_or_not{atom} 81=bit_and{atom} 337=bit_or{atom} 85=name{word},ref{name{word}} 338=negated 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 339=bit_and_not{atom},bit_or_not{atom} 81=bit_and{atom} 340=bit_or{atom} 85=name{word},ref{name{word}} 341=negated 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 342=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 343=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 344=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 345=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 346=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 347=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 348=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 349=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 350=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}}',
+    '351=COMMA',
+    '352=COMMA 353=SEMICOLON 354=USING d92',
+    'd93',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 355=UNTIL 32=WHILE 223=_NL 34=axes 35=call 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '218=COLON,_NL,sep 356=seps',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 357=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '358=COLON,_NL,sep',
+    '359=task_body d94',
+    'd95',
+    '360=COLON,_NL,sep 361=members d96',
+    '362=body d22',
+    'd97',
+    '363=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d98',
     'd99',
-    '363=LPAR d100',
-    '364=LPAR d101',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 365=ELSE 366=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 367=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 368=test 369=tests',
-    '59=NAME 370=SELECT d7',
+    '364=body 365=shared d22',
+    '366=COLON 367=_NL',
+    '368=_NL',
+    'd100',
+    '369=COLON,_NL,sep 370=IF',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 371=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '372=IF 60=NAME d7',
+    'd101',
     'd102',
-    'd103',
-    '371=COMMA 372=SEMICOLON d104',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 373=COMMA 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 374=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '375=SEMICOLON d105',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 376=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '373=LPAR d103',
+    '374=LPAR d104',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 375=ELSE 376=IS 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 377=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom} 378=test 379=tests',
+    '60=NAME 380=SELECT d7',
+    'd105',
     'd106',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 377=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    'd107',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 378=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    'd108',
-    '379=STAR d109',
-    '380=EQUAL',
+    '381=COMMA 382=SEMICOLON d107',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 383=COMMA 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 384=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '385=SEMICOLON d108',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 386=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    'd109',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 387=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd110',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 388=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd111',
-    'd112',
-    '235=COMMA 381=RPAR',
-    '237=COMMA 382=RPAR',
-    '142=AS 143=EQUAL d113',
+    '389=STAR d112',
+    '390=EQUAL',
+    'd113',
     'd114',
     'd115',
-    '383=EQUAL d116',
+    '242=COMMA 391=RPAR',
+    '244=COMMA 392=RPAR',
+    '144=AS 145=EQUAL d116',
     'd117',
-    'r29=AS,EQUAL 384=LPAR 152=LSQB d43',
-    '385=AMPERSAND d49',
-    '386=VBAR d118',
-    '142=AS 143=EQUAL',
-    'd119',
+    'd118',
+    '393=EQUAL d119',
     'd120',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 387=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '388=TO',
-    '389=AS 390=LPAR d121',
-    '391=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d122',
-    '392=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d123',
-    'd124',
-    'd125',
-    '393=COMMA 394=RPAR',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 395=type',
-    '396=body d22',
-    'd126',
-    '235=COMMA 397=RPAR',
-    '237=COMMA 398=RPAR',
-    '239=COMMA 399=RSQB',
+    'r29=AS,EQUAL 394=LPAR 154=LSQB d43',
+    '395=AMPERSAND d49',
+    '396=VBAR d121',
+    '144=AS 145=EQUAL',
+    'd122',
+    'd123',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 397=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '398=TO',
+    '399=AS 400=LPAR d124',
+    '401=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d125',
+    '402=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d126',
     'd127',
     'd128',
+    '403=COMMA 404=RPAR',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 405=type',
+    '406=body d22',
     'd129',
+    '242=COMMA 407=RPAR',
+    '244=COMMA 408=RPAR',
+    '246=COMMA 409=RSQB',
     'd130',
-    '170=SHIFT d131',
+    'd131',
     'd132',
-    '160=AMPERSAND d133',
-    'd134',
+    'd133',
+    '172=SHIFT d134',
     'd135',
-    '161=VBAR d136',
+    '162=AMPERSAND d136',
     'd137',
     'd138',
-    '161=VBAR d139',
+    '163=VBAR d139',
     'd140',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 400=ELSE 401=ELSEIF,else_if 402=END 403=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 404=end_if 37=for_head 405=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '406=body d22',
     'd141',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 407=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '408=ELSE,line_else',
-    'd142',
-    '409=COLON r143=_NL d144',
+    '163=VBAR d142',
+    'd143',
+    'd144',
     'd145',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 410=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '411=ELSE,line_else',
     'd146',
-    'd147',
-    '410=LPAR d148',
-    '158=AND d149',
-    '158=AND d150',
-    '171=MINUS 172=PLUS d151',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d152',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d153',
-    '159=CIRCUMFLEX d154',
-    '159=CIRCUMFLEX d155',
-    '159=CIRCUMFLEX d156',
-    '159=CIRCUMFLEX d157',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 411=STRING 412=axes,variable 84=name{word},ref{name{word}}',
-    '413=USING d158',
-    '414=USING d159',
-    '415=COMMA d160',
-    'd161',
-    '416=LOOP 59=NAME d7',
-    'd162',
-    'd163',
-    'd164',
+    '412=COLON r147=_NL d148',
+    'd149',
+    'd150',
+    'd151',
+    '413=LPAR d152',
+    '160=AND d153',
+    '160=AND d154',
+    '173=MINUS 174=PLUS d155',
+    '175=DIVIDE 176=MOD 177=PERCENT 178=STAR d156',
+    '175=DIVIDE 176=MOD 177=PERCENT 178=STAR d157',
+    '161=CIRCUMFLEX d158',
+    '161=CIRCUMFLEX d159',
+    '161=CIRCUMFLEX d160',
+    '161=CIRCUMFLEX d161',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 414=STRING 415=axes,variable 85=name{word},ref{name{word}}',
+    '416=USING d162',
+    '417=USING d163',
+    '418=COMMA d164',
     'd165',
+    '419=LOOP 60=NAME d7',
     'd166',
     'd167',
     'd168',
     'd169',
     'd170',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 417=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d171',
-    '418=COMMA 419=SEMICOLON d160',
+    'd171',
     'd172',
     'd173',
-    '170=SHIFT d174',
-    'd175',
-    '160=AMPERSAND d176',
+    'd174',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 211=expr 85=name{word},ref{name{word}} 86=or{atom} 420=print_last 87=shift{atom} 88=sum{atom} 89=term{atom} d175',
+    '421=COMMA 422=SEMICOLON d164',
+    'd176',
     'd177',
-    'd178',
-    '161=VBAR d179',
-    'd180',
+    '172=SHIFT d178',
+    'd179',
+    '162=AMPERSAND d180',
     'd181',
-    '161=VBAR d182',
-    'd183',
-    '158=AND d184',
-    '158=AND d185',
-    '171=MINUS 172=PLUS d186',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d187',
-    '173=DIVIDE 174=MOD 175=PERCENT 176=STAR d188',
-    '159=CIRCUMFLEX d189',
-    '159=CIRCUMFLEX d190',
-    '159=CIRCUMFLEX d191',
-    '159=CIRCUMFLEX d192',
-    '420=print_list d12',
-    'd193',
-    'd194',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 421=expr 422=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 423=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '228=CASE 354=COLON,_NL,sep 424=END 425=case',
-    '59=NAME 426=STARTUP d7',
-    '427=body d22',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 428=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 429=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 430=_NL 34=axes 35=call 37=for_head 431=inline_statement,select,statement 432=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 433=routine 43=select_head 44=target',
-    'd195',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 434=DIM 435=END 436=declared 437=member_list 438=typed',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 439=END 440=ENDW 441=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 442=WEND 32=WHILE 221=_NL 34=axes 35=call 443=end_while 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    'd196',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 444=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 222=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '445=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
+    'd182',
+    '163=VBAR d183',
+    'd184',
+    'd185',
+    '163=VBAR d186',
+    'd187',
+    '160=AND d188',
+    '160=AND d189',
+    '173=MINUS 174=PLUS d190',
+    '175=DIVIDE 176=MOD 177=PERCENT 178=STAR d191',
+    '175=DIVIDE 176=MOD 177=PERCENT 178=STAR d192',
+    '161=CIRCUMFLEX d193',
+    '161=CIRCUMFLEX d194',
+    '161=CIRCUMFLEX d195',
+    '161=CIRCUMFLEX d196',
+    '423=print_list d12',
     'd197',
     'd198',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 424=expr 425=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 426=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '235=CASE 360=COLON,_NL,sep 427=END 428=case',
+    '60=NAME 429=STARTUP d7',
+    '430=body d22',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 431=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 432=END 12=EXIT 13=FOR 14=FUNCTION 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 29=SUB 32=WHILE 433=_NL 34=axes 35=call 37=for_head 38=if_head 434=inline_statement,select,statement 435=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 436=routine 44=select_head 45=target',
     'd199',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 446=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 447=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '448=COLON,_NL,sep',
-    '449=COMPARE 450=EQUAL',
-    '451=TO d200',
+    '52=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 437=DIM 438=END 439=declared 440=member_list 441=typed',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 442=END 443=ENDW 444=ENDWHILE 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 445=WEND 32=WHILE 223=_NL 34=axes 35=call 446=end_while 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    'd200',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 447=NEXT 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 224=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '448=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word',
     'd201',
-    '452=COLON,_NL,sep 453=COMMA',
     'd202',
     'd203',
+    '449=body d22',
     'd204',
+    '450=DO 451=THEN',
     'd205',
-    '454=COMMA d206',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 135=expr 452=exprs 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 135=expr 453=exprs 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '454=COLON,_NL,sep',
+    '455=COMPARE 456=EQUAL',
+    '457=TO d206',
     'd207',
+    '458=COLON,_NL,sep 459=COMMA',
     'd208',
     'd209',
     'd210',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 455=atom,axes,operand,unary{atom},variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 456=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd211',
-    'd212',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 457=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 269=RPAR 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 458=expr 84=name{word},ref{name{word}} 85=or{atom} 459=several 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 84=name{word},ref{name{word}} 277=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 75=NUMBER 76=PLUS 77=STRING 79=atom,axes,operand,power{atom},unary{atom},variable 460=bit_and{atom} 84=name{word},ref{name{word}} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '461=EVENT 59=NAME d7',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 462=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 463=type',
-    '464=RPAR',
-    '465=AS 466=LPAR d213',
-    '467=AS 468=LPAR d214',
-    '261=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 262=BYREF 263=BYVAL 469=parameter',
+    '460=COMMA d212',
+    'd213',
+    'd214',
     'd215',
-    '470=COLON,_NL,sep',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 471=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd216',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 461=atom,axes,operand,unary{atom},variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 462=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd217',
     'd218',
-    '472=COLON,_NL,sep 473=IF',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 474=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '475=IF 59=NAME d7',
-    'd219',
-    'd220',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 463=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 276=RPAR 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 464=expr 85=name{word},ref{name{word}} 86=or{atom} 465=several 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 85=name{word},ref{name{word}} 284=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 76=NUMBER 77=PLUS 78=STRING 80=atom,axes,operand,power{atom},unary{atom},variable 466=bit_and{atom} 85=name{word},ref{name{word}} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '467=EVENT 60=NAME d7',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 468=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 469=type',
+    '470=RPAR',
+    '471=AS 472=LPAR d219',
+    '473=AS 474=LPAR d220',
+    '268=AUTO,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 269=BYREF 270=BYVAL 475=parameter',
     'd221',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 400=ELSE 401=ELSEIF,else_if 402=END 403=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 404=end_if 37=for_head 476=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '477=THEN,line_then',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 478=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 479=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 480=inline 294=inline_statement,select 295=line_if 481=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 290=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 482=closed_if 37=for_head 483=inline_statement,select 484=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d222',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 133=expr 485=exprs 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '486=COMMA 487=SEMICOLON',
-    '488=USING d223',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 310=expr 489=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 310=expr 490=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 491=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
+    '476=COLON,_NL,sep',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 477=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    'd222',
+    'd223',
     'd224',
-    'd225',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 492=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '493=print_list d12',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 494=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d226',
-    '495=COMMA 496=SEMICOLON d160',
+    '478=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 479=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 480=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 481=inline 300=inline_statement,select 301=line_if 482=line_tail 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 296=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 483=closed_if 37=for_head 484=inline_statement,select 485=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target d225',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 135=expr 486=exprs 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '487=COMMA 488=SEMICOLON',
+    '489=USING d226',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 316=expr 490=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 316=expr 491=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 492=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd227',
     'd228',
-    '497=SELECT',
-    'd229',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 493=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '494=print_list d12',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 211=expr 85=name{word},ref{name{word}} 86=or{atom} 495=print_last 87=shift{atom} 88=sum{atom} 89=term{atom} d229',
+    '496=COMMA 497=SEMICOLON d164',
     'd230',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 498=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
     'd231',
-    '59=NAME 499=TASK d7',
+    '498=SELECT',
     'd232',
-    '500=COLON 501=_NL',
-    '502=_NL',
-    '503=COLON 504=_NL',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 436=declared 505=member_list 438=typed',
-    '506=TYPE',
-    '507=AS',
-    '508=COLON 509=COMMA 510=_NL',
     'd233',
-    '59=NAME 511=WHILE d7',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 499=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
     'd234',
+    '60=NAME 500=TASK d7',
     'd235',
+    '501=COLON 502=_NL',
+    '503=_NL',
+    '504=COLON 505=_NL',
+    '52=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 439=declared 506=member_list 441=typed',
+    '507=TYPE',
+    '508=AS',
+    '509=COLON 510=COMMA 511=_NL',
     'd236',
+    '60=NAME 512=WHILE d7',
     'd237',
-    '512=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d97',
-    '513=COMMA d99',
-    '239=COMMA 514=RPAR',
-    '239=COMMA 515=RPAR',
     'd238',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 516=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 517=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 518=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd239',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 366=IS 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 367=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} 519=test',
     'd240',
+    '513=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word d98',
+    '514=COMMA d100',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 230=END 231=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 515=end_if 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
     'd241',
     'd242',
+    '246=COMMA 516=RPAR',
+    '246=COMMA 517=RPAR',
     'd243',
-    '235=COMMA 520=RPAR',
-    '237=COMMA 521=RPAR',
-    '385=AMPERSAND d133',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 518=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 519=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 520=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd244',
-    '522=COLON,_NL,sep 523=STEP',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 376=IS 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 377=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom} 521=test',
     'd245',
-    '524=AS d246',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 525=type',
-    '526=RPAR',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 527=type',
-    '528=RPAR',
+    'd246',
     'd247',
-    '529=body d22',
-    '530=FUNCTION 59=NAME d7',
-    '531=body d22',
     'd248',
-    '532=DO 533=THEN',
+    '242=COMMA 522=RPAR',
+    '244=COMMA 523=RPAR',
+    '395=AMPERSAND d136',
     'd249',
+    '524=COLON,_NL,sep 525=STEP',
     'd250',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 289=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 290=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 534=closed 292=closed_if 37=for_head 293=inline 294=inline_statement,select 295=line_if 296=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    'd251',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 535=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '536=COLON d143',
+    '526=AS d251',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 527=type',
+    '528=RPAR',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 529=type',
+    '530=RPAR',
     'd252',
+    '531=body d22',
+    '532=FUNCTION 60=NAME d7',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 295=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 296=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 533=closed 298=closed_if 37=for_head 299=inline 300=inline_statement,select 301=line_if 302=line_tail 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
     'd253',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 534=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '535=COLON d147',
     'd254',
     'd255',
-    '239=COMMA 537=RPAR',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 538=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 539=axes,variable 84=name{word},ref{name{word}}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 310=expr 540=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
     'd256',
     'd257',
+    '246=COMMA 536=RPAR',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 537=axes,variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 9=DOTTED 538=axes,variable 85=name{word},ref{name{word}}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 316=expr 539=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
     'd258',
-    '541=COMMA 542=SEMICOLON d258',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 543=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d259',
+    'd259',
     'd260',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 544=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom} d261',
+    '540=COMMA 541=SEMICOLON d260',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 211=expr 85=name{word},ref{name{word}} 86=or{atom} 542=print_last 87=shift{atom} 88=sum{atom} 89=term{atom} d261',
     'd262',
-    'd263',
-    '59=NAME 545=SUB d7',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 543=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom} d263',
     'd264',
     'd265',
+    '60=NAME 544=SUB d7',
     'd266',
     'd267',
     'd268',
     'd269',
-    '546=COLON 509=COMMA 547=_NL',
     'd270',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 548=type',
     'd271',
-    '51=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 436=declared 549=typed',
+    '545=COLON 510=COMMA 546=_NL',
     'd272',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 547=type',
     'd273',
-    '550=COMMA d196',
+    '52=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 439=declared 548=typed',
     'd274',
     'd275',
+    '549=COMMA d200',
     'd276',
     'd277',
     'd278',
     'd279',
     'd280',
-    'r211=AS,EQUAL d216',
-    'r212=AS,EQUAL d217',
     'd281',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 551=expr 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 552=type',
     'd282',
-    '553=AS d283',
+    'd283',
+    'r217=AS,EQUAL d222',
+    'r218=AS,EQUAL d223',
     'd284',
-    '554=AS d285',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 555=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    'd286',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 402=END 403=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 556=end_if 37=for_head 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '557=body d22',
-    '558=body d22',
-    '559=ELSE,line_else',
-    '166=THEN,line_then',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 479=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 483=inline_statement,select 484=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target d222',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 550=expr 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 551=type',
+    'd285',
+    '552=AS d286',
     'd287',
-    '560=USING d288',
-    '561=USING d289',
+    '553=AS d288',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 221=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 554=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 223=_NL 34=axes 35=call 37=for_head 38=if_head 225=inline_statement,select,statement 226=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    'd289',
+    '555=ELSE,line_else',
+    '168=THEN,line_then',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 480=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 37=for_head 484=inline_statement,select 485=line_if 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target d225',
     'd290',
-    '562=print_list d12',
-    '563=print_list d12',
-    'd291',
-    '564=COMMA 565=SEMICOLON d258',
-    'd292',
+    '556=USING d291',
+    '557=USING d292',
     'd293',
+    '558=print_list d12',
+    '559=print_list d12',
     'd294',
-    'd116',
+    '560=COMMA 561=SEMICOLON d260',
     'd295',
     'd296',
-    '566=COLON,_NL,sep',
     'd297',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 567=type',
-    '241=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 568=type',
-    '569=FUNCTION 59=NAME d7',
+    'd119',
     'd298',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 400=ELSE 401=ELSEIF,else_if 402=END 403=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 404=end_if 37=for_head 570=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 219=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 400=ELSE 401=ELSEIF,else_if 402=END 403=ENDIF 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 18=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 221=_NL 34=axes 35=call 404=end_if 37=for_head 571=if_tail 223=inline_statement,select,statement 224=line_if 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 478=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 290=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 572=closed 292=closed_if 37=for_head 293=inline 294=inline_statement,select 295=line_if 481=line_tail 40=name{NAME} 41=name{leading},ref{name{leading}} 42=ref{name{NAME}} 43=select_head 44=target',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 310=expr 573=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 310=expr 574=formats 84=name{word},ref{name{word}} 85=or{atom} 86=shift{atom} 87=sum{atom} 88=term{atom}',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 575=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d299',
-    '69=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 70=CHARACTER 71=COMPLEMENT 9=DOTTED 72=LPAR 73=MINUS 74=NOT 75=NUMBER 76=PLUS 77=STRING 78=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 79=atom,axes,operand,power{atom},unary{atom},variable 80=bit_and{atom} 81=bit_or{atom} 82=compare{atom} 209=expr 84=name{word},ref{name{word}} 85=or{atom} 576=print_last 86=shift{atom} 87=sum{atom} 88=term{atom} d300',
-    'd301',
-    'd302',
+    'd299',
+    '562=COLON,_NL,sep',
+    'd300',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 563=type',
+    '248=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 564=type',
+    '565=FUNCTION 60=NAME d7',
+    '3=AUTO 4=BYREF,BYVAL,EVENT,NV,STARTUP,STEP,TASK,TO,TYPE,USING,leading 479=COLON 6=CONST 7=DEFINE 8=DIM 9=DOTTED 10=END 12=EXIT 13=FOR 15=GOSUB 16=GOTO 17=HASH 296=IF 19=INPUT 20=LOOP 21=NAME 22=PAUSE 23=PRINT,QMARK,print 24=REPEAT 25=RETURN 26=RUN 27=SELECT 32=WHILE 34=axes 35=call 566=closed 298=closed_if 37=for_head 299=inline 300=inline_statement,select 301=line_if 482=line_tail 41=name{NAME} 42=name{leading},ref{name{leading}} 43=ref{name{NAME}} 44=select_head 45=target',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 316=expr 567=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 316=expr 568=formats 85=name{word},ref{name{word}} 86=or{atom} 87=shift{atom} 88=sum{atom} 89=term{atom}',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 211=expr 85=name{word},ref{name{word}} 86=or{atom} 569=print_last 87=shift{atom} 88=sum{atom} 89=term{atom} d301',
+    '70=AUTO,BYREF,BYVAL,EVENT,INPUT,NAME,NV,RUN,STARTUP,STEP,TASK,TO,TYPE,USING,leading,word 71=CHARACTER 72=COMPLEMENT 9=DOTTED 73=LPAR 74=MINUS 75=NOT 76=NUMBER 77=PLUS 78=STRING 79=and{atom},bit_and_not{atom},bit_or_not{atom},compare_not{atom},negated,not{atom} 80=atom,axes,operand,power{atom},unary{atom},variable 81=bit_and{atom} 82=bit_or{atom} 83=compare{atom} 211=expr 85=name{word},ref{name{word}} 86=or{atom} 570=print_last 87=shift{atom} 88=sum{atom} 89=term{atom} d302',
     'd303',
     'd304',
     'd305',

@@ -99,3 +99,44 @@ def test_what_is_nested_is_limited_as_before(opening: str) -> None:
     made = ran(f"a = {opening * 1000}1{closing * 1000}")
     if opening != "(":  # brackets around brackets leave nothing in the tree
         assert [each.message for each in made.diagnostics] == ["the expression is nested more than 200 deep"]
+
+
+def chosen(count: int, branch: int, between: str = "") -> str:
+    """A chain of `count` branches of an If, of which one is taken; each other would print something else."""
+    branches = "".join(f"ElseIf a = {n} Then\nPRINT {n}\n{between}" for n in range(1, count))
+    return f"a = {branch}\nIf a = 0 Then\nPRINT 0\n{branches}Else\nPRINT -1\nEnd If\n"
+
+
+@pytest.mark.parametrize(
+    ("count", "branch"), [(3, 2), (101, 100), (102, 101), (103, 102), (103, 103), (LENGTH, 2999)]
+)
+def test_a_chain_of_elseif_is_no_nesting(count: int, branch: int) -> None:
+    """A statement costs 10 µs, and each test is one: with the assignment and the PRINT `tests + 2` of them."""
+    made = ran(chosen(count, branch))
+    assert (made.status, made.output) == ("ended", [str(branch) if branch < count else "-1"])
+    tests = min(branch + 1, count)
+    assert made.time == pytest.approx((tests + 2) * 1e-5, abs=1e-12)
+
+
+@pytest.mark.parametrize("count", [5, 150])
+def test_what_leaves_a_chain_of_elseif(count: int) -> None:
+    """An Exit of the loop, of the Select and of the function around it, and a jump, whether it is long or not."""
+    loop = f"For f = 1 To 9\n{chosen(count, count - 1, 'If f = 3 Then Exit For' + chr(10))}Next\nPRINT f"
+    assert ran(loop).output == [str(count - 1)] * 3 + ["3.0000"]
+    bare = f"Loop\n{chosen(count, count - 1, 'Exit' + chr(10))}End Loop\nPRINT 7"
+    assert ran(bare).output == [str(count - 1), "7"]
+    select = f"Select Case 1\nCase 1\n{chosen(count, 1, 'Exit Select' + chr(10))}PRINT 8\nEnd Select\nPRINT 7"
+    assert ran(select).output == ["1", "7"]
+    sub = f"T\nPRINT 7\nSub T()\n{chosen(count, 1, 'Return' + chr(10))}PRINT 8\nEnd Sub"
+    assert ran(sub).output == ["1", "7"]
+    jump = f"{chosen(count, 1, 'Goto Out' + chr(10))}PRINT 8\n#Out\nPRINT 7"
+    assert ran(jump).output == ["1", "7"]
+    inside = chosen(count, 0).replace("PRINT 2\n", "#Inside\nPRINT 2\n")
+    into = f"Goto Inside\n{inside}PRINT 7"
+    assert ran(into).output == ["2", "7"]
+
+
+def test_exit_select_leaves_the_loops_inside_it() -> None:
+    loop = "For a = 1 To 5\nIf a = 3 Then Exit Select\nPRINT a\nNext\nPRINT 9\n"
+    text = f"Select Case 1\nCase 1\n{loop}Case 2\nPRINT 8\nEnd Select\nPRINT 7"
+    assert ran(text).output == ["1", "2", "7"]
