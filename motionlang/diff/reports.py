@@ -31,6 +31,8 @@ _LINE = re.compile(r"\bline \d+")
 # The fields that are compared by themselves, and those that say where something stands and not what it is.
 OWN = ("schema", "program", "time", "status", "moves", "output", "events", "diagnostics", "readings")
 PLACES = ("line", "column")
+# Fields of a move that say what was commanded: where no other one differs, the motion does not.
+COMMANDED = frozenset(("asked_speed",))
 # Events whose figures are positions; those of the others are speeds.
 PLACED = ("limit", "soft limit", "following error")
 
@@ -49,6 +51,11 @@ class LineChange:
         self.count = 0
         self.figures: dict[str, tuple[Any, Any]] = {}
         self.duration = self.wait = 0.0
+
+    @property
+    def is_motion(self) -> bool:
+        """True if the motion differs, and not only what was commanded."""
+        return bool(self.wait) or not self.figures.keys() <= COMMANDED
 
 
 class Difference:
@@ -111,8 +118,13 @@ class Difference:
     def first(self) -> tuple[float, int] | None:
         """When and on which axis the motion is first otherwise, as far as reports tell."""
         times = [(each["start_time"], each["axis"]) for each in (*self.gone, *self.new)]
-        times += [(each.first, each.axis) for each in self.lines]
+        times += [(each.first, each.axis) for each in self.lines if each.is_motion]
         return min(times, default=None)
+
+    @property
+    def is_commanded(self) -> bool:
+        """True if moves differ in what was commanded, and none in its motion."""
+        return bool(self.lines) and self.first is None
 
 
 # What a move must have to be compared, and what kind of value that is.

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 UNITS = {"time": "s", "position": "uu", "speed": "uu/s"}
 # Figures of a motor that no tube is about.
 MOTOR_UNITS = {"peak_output": "V", "rms_torque": "N m"}
+# What fields of a report are called where that is not their name.
+WORDS = {"asked_speed": "commanded speed"}
 # Entries of a kind that are told one by one; lines that a difference in time is charged to.
 MOST, MOST_CHARGED = 12, 4
 
@@ -56,6 +58,8 @@ def diff_lines(
         )
     elif found.first is not None and out:
         out.append(f"the motion is first otherwise at {found.first[0]:.6f} s, on axis {found.first[1]}")
+    elif found.is_commanded:
+        out.append("only the commanded speed differs, the motion does not")
     return out
 
 
@@ -122,7 +126,7 @@ def _figure(name: str, was: Any, is_: Any) -> str:
     one, other = _value(was), _value(is_)
     if one == other and isinstance(was, float) and isinstance(is_, float):
         one, other = f"{was:.12g}", f"{is_:.12g}"
-    return f"{name.replace('_', ' ')} {one} → {other}{f' {unit}' if unit else ''}"
+    return f"{WORDS.get(name, name).replace('_', ' ')} {one} → {other}{f' {unit}' if unit else ''}"
 
 
 def _value(value: object) -> str:

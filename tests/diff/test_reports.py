@@ -167,3 +167,28 @@ def test_a_program_that_no_longer_runs() -> None:
     assert len(found.gone) == 12
     assert lines[0] == "the run: ended → fault"
     assert any(line.startswith("new: error[unknown-word]: ") for line in lines)
+
+
+# A move of 4.9 with 1000 peaks at sqrt(1000 * 4.9) = 70.
+SHORT = "SPEED(0) = 90\nACCEL(0) = 1000\nDECEL(0) = 1000\nMOVER(0) = 4.9 : GO(0)\nPAUSE IDLE(0)\n"
+ONLY_COMMANDED = [
+    "line 4: MOVER of axis 0, 1 move: commanded speed 90 → 99 uu/s",
+    "only the commanded speed differs, the motion does not",
+]
+
+
+def test_a_speed_that_no_move_reaches_is_commanded_and_no_motion() -> None:
+    old, new = ran(SHORT), ran(SHORT.replace("90", "99"))
+    found = difference(build(old), build(new))
+    assert parting(old, new) is None
+    assert found.first is None
+    assert diff_lines(found, parting(old, new)) == ONLY_COMMANDED
+    assert diff_lines(found) == ONLY_COMMANDED  # two reports without their runs
+
+
+def test_motion_that_differs_elsewhere_is_first_there() -> None:
+    """The second move begins at 0.5 s, and ends 1 uu further; of the first only the command differs."""
+    text = SHORT + "PAUSE TIME >= 500\nMOVER(0) = 1 : GO(0)\nPAUSE IDLE(0)\n"
+    found = difference(build(ran(text)), build(ran(text.replace("90", "99").replace("= 1 :", "= 2 :"))))
+    assert found.first == (pytest.approx(0.5, abs=1e-4), 0)
+    assert not found.is_commanded
