@@ -73,7 +73,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "dialect",
             "typography",
         ),
-        ("attention", "parsing", "machine", "recurrence", "waits_in_turn"),
+        ("asked", "attention", "parsing", "machine", "recurrence", "waits_in_turn"),
         ("scheduler",),
     ),
     "controller": (

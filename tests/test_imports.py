@@ -24,9 +24,10 @@ LAZY = {
     "controller/controller.py": "io.encoder motion.follow motion.offset motion.reference motion.sampled_velocity "
     "moves.cam moves.entries moves.path triggers.latch triggers.limit",
     "lang/machine/machine.py": "machine.axes machine.nonvolatile machine.operator",
-    "mccl/__init__.py": "keywords keywords.switchable lint.check models runtime.program runtime.session syntax.tokens",
+    "mccl/__init__.py": "keywords keywords.switchable lint.check models resolve.asked runtime.program "
+    "runtime.session syntax.tokens",
     "mint/__init__.py": "interactive keywords keywords.machine_readings keywords.switchable lint models program "
-    "runtime.wait_sources syntax.extent syntax.parser",
+    "resolve.asked runtime.wait_sources syntax.extent syntax.parser",
     "mint/keywords/__init__.py": "keywords.vocabulary",
     "mint/keywords/vocabulary.py": "keywords.all_words",
     "mint/program.py": "compile.compiler syntax.parser",

@@ -13,7 +13,9 @@ from operator import itemgetter, sub
 
 from motionlang.cycle.motions import Motions
 from motionlang.cycle.places import Place, Places
+from motionlang.cycle.polls import Polls
 from motionlang.cycle.tasks import ended_at, kept_waits, parent_of
+from motionlang.lang.asked import MOVING
 from motionlang.profile.total import exact_terms
 
 TYPE_CHECKING = False
@@ -28,8 +30,8 @@ if TYPE_CHECKING:
 
     # One of several links that differ in nothing but their times, and how long they took: terms of an exact sum.
     Alike = tuple["Link", list[float]]
-    # Its cause, place, task and axes.
-    About = tuple[str, Place, str, tuple[int, ...]]
+    # Its cause, place, task, axes and the line that waited.
+    About = tuple[str, Place, str, tuple[int, ...], int]
     Put = Callable[[float], None]
 
 # Times of a wait are whole statements behind those of what ends it; nothing else happens within so many.
@@ -42,9 +44,10 @@ CAUSES = {
     "task": "waiting for a task",
     "host": "waiting for a host",
     "condition": "waiting for a condition",
+    MOVING: "waiting for a condition",
 }
 # Waits for these end because a move ended, if one did.
-MOVED = ("axis", "condition")
+MOVED = ("axis", "condition", MOVING)
 NOWHERE = Place(0, "", ())
 # When a wait was over.
 _UNTIL: Callable[[Wait], float] = itemgetter(3)
@@ -56,15 +59,25 @@ UNMOVED = -1, (), (), NOWHERE, _NOTHING, _NOTHING
 
 
 class Link:
-    """One stretch of the chain: `cause` as a person would say it, the axes that move in it (none else)."""
+    """One stretch of the chain: `cause` as a person would say it, the axes that move in it (none else).
 
-    __slots__ = ("axes", "begin", "cause", "end", "place", "task")
+    `waited` is the line at which the task waited meanwhile, 0 where it computed.
+    """
+
+    __slots__ = ("axes", "begin", "cause", "end", "place", "task", "waited")
 
     def __init__(
-        self, begin: float, end: float, cause: str, place: Place, task: str, axes: tuple[int, ...]
+        self,
+        begin: float,
+        end: float,
+        cause: str,
+        place: Place,
+        task: str,
+        axes: tuple[int, ...],
+        waited: int = 0,
     ) -> None:
         self.begin, self.end, self.cause, self.place = begin, end, cause, place
-        self.task, self.axes = task, axes
+        self.task, self.axes, self.waited = task, axes, waited
 
     @property
     def duration(self) -> float:
@@ -83,10 +96,12 @@ class Strip:
     A long run has tens of thousands of stretches, and a few strips.
     """
 
-    __slots__ = ("axes", "begins", "ends", "phases", "place", "task")
+    __slots__ = ("axes", "begins", "ends", "phases", "place", "task", "waited")
 
-    def __init__(self, place: Place, task: str, phases: Phases, axes: tuple[int, ...] = ()) -> None:
-        self.place, self.task, self.phases, self.axes = place, task, phases, axes
+    def __init__(
+        self, place: Place, task: str, phases: Phases, waited: int, axes: tuple[int, ...] = ()
+    ) -> None:
+        self.place, self.task, self.phases, self.axes, self.waited = place, task, phases, axes, waited
         self.begins: list[float] = []
         self.ends: list[float] = []
 
@@ -115,12 +130,13 @@ class Strip:
 class Chain:
     """The chain of one run, from its begin to its end without a gap."""
 
-    def __init__(self, run: Run, waits: dict[str, list[Wait]] | None = None) -> None:
+    def __init__(self, run: Run) -> None:
         self.motions = Motions(run)
         self.places = Places(run)
         self._run = run
         self._near = STATEMENTS * run.machine.instruction_time + 1e-9
-        self._waits = kept_waits(run) if waits is None else waits
+        self._polls = Polls(run, self.motions, kept_waits(run))
+        self._waits = self._polls.waits
         # When they were over, where others than the one task are asked again and again what they waited for.
         self._untils = {
             name: list(map(_UNTIL, mine)) for name, mine in self._waits.items() if len(self._waits) > 1
@@ -128,6 +144,11 @@ class Chain:
         self._switched = [change.time for change in run.controller.log.inputs]
         self._strips: dict[object, Strip] = {}
         self._follow()
+
+    @property
+    def waits(self) -> dict[str, list[Wait]]:
+        """The waits of each task, the loops that waited among them."""
+        return self._waits
 
     @cached_property
     def links(self) -> list[Link]:
@@ -139,7 +160,7 @@ class Chain:
         found: list[tuple[float, float, About]] = []
         for strip in self._strips.values():
             for name, lows, highs in strip.parts():
-                about = name, strip.place, strip.task, strip.axes
+                about = name, strip.place, strip.task, strip.axes, strip.waited
                 found += [(low, high, about) for low, high in zip(lows, highs, strict=True) if low < high]
         found.sort(key=itemgetter(0))  # no two begin together
         return found
@@ -150,7 +171,8 @@ class Chain:
         for strip in self._strips.values():
             for name, lows, highs in strip.parts():
                 if lows:
-                    link = Link(lows[0], highs[0], name, strip.place, strip.task, strip.axes)
+                    about = name, strip.place, strip.task, strip.axes, strip.waited
+                    link = Link(lows[0], highs[0], *about)
                     _put(found, link, exact_terms(map(sub, highs, lows)))
         return list(found.values())
 
@@ -171,7 +193,9 @@ class Chain:
         begins, ends, order = motions.begins, motions.ends, motions.order
         rows, lines, alone = motions.rows, motions.lines, motions.alone
         rank = len(ends) - 1  # of the last motion that was over by then
-        waits = self._waits.get(task, [])
+        waits, spans = self._waits.get(task, []), self._polls.spans.get(task)
+        # From when to when the last loop was the innermost one, and what takes what is computed in it.
+        low, high, looped, over_loop = 1.0, 0.0, _NOTHING, _NOTHING
         # By the place in the program the cause and the callers of the last wait there, where it was, and what takes the
         # begins and ends of what was computed behind it, and of the wait where no motion ends it.
         known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
@@ -189,8 +213,16 @@ class Chain:
                 begun, over = self._strip(CAUSES[cause], place, task).columns
                 known[at] = cause, callers, place, began, ended, of_motion, begun, over
             if until < time:
-                began(until)
-                ended(time)
+                if low <= until and time <= high:  # in the loop of the one before, as most often
+                    looped(until)
+                    over_loop(time)
+                elif spans:
+                    low, high, inside = self._compute(until, time, task, place)
+                    if inside is not None:
+                        looped, over_loop = self._strip("computing", inside, task).columns
+                else:
+                    began(until)
+                    ended(time)
                 time = until
             if not of_motion:
                 begun(since)
@@ -201,12 +233,12 @@ class Chain:
             while rank >= 0 and ends[rank] > soon:
                 rank -= 1
             alone_near = rank > 0 and ends[rank - 1] < time - near <= (end := ends[rank]) > since
-            if alone_near and (not what or cause != "axis"):  # as most often
+            if alone_near and cause != MOVING and (not what or cause != "axis"):  # as most often
                 number = order[rank]
                 begin, line, row = begins[number], lines[number], rows[number]
                 axes, shape = alone[row[0]], row[5]
             else:
-                motion = motions.that_ended(since, time, near, what if cause == "axis" else None)
+                motion = self._awaited(wait, time)
                 if motion is None:
                     self._add(since, time, self._cause(wait, time), place, task)
                     time = since
@@ -237,13 +269,47 @@ class Chain:
                 return other, time
         if time > 0.0:
             starter = self._starter(task)
-            self._add(starter[1], time, "computing", self._first_place(task), task)
+            self._compute(starter[1], time, task, self._first_place(task))
             return starter
         return task, time
+
+    def _awaited(self, wait: Wait, time: float) -> Motion | None:
+        """The motion that ended a wait at `time`, or was under way where it did."""
+        cause, axes = wait[4], wait[5]
+        if cause == "axis":
+            return self.motions.that_ended(wait[2], time, self._near, axes)
+        found = None if cause == MOVING else self.motions.that_ended(wait[2], time, self._near)
+        if found is None and cause == "condition":
+            ended = self._polls.of_condition(wait, time)
+            cause, axes = ended[1:] if ended is not None else ("", ())
+        return self.motions.crossing(axes[0], time) if found is None and cause == MOVING else found
+
+    def _compute(
+        self, begin: float, end: float, task: str, place: Place
+    ) -> tuple[float, float, Place | None]:
+        """Charge computing to the loops that it was in, and to `place` outside of them; the first of these loops."""
+        first: tuple[float, float, Place | None] = (1.0, 0.0, None)
+        spans = self._polls.spans.get(task, [])
+        number = bisect_right(spans, begin, key=itemgetter(1))
+        while begin < end:
+            since, until, at, callers = spans[number] if number < len(spans) else (end, end, 0, ())
+            self._add(begin, min(since, end), "computing", place, task)
+            begin = max(begin, since)
+            if begin < end:
+                loop = self.places.of(at, callers)
+                self._add(begin, min(until, end), "computing", loop, task)
+                if first[2] is None:
+                    first = since, until, loop
+            begin = max(begin, until)
+            number += 1
+        return first
 
     def _cause(self, wait: Wait, time: float) -> str:
         """What ended a wait that no move did: of a condition, the input that changed at that moment."""
         if wait[4] == "condition":
+            ended = self._polls.of_condition(wait, time)
+            if ended is not None and ended[1] not in ("axis", MOVING):
+                return CAUSES[ended[1]]
             first = bisect_right(self._switched, time - self._near)
             if first < len(self._switched) and self._switched[first] <= time:
                 return CAUSES["input"]
@@ -322,7 +388,8 @@ class Chain:
         """The strip of what takes one phase; there is one `Place` of each place, its identity says which it is."""
         key = id(place), cause, task
         if key not in self._strips:
-            self._strips[key] = Strip(place, task, ((cause, 0.0),))
+            waited = 0 if cause == "computing" else place.line
+            self._strips[key] = Strip(place, task, ((cause, 0.0),), waited)
         return self._strips[key]
 
     def _add(self, begin: float, end: float, cause: str, place: Place, task: str) -> None:
@@ -346,10 +413,10 @@ class Chain:
         phases = self.motions.phases(shape)
         if begin > began:
             phases = _behind(phases, begin - began)
-        key = id(place), id(phases), axes, task
+        key = id(place), id(phases), axes, task, waited.line
         strip = self._strips.get(key)
         if strip is None:
-            strip = self._strips[key] = Strip(place, task, phases, axes)
+            strip = self._strips[key] = Strip(place, task, phases, waited.line, axes)
         return strip
 
 
@@ -363,7 +430,7 @@ def _behind(phases: Phases, seconds: float) -> Phases:
 
 
 def _put(found: dict[object, Alike], link: Link, times: list[float]) -> None:
-    key = id(link.place), link.cause, link.axes
+    key = id(link.place), link.cause, link.axes, link.waited
     if key in found:
         found[key][1].extend(times)
     else:
@@ -371,7 +438,7 @@ def _put(found: dict[object, Alike], link: Link, times: list[float]) -> None:
 
 
 def alike(links: Iterable[Link]) -> list[Alike]:
-    """Some links by place, cause and axes."""
+    """Some links by place, cause, axes and the line that waited."""
     found: dict[object, Alike] = {}
     for link in links:
         _put(found, link, [link.duration])

@@ -7,7 +7,6 @@ import json
 from motionlang import __version__
 from motionlang.cycle.places import Places
 from motionlang.cycle.profile import PROGRAM, about_link
-from motionlang.cycle.tasks import waits_of
 from motionlang.files import replacing
 
 TYPE_CHECKING = False
@@ -83,7 +82,7 @@ def trace_events(made: TimeProfile) -> Row:
         name = f"{link.cause}, line {link.place.line}" if link.place.line else link.cause
         put("chain", name, link.begin, link.end, line=link.place.line, axes=link.axes, task=link.task)
     places = Places(run)
-    for task, waits in waits_of(run).items():
+    for task, waits in made.waits().items():
         for wait in waits:
             what = wait.why or f"for {wait.until - wait.since:.6g} s"
             line = places.of(wait.at, wait.callers).line

@@ -132,6 +132,28 @@ class Motions:
         place = bisect_right(self.ends, time) - 1
         return self._whole(place) if place >= 0 and self.ends[place] > after else None
 
+    def last_end(self, axis: int | None, after: float, until: float) -> float | None:
+        """When a motion of an axis, or of any, ended last behind `after` and by `until`."""
+        place = bisect_right(self.ends, until) - 1
+        while place >= 0 and self.ends[place] > after:
+            if axis is None or self.axis(place) == axis:
+                return self.ends[place]
+            place -= 1
+        return None
+
+    def under_way(self, axis: int | None, time: float) -> int | None:
+        """The axis, that one or any, which is in motion at a moment."""
+        found = self.crossing(axis, time)
+        return None if found is None else found[3][0]
+
+    def crossing(self, axis: int | None, time: float) -> Motion | None:
+        """The motion of an axis, or of any, that is under way at a moment, as if it ended there."""
+        for place in range(bisect_right(self.ends, time), len(self.ends)):
+            if (axis is None or self.axis(place) == axis) and self.begins[self.order[place]] < time:
+                _, begin, line, axes, shape = self._whole(place)
+                return time, begin, line, axes, shape
+        return None
+
     def axis(self, place: int) -> int:
         """Whose motion it is that ended as the one of that number."""
         axis: int = self.rows[self.order[place]][0]

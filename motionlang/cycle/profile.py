@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import fsum
+from operator import attrgetter
 
 from motionlang.cycle.chain import Chain, Link, alike
 from motionlang.cycle.slacks import Slack, slacks
-from motionlang.cycle.tasks import TaskTime, kept_waits, parent_of, task_times
+from motionlang.cycle.tasks import TaskTime, parent_of, task_times, told
 from motionlang.profile.total import exact_terms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
     from typing import Any
 
+    from motionlang.controller.record.records import Waited
     from motionlang.cycle.chain import About
     from motionlang.result import Run
 
@@ -38,8 +40,8 @@ class TimeProfile:
 
     def __init__(self, run: Run) -> None:
         self.run = run
-        self._waits = kept_waits(run)
-        self._chain = Chain(run, self._waits)
+        self._chain = Chain(run)
+        self._waits = self._chain.waits
         self._places = self._chain.places
         self._alike = _summed(self._chain.alike())
 
@@ -52,6 +54,12 @@ class TimeProfile:
     def has_tasks(self) -> bool:
         """Whether there is more than the parent task."""
         return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.turns)
+
+    def waits(self) -> dict[str, list[Waited]]:
+        """The waits of each task in the order of time, the loops that waited among them."""
+        from motionlang.controller.record.records import Waited
+
+        return {name: list(map(Waited._make, told(waits))) for name, waits in self._waits.items()}
 
     @property
     def links(self) -> list[Link]:
@@ -87,13 +95,12 @@ class TimeProfile:
     def kinds(self) -> list[Share]:
         """By what takes the time: travel of which axes, dwells, waits, computing."""
 
-        def name(link: Link) -> str:
-            if link.is_motion:
-                axes = ", ".join(map(str, link.axes))
-                return f"travel of axis {axes}" if len(link.axes) == 1 else f"travel of axes {axes}"
-            return link.cause
+        return self._shares(lambda link: ((_kind(link), 0),), own=True)
 
-        return self._shares(lambda link: ((name(link), 0),), own=True)
+    def held(self) -> list[Share]:
+        """By the line at which a task waited, however it is written; `causes` says for what, by kind."""
+        lines = self._shares(lambda link: ((str(link.waited), link.waited),), own=True, cause=_kind)
+        return [share for share in lines if share.line]
 
     def slacks(self) -> list[Slack]:
         """Who stood and waited for whom, where a task waited for several axes that had begun together."""
@@ -111,6 +118,7 @@ class TimeProfile:
             "kinds": list(map(_share, self.kinds())),
             "lines": list(map(_share, self.lines())),
             "subs": list(map(_share, self.subs())),
+            "waits": list(map(_share, self.held())),
             "slack": [_row(slack, "axis", "other", "seconds") for slack in self.slacks()],
         }
         if chain:
@@ -132,7 +140,13 @@ class TimeProfile:
         made = self._shares(lambda link: ((str(link.place.line), link.place.line),), True, links)
         return [share for share in made if share.line]
 
-    def _shares(self, names: Any, own: bool = False, links: Iterable[Link] | None = None) -> list[Share]:
+    def _shares(
+        self,
+        names: Any,
+        own: bool = False,
+        links: Iterable[Link] | None = None,
+        cause: Callable[[Link], str] = attrgetter("cause"),
+    ) -> list[Share]:
         """The chain by the names that a link has: the first has it for its own, all of them have it in their totals."""
         mine: dict[str, dict[str, list[float]]] = {}
         totals: dict[str, list[float]] = {}
@@ -142,7 +156,7 @@ class TimeProfile:
                 lines[name] = line
                 causes = mine.setdefault(name, {})
                 if k == 0:
-                    causes.setdefault(link.cause, []).extend(terms)
+                    causes.setdefault(cause(link), []).extend(terms)
                 totals.setdefault(name, []).extend(terms)
         shares = [
             Share(
@@ -164,6 +178,14 @@ def _summed(links: Iterable[tuple[Link, list[float]]]) -> list[tuple[Link, list[
     return [(link, exact_terms(times)) for link, times in links]
 
 
+def _kind(link: Link) -> str:
+    """What takes the time of a stretch."""
+    if not link.is_motion:
+        return link.cause
+    axes = ", ".join(map(str, link.axes))
+    return f"travel of axis {axes}" if len(link.axes) == 1 else f"travel of axes {axes}"
+
+
 def _share(share: Share) -> dict[str, Any]:
     return _row(share, "name", "line", "seconds", "total", "causes")
 
@@ -174,6 +196,6 @@ def _row(each: object, *names: str) -> dict[str, Any]:
 
 def about_link(about: About) -> dict[str, Any]:
     """What a report says of a link besides its times."""
-    cause, place, task, axes = about
+    cause, place, task, axes, waited = about
     where = {"line": place.line, "sub": place.sub, "callers": place.callers}
-    return {"cause": cause, **where, "task": task, "axes": axes}
+    return {"cause": cause, **where, "task": task, "axes": axes, "waited": waited}

@@ -13,10 +13,12 @@ from math import fsum
 from operator import itemgetter
 
 from motionlang.controller.record.written_waits import whole
+from motionlang.lang.asked import MOVING
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from motionlang.controller.record.records import Waited
+    from collections.abc import Iterable, Iterator
+
     from motionlang.controller.record.written_waits import Whole
     from motionlang.result import Run
 
@@ -40,15 +42,14 @@ class TaskTime:
         return self.end - self.begin
 
 
-def waits_of(run: Run) -> dict[str, list[Waited]]:
-    """The waits of each task in the order of time, those too that were under way when the run ended."""
-    from motionlang.controller.record.records import Waited
-
-    return {name: list(map(Waited._make, waits)) for name, waits in kept_waits(run).items()}
+def told(waits: Iterable[Wait]) -> Iterator[Wait]:
+    """Waits as they are reported: one that ended while its axis moved was a wait for that axis."""
+    for wait in waits:
+        yield (*wait[:4], "axis", *wait[5:]) if wait[4] == MOVING else wait
 
 
 def kept_waits(run: Run) -> dict[str, list[Wait]]:
-    """The same as plain tuples: a long run has tens of thousands."""
+    """The waits of each task in the order of time, those too that were under way when the run ended."""
     found: dict[str, list[Wait]] = {}
     for name, waits in groupby(map(whole, run.machine.log.waits.as_kept()), itemgetter(0)):
         found.setdefault(name, []).extend(waits)
@@ -90,7 +91,7 @@ def task_times(run: Run, waits: dict[str, list[Wait]]) -> list[TaskTime]:
         begin = 0.0 if name == parent else min(first.get(name, over), mine[0][2] if mine else over)
         end = over if name == parent else max(last.get(name, begin), mine[-1][3] if mine else begin)
         waiting: dict[str, list[float]] = defaultdict(list)
-        for _, _, since, until, cause, _, _, _ in mine:
+        for _, _, since, until, cause, _, _, _ in told(mine):
             waiting[cause].append((until if until < end else end) - since)
         causes = {cause: fsum(times) for cause, times in waiting.items()}
         rest = fsum((end, -begin, *(-time for time in causes.values())))

@@ -10,9 +10,10 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
+    from motionlang.lang.asked import Asked
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
@@ -115,6 +116,10 @@ class Dialect:
     def blocks(self, source: Source) -> list[tuple[str, int, int]]:
         """The subs, tasks and handlers of a program: how each is called, its first and its last line."""
         return []
+
+    def asked(self, source: Source) -> Callable[[int], Asked | None]:
+        """What the loop, or the wait for a condition, at a place asks for; None where that is not known."""
+        return lambda place: None
 
     def interactive(self, machine: Machine) -> Interactive:
         """An interpreter for a person who types one line after the other."""

@@ -170,6 +170,11 @@ class Task:
         *callers, at = self.stack
         return at, tuple(callers)
 
+    @property
+    def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
+        """The loops that it is in, the outermost first: place, begin, s, and the places of the calls that led there."""
+        return ()
+
     def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
         """The record of a wait that is over, as `record.records.Waited` has it."""
         at, callers = wait.place or self.standing

@@ -6,9 +6,10 @@ from motionlang.lang.dialect import Dialect, Interactive
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
+    from motionlang.lang.asked import Asked
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
     from motionlang.lang.machine.switch import Switch
@@ -56,6 +57,11 @@ class Mccl(Dialect):
         from motionlang.mccl.runtime.program import locate
 
         return locate(source, at)
+
+    def asked(self, source: Source) -> Callable[[int], Asked | None]:
+        from motionlang.mccl.resolve.asked import asked
+
+        return asked(source)
 
     def interactive(self, machine: Machine) -> Interactive:
         from motionlang.mccl.runtime.session import Session

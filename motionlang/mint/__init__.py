@@ -6,9 +6,10 @@ from motionlang.lang.dialect import Dialect
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping
 
     from motionlang.errors import Diagnostic
+    from motionlang.lang.asked import Asked
     from motionlang.lang.dialect import Interactive
     from motionlang.lang.keyword import Table
     from motionlang.lang.machine.machine import Machine
@@ -90,6 +91,11 @@ class Mint(Dialect):
         from motionlang.mint.syntax.extent import blocks
 
         return blocks(source)
+
+    def asked(self, source: Source) -> Callable[[int], Asked | None]:
+        from motionlang.mint.resolve.asked import asked
+
+        return asked(source)
 
     def interactive(self, machine: Machine) -> Interactive:
         from motionlang.mint.interactive import MintInteractive

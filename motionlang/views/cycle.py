@@ -36,6 +36,14 @@ _LINES = (
     Column("computing", "s", drop=1),
     Column("", align="<", drop=4),
 )
+_HELD = (
+    Column("at line"),
+    Column("sub", align="<", drop=3, style="word"),
+    Column("waits", "s"),
+    Column(""),
+    Column("for", align="<"),
+    Column("", align="<", drop=4),
+)
 _SUBS = (
     Column("sub", align="<", style="word"),
     Column("self", "s"),
@@ -65,6 +73,9 @@ def render_profile(
     if slacks:
         parts.append([_slack(row.axis, row.other, row.seconds) for row in slacks])
     parts.append(_lines(made, whole, width, colour, everything))
+    held = made.held()
+    if held:
+        parts.append(_held(made, held, whole, width, colour, everything))
     subs = made.subs()
     if len(subs) > 1:
         parts.append(grid(_SUBS, [_sub(share, whole) for share in subs], width=width, colour=colour))
@@ -110,7 +121,6 @@ def _lines(made: TimeProfile, whole: float, width: int, colour: bool, everything
 def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
     causes = share.causes
     waiting = [cause for cause in causes if cause not in (*MOVING, "dwell", "computing")]
-    source = made.run.source.line(share.line).strip()
     return [
         str(share.line),
         made.sub(share.line),
@@ -120,8 +130,40 @@ def _line(made: TimeProfile, share: Share, whole: float) -> list[str]:
         _sum(causes, ("dwell",)),
         _sum(causes, waiting),
         _sum(causes, ("computing",)),
-        printable(source if len(source) <= LONGEST else f"{source[: LONGEST - 1]}…"),
+        _source(made, share.line),
     ]
+
+
+def _held(
+    made: TimeProfile, shares: Sequence[Share], whole: float, width: int, colour: bool, everything: bool
+) -> list[str]:
+    """Where the program waits, and for what."""
+    rows = [
+        [
+            str(share.line),
+            made.sub(share.line),
+            _seconds(share.seconds),
+            _part(share.seconds, whole),
+            _awaited(share.causes),
+            _source(made, share.line),
+        ]
+        for share in (shares if everything else shares[:MOST_LINES])
+    ]
+    return grid(_HELD, rows, width=width, colour=colour)
+
+
+def _awaited(causes: Mapping[str, float]) -> str:
+    """What a line waits for, with the seconds of each where there are several."""
+    names = sorted(causes, key=lambda name: (-causes[name], name))
+    told = [name.removeprefix("waiting for ").removeprefix("travel of ") for name in names]
+    if len(names) < 2:
+        return "".join(told)
+    return ", ".join(f"{word} {_seconds(causes[name])}" for word, name in zip(told, names, strict=True))
+
+
+def _source(made: TimeProfile, line: int) -> str:
+    source = made.run.source.line(line).strip()
+    return printable(source if len(source) <= LONGEST else f"{source[: LONGEST - 1]}…")
 
 
 def _sum(causes: Mapping[str, float], names: Sequence[str]) -> str:

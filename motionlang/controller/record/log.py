@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from motionlang.controller.move import Move
     from motionlang.controller.record.moves import Moves
     from motionlang.controller.record.older_profiles import Profiles
-    from motionlang.controller.record.records import Changed, Event, Printed, Setting, Turns, Waited
+    from motionlang.controller.record.records import Changed, Event, Looped, Printed, Setting, Turns, Waited
 
 # Profiles of all axes together that are not packed, fewer where motors follow some, whose pieces are made; and
 # those of each axis that never are.
@@ -45,6 +45,7 @@ class Log:
     inputs, outputs, analogue_inputs, analogue_outputs: `Changed`
     settings   `Setting`, written where the value is another one
     waits      `Waited`, each when it is over
+    loops      `Looped`, each loop that ran for more than a hundred statements, when it is over
     turns      `Turns`, where there is more than one task
     prints     `Printed`, those of the console
     events     `Event`: limits, faults, clamps, stops and the like
@@ -62,6 +63,7 @@ class Log:
         "events",
         "hurried",
         "inputs",
+        "loops",
         "moves",
         "older",
         "others",
@@ -89,6 +91,7 @@ class Log:
         self.analogue_outputs: Stream[Changed] = Stream(store, "Changed")
         self.settings: Stream[Setting] = Stream(store, "Setting")
         self.waits: Stream[Waited] = Stream(store, "Waited")
+        self.loops: Stream[Looped] = Stream(store, "Looped")
         self.turns: Stream[Turns] = Stream(store, "Turns")
         self.prints: Stream[Printed] = Stream(store, "Printed")
         self.events: Stream[Event] = Stream(store, "Event")
@@ -184,5 +187,5 @@ class Log:
 
     def _streams(self) -> tuple[Stream[Any], ...]:
         return (self.moves, self.dropped, self.inputs, self.outputs, self.analogue_inputs,
-                self.analogue_outputs, self.settings, self.waits, self.turns, self.prints, self.events,
+                self.analogue_outputs, self.settings, self.waits, self.loops, self.turns, self.prints, self.events,
                 *self.others)  # fmt: skip

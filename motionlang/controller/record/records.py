@@ -53,6 +53,19 @@ class Waited(NamedTuple):
     callers: tuple[int, ...] = ()
 
 
+class Looped(NamedTuple):
+    """A loop of a task has run from `since` to `until`, with everything that it called.
+
+    A loop within another one comes before it. `callers` are as in `Waited`.
+    """
+
+    task: str
+    at: int
+    since: float
+    until: float
+    callers: tuple[int, ...] = ()
+
+
 class Turns(NamedTuple):
     """The tasks that have computed from `time` to `until`, in turn, while none of them began or ended a wait.
 
@@ -115,5 +128,5 @@ class Setting(NamedTuple):
 
 # What makes a record of a kind of what was written.
 makers: Mapping[str, Callable[[Any], Any]] = {
-    kind.__name__: kind._make for kind in (Changed, Printed, Turns, Event, Setting)
+    kind.__name__: kind._make for kind in (Changed, Printed, Looped, Turns, Event, Setting)
 } | {"Waited": lambda wait: Waited._make(whole(wait))}

@@ -35,7 +35,12 @@ def call_macro(task: CommandTask, command: Command) -> None:
 
 
 def jump_macro(task: CommandTask, command: Command) -> Wait | None:
+    """Carry out a macro and do not come back; one that jumps to itself is a loop."""
     macro = _macro(task, command)
+    if task.line is macro:
+        task.loop_log.back(macro, 0, task.here)
+    else:
+        task.loop_log.left()
     task.enter(macro)
     return task.poll.again()
 

@@ -14,6 +14,7 @@ from motionlang.mccl.models import missing
 from motionlang.mccl.motion.path import DESCRIBES
 from motionlang.mccl.resolve.command import NONE, REGISTER, TEXT
 from motionlang.mccl.resolve.decode import checked
+from motionlang.mccl.runtime.loop_log import LoopLog
 from motionlang.mccl.runtime.poll import Poll
 
 TYPE_CHECKING = False
@@ -62,6 +63,7 @@ class CommandTask(Task):
         "horizon",
         "lacks",
         "line",
+        "loop_log",
         "paid",
         "path_open",
         "pc",
@@ -93,6 +95,7 @@ class CommandTask(Task):
         self.count = 0
         self.paid = False
         self.poll = Poll(self)
+        self.loop_log = LoopLog(self)
 
     # ------------------------------------------------------------------------------------- for the scheduler
 
@@ -110,6 +113,10 @@ class CommandTask(Task):
     def stack(self) -> tuple[int, ...]:
         called = (line.places[pc - 1] for line, pc, _ in self.calls if 0 < pc <= len(line.places))
         return (*called, self.place)
+
+    @property
+    def loops(self) -> list[tuple[int, float, tuple[int, ...]]]:
+        return self.loop_log.open()
 
     @property
     def source_line(self) -> int:
@@ -131,12 +138,14 @@ class CommandTask(Task):
         if wait is not None:
             return now, wait
         board, poll, cost, lacks, gated = self.board, self.poll, self.cost, self.lacks, self.gated
+        loop_log = self.loop_log
         clock, left = board.controller.clock, SLICE
         if len(board.tasks) > 1:
             board.take_turn(self)
         while left:
             line, pc = self.line, self.pc
             if line is None or pc >= len(line.commands):
+                loop_log.left()
                 if self._step_out():
                     continue
                 return now, self._rest(now)
@@ -151,6 +160,8 @@ class CommandTask(Task):
                 clock.now = now
             if gated and (wait := self._gate(line)) is not None:
                 return now, wait
+            if pc > loop_log.end:
+                loop_log.passed()
             # One command; written out here, as a call of its own would be a tenth of what it costs.
             command = line.commands[pc]
             self.here, self.pc = pc, pc + 1
@@ -254,6 +265,8 @@ class CommandTask(Task):
     def enter(self, line: Line) -> None:
         """Carry out a line from its first command."""
         self.line, self.pc, self.repeats = line, 0, {}
+        self.loop_log.entered = self.base + self.count * self.cost
+        self.loop_log.find_end()
 
     def jump(self, target: int) -> Wait | None:
         """Go on with command `target` of the line."""
@@ -267,12 +280,15 @@ class CommandTask(Task):
                 "range",
             )
         back = target <= self.here
+        if back:
+            self.loop_log.back(self.line, target, self.here)
         self.pc = target
         return self.poll.again() if back else None
 
     def abandon(self) -> None:
         """Leave the line and every macro it is in."""
         self.calls.clear()
+        self.loop_log.left()
         self.line, self.repeats, self.then, self.paid = None, {}, None, False
         self.path_open = None
 
@@ -327,6 +343,7 @@ class CommandTask(Task):
                 self._refused(trouble)
         if self.calls:
             self.line, self.pc, self.repeats = self.calls.pop()
+            self.loop_log.find_end()
             return True
         line = self.next_line()
         self.line = line

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.lang.keyword import Keyword, Table
+    from motionlang.mint.compile.loop_times import Region
     from motionlang.mint.compile.polling import Poll
     from motionlang.mint.compile.splitting import Part
     from motionlang.mint.resolve.names import Names
@@ -233,10 +234,13 @@ class Body:
         "parts",
         "pending",
         "polls",
+        "regions",
         "scope",
         "stretch",
         "targets",
         "temps",
+        "thrown",
+        "timed",
         "turn",
         "values",
         "waits",
@@ -267,6 +271,11 @@ class Body:
         self.levels: dict[int, str] = {}
         self.parts: list[Part] = []
         self.loops: list[tuple[str, str]] = []
+        # The source offsets of the loops around what is written, and the loops that Gotos make.
+        self.timed: list[int] = []
+        self.regions: list[Region] = []
+        # The loops that a jump is thrown out of.
+        self.thrown: set[int] = set()
         # How many loops stand within one another at most in what was written last.
         self.deepest = 0
         self.facts: dict[int, intervals.Range] = {}

@@ -16,7 +16,7 @@ in whole statements, and the loop gives way after exactly the turn at which it w
 
 from __future__ import annotations
 
-from motionlang.mint.compile import intervals
+from motionlang.mint.compile import intervals, loop_times
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.conversions import as_float, as_integer, converted, literal
 from motionlang.mint.compile.expressions import number, place
@@ -69,6 +69,7 @@ def count(b: Body, node: nodes.For) -> None:
     counter = Counter(b, node, symbol)
     b.pending += 1
     b.flush()
+    loop_times.begin(b)
     flag = flag_for(b, "for", node.body)
     noted, b.noted = b.noted, False
     outer, b.lines = b.lines, []
@@ -84,6 +85,7 @@ def count(b: Body, node: nodes.For) -> None:
     else:
         _chunks(b, counter, body)
     b.noted = b.noted or noted
+    loop_times.end(b)
     go_on_leaving(b)
 
 

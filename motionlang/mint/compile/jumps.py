@@ -13,7 +13,7 @@ the outermost level; a jump out of loops is an exception, as Python has no other
 
 from __future__ import annotations
 
-from motionlang.mint.compile import polling
+from motionlang.mint.compile import loop_times, polling
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import LEAVES, Line
 from motionlang.mint.resolve.symbols import Function
@@ -38,6 +38,7 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
     """The lines of the dispatcher, without its head."""
     _check(b)
     first = len(b.lines)
+    b.regions = loop_times.regions(b)
     b.emit("while True:")
     b.emit(" try:")
     b.indent += 2
@@ -45,14 +46,26 @@ def write(b: Body, block: Callable[[Body, list[nodes.Stmt]], None]) -> None:
         b.stretch = number
         b.emit(f"if pc == {number}:")
         b.indent += 1
-        block(b, body)
+        loop_times.open_regions(b)
+        done = 0
+        for place in sorted({region.end for region in b.regions if region.last == number}):
+            block(b, body[done:place])
+            loop_times.close_regions(b, place)
+            done = place
+        block(b, body[done:])
         b.flush()
         b.emit(f"pc = {number + 1}")
         b.indent -= 1
     _end(b)
     b.indent -= 2
-    b.emit(f" except {b.whole.use('env', 'Jump')} as jump: pc = jump.args[0]")
-    b.lines[first:first] = [Line(b.indent, poll.first, b.function.at) for poll in b.polls]
+    b.emit(f" except {b.whole.use('env', 'Jump')} as jump:")
+    b.indent += 2
+    b.emit("pc = jump.args[0]")
+    if b.thrown:
+        loop_times.thrown(b)
+    b.indent -= 2
+    texts = [poll.first for poll in b.polls] + [f"r{region.at} = None" for region in b.regions]
+    b.lines[first:first] = [Line(b.indent, text, b.function.at) for text in texts]
 
 
 def _end(b: Body) -> None:
@@ -101,6 +114,16 @@ def jump(b: Body, node: nodes.Jump) -> None:
         b.polls.append(poll)
         poll.counted(b)
     unless = _unless(b, node)
+    if leaves_loops and node.kind != "gosub":
+        b.thrown.update(b.timed)
+    elif node.kind != "gosub" and loop_times.left(b, number):
+        if unless:
+            b.emit(unless.rstrip())
+            b.indent += 1
+        loop_times.jump(b, number)
+        b.emit(f"pc = {number}; continue", LEAVES)
+        b.indent -= bool(unless)
+        return
     if node.kind == "gosub":
         b.gives_way()
         b.emit(f"yield from {dispatcher(b.function)}({number})", LEAVES)
@@ -124,6 +147,7 @@ def return_(b: Body, node: nodes.Return) -> None:
     b.pending += 1
     b.flush()
     b.noted = True
+    loop_times.leave(b)
     b.emit("return", LEAVES)
 
 

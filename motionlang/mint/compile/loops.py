@@ -6,7 +6,7 @@ machine nor hang. `Next`, `End While`, `Until` and `End Loop` cost one statement
 
 from __future__ import annotations
 
-from motionlang.mint.compile import polling
+from motionlang.mint.compile import loop_times, polling
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import BREAK, LOOP
 from motionlang.mint.syntax import nodes
@@ -59,6 +59,7 @@ def _opened(b: Body, kind: str, body: list[nodes.Stmt], *conditions: nodes.Expr)
     b.flush()
     flag = flag_for(b, kind, body)
     b.noted = True
+    loop_times.begin(b)
     return flag, polling.watched(b, body, *conditions)
 
 
@@ -79,6 +80,7 @@ def _turns(b: Body, kind: str, body: list[nodes.Stmt], flag: str, poll: Poll | N
 def _closed(b: Body, poll: Poll | None, cost: int = 1) -> None:
     turn(b, poll, cost)
     b.indent -= 1
+    loop_times.end(b)
     go_on_leaving(b)
 
 

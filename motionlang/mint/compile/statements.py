@@ -6,6 +6,7 @@ from motionlang.mint.compile import (
     for_loops,
     jumps,
     keyword_use,
+    loop_times,
     loops,
     pause,
     splitting,
@@ -424,6 +425,7 @@ def _end(b: Body, node: nodes.End) -> None:
     b.noted = True
     hear_of_errors(b)
     if b.function.kind == "main" and not b.function.jumps:
+        loop_times.leave(b)
         b.emit("return", LEAVES)
     else:
         b.emit(f"{b.whole.use('env', 'end_main')}(t)")
@@ -433,6 +435,7 @@ def leave(b: Body) -> None:
     """Leave the function."""
     b.flush()
     b.noted = True
+    loop_times.leave(b)
     result = b.function.result
     if result is not None and not b.function.jumps:
         b.emit(f"return {b.spelt(result)}", LEAVES)

@@ -7,6 +7,7 @@ from math import ceil, floor
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import Attention
 from motionlang.lang.task import Wait
+from motionlang.mint.runtime.loop_log import looped, thrown
 from motionlang.mint.runtime.operations import Operations
 from motionlang.mint.runtime.task import MintTask, TaskEnd, until_free
 from motionlang.mint.runtime.waits import Waits
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.binding import Row
     from motionlang.mint.runtime.errors import Errors
     from motionlang.mint.runtime.events import Events
+    from motionlang.mint.runtime.loop_log import Begun
     from motionlang.mint.runtime.operations import PutOff
     from motionlang.mint.runtime.power_up import PowerUp
 
@@ -281,6 +283,14 @@ class Environment(Waits):
     def row(self, number: int) -> str:
         """What places the cursor at the begin of a row of the screen."""
         return f"\x1b[{max(number, 1)};1H"
+
+    def looped(self, t: float, begun: Begun, at: int) -> None:
+        """A loop has ended at statement `t`."""
+        looped(self.machine.log, self.statements, self.task, t, begun, at)
+
+    def thrown(self, t: float, jump: Exception) -> None:
+        """A jump has left loops at statement `t`."""
+        thrown(self.machine.log, self.statements, self.task, jump, t)
 
     # --------------------------------------------------------------------------------------------- waits
 

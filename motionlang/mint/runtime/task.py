@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.task import INFINITY, GeneratorTask, Wait
+from motionlang.mint.runtime.loop_log import open_loops
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from motionlang.lang.attention import Note
     from motionlang.lang.task import Delay
     from motionlang.mint.runtime.environment import Environment, Make
+    from motionlang.mint.runtime.loop_log import Open
     from motionlang.mint.runtime.operations import PutOff
     from motionlang.mint.runtime.waits import Waits
 
@@ -98,6 +100,8 @@ class MintTask(GeneratorTask):
             time, wait = statements.leave(self._count.cell_contents), None
         except TaskEnd as end:
             self.done = True
+            for at, since, callers in self.loops_of(end, "lr")[::-1]:
+                environment.machine.log.loops.add((self.name, at, since, end.time, callers))
             return end.time, None
         except Refusal as refusal:
             from motionlang.mint.runtime.errors import with_number
@@ -153,6 +157,22 @@ class MintTask(GeneratorTask):
     @property
     def running(self) -> bool:
         return self._acts or super().running
+
+    @property
+    def loops(self) -> list[Open]:
+        frames, inner = [], self._generator
+        while (frame := getattr(inner, "gi_frame", None)) is not None:
+            frames.append(frame)
+            inner = getattr(inner, "gi_yieldfrom", None)
+        return open_loops(frames, self._file, self._places, self.environment.statements)
+
+    def loops_of(self, error: Exception, kinds: str = "l") -> list[Open]:
+        """The loops of the frames that an exception came through, the outermost first; `kinds` as `open_loops`."""
+        frames, traceback = [], error.__traceback__
+        while traceback is not None:
+            frames.append(traceback.tb_frame)
+            traceback = traceback.tb_next
+        return open_loops(frames, self._file, self._places, self.environment.statements, kinds)
 
     def set_turn(self) -> None:
         """TASKQUANTUM; less half a statement, so that rounding does not decide whether the last one still fits."""

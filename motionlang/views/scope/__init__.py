@@ -19,7 +19,6 @@ from motionlang import __version__
 from motionlang.controller.record.records import GRAVE
 from motionlang.cycle.places import Places
 from motionlang.cycle.profile import TimeProfile
-from motionlang.cycle.tasks import waits_of
 from motionlang.files import replacing
 from motionlang.report import events as events_of
 from motionlang.report import finite
@@ -187,7 +186,7 @@ def _bands(run: Run, cycle: TimeProfile) -> list[Row]:
     chain = [[link.begin, link.end, _stretch(link), link.place.line] for link in cycle.links]
     bands: list[Row] = [{"name": "critical chain", "spans": chain}]
     places = Places(run)
-    for task, waits in waits_of(run).items():
+    for task, waits in cycle.waits().items():
         spans = [
             [since, until, why or f"for {until - since:.6g} s", places.of(at, callers).line]
             for _, at, since, until, _, _, why, callers in waits

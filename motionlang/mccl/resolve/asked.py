@@ -1,0 +1,72 @@
+"""What the loops of a program ask for: the channels and readings between the target of a jump back and the jump."""
+
+from __future__ import annotations
+
+from motionlang.lang.asked import Asked
+from motionlang.mccl.resolve.line import Line, lines_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from motionlang.lang.asked import Read
+    from motionlang.mccl.resolve.command import Command
+    from motionlang.source import Source
+
+_DIGITAL = frozenset(("if_on", "if_off", "do_if_on", "do_if_off"))
+_BACK = frozenset(("repeat", "jump", "jump_by", "jump_macro"))
+
+
+def asked(source: Source) -> Callable[[int], Asked | None]:
+    """What the loop asks for that the jump back at a place makes."""
+    lines = [line for line in lines_of(source.text) if isinstance(line, Line)]
+    macros: dict[int, Line] = {}
+    for line in lines:
+        first = line.commands[0]
+        if _verb(first) == "define_macro" and first.number is not None:
+            macros[first.number] = line.rest(1)
+    found: dict[int, Asked] = {}
+    for line in lines:
+        own = line.rest(1) if _verb(line.commands[0]) == "define_macro" else line
+        for here, command in enumerate(own.commands):
+            if _verb(command) in _BACK:
+                body = own.commands[_target(command, here) : here + 1]
+                called = [macro for each in body if (macro := _called(each, macros)) is not None]
+                commands = [*body, *(each for macro in called for each in macro.commands)]
+                reads = frozenset(read for each in commands for read in _read(each))
+                numbers = frozenset((line.number, *(macro.number for macro in called)))
+                why = "in " + ",".join(each.text for each in body)
+                found[own.places[here]] = Asked(reads, reads, numbers, why)
+    return found.get
+
+
+def _target(command: Command, here: int) -> int:
+    """The number of the command that a jump goes to; 0 where that is known only when it runs."""
+    number, verb = command.number, _verb(command)
+    if number is None or verb in ("repeat", "jump_macro"):
+        return 0
+    target = here + number if verb == "jump_by" else number
+    return target if 0 <= target <= here else 0
+
+
+def _called(command: Command, macros: dict[int, Line]) -> Line | None:
+    number = command.number
+    return macros.get(number) if _verb(command) == "call_macro" and number is not None else None
+
+
+def _read(command: Command) -> Iterator[Read]:
+    verb, number = _verb(command), command.number
+    if verb in _DIGITAL:
+        yield "input", number
+    elif verb == "get_analog":
+        yield "analogue", number
+    elif verb.startswith("read_"):
+        yield "position", command.axis
+    elif verb == "get_auxiliary":
+        yield "axis", command.axis
+    elif verb == "recall" and (number is None or number >= 10):
+        yield "task", None
+
+
+def _verb(command: Command) -> str:
+    return command.row.verb if command.row is not None else ""

@@ -1,0 +1,93 @@
+"""When the loops of a task ran: a jump back makes a loop of the commands from its target to itself.
+
+A loop begins with the line or macro that it is the first of, else at its first jump back. It ends at the first command
+behind its last jump, or when its line ends. The innermost one is last; nothing is done for a command but to compare.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from motionlang.mccl.resolve.line import Line
+    from motionlang.mccl.runtime.task import CommandTask
+
+# A loop of fewer commands leaves no record.
+LEAST = 100.0
+# No command of a line has such a number.
+NEVER = 1 << 30
+
+
+class _Open:
+    """A loop that runs: its commands are those from `target` to `here` of a line."""
+
+    __slots__ = ("callers", "depth", "here", "line", "since", "target")
+
+    def __init__(self, line: Line, target: int, depth: int, since: float, callers: tuple[int, ...]) -> None:
+        self.line, self.target, self.here, self.depth = line, target, target, depth
+        self.since, self.callers = since, callers
+
+
+class LoopLog:
+    """The loops of one task; `end` is the number of the last command of the innermost one."""
+
+    __slots__ = ("_open", "_task", "end", "entered")
+
+    def __init__(self, task: CommandTask) -> None:
+        self._task = task
+        self._open: list[_Open] = []
+        self.end = NEVER
+        # When the line that is being carried out began.
+        self.entered = 0.0
+
+    def back(self, line: Line, target: int, here: int) -> None:
+        """A jump back from command `here` of a line to command `target`."""
+        around, depth = self._open, len(self._task.calls)
+        while around:
+            last = around[-1]
+            if last.depth == depth and last.line is line:
+                if last.target == target:
+                    last.here = self.end = max(last.here, here)
+                    return
+                if last.target < target:
+                    break
+            elif last.depth < depth:
+                break
+            self._close()
+        task = self._task
+        now = task.base + task.count * task.cost
+        around.append(_Open(line, target, depth, now if target else self.entered, task.stack[:-1]))
+        around[-1].here = self.end = here
+
+    def passed(self) -> None:
+        """The next command is behind the last one of the innermost loop, or of another line."""
+        task, around = self._task, self._open
+        while around and around[-1].depth == len(task.calls):
+            last = around[-1]
+            if last.line is task.line and task.pc <= last.here:
+                break
+            self._close()
+        self.find_end()
+
+    def left(self) -> None:
+        """The line has ended, or is given up: so have its loops."""
+        while self._open and self._open[-1].depth >= len(self._task.calls):
+            self._close()
+        self.find_end()
+
+    def open(self) -> list[tuple[int, float, tuple[int, ...]]]:
+        """The loops that the task is in, the outermost first, as `Task.loops` has them."""
+        return [(each.line.places[each.here], each.since, each.callers) for each in self._open]
+
+    def find_end(self) -> None:
+        """Which command is the last one of the innermost loop; none in the line of a macro that the loop calls."""
+        last = self._open[-1] if self._open else None
+        task = self._task
+        inside = last is not None and last.line is task.line and last.depth == len(task.calls)
+        self.end = last.here if last is not None and inside else NEVER
+
+    def _close(self) -> None:
+        task, loop = self._task, self._open.pop()
+        until = task.base + task.count * task.cost
+        if until - loop.since > LEAST * task.cost:
+            at = loop.line.places[loop.here]
+            task.board.machine.log.loops.add((task.name, at, loop.since, until, loop.callers))

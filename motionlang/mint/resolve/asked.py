@@ -1,0 +1,237 @@
+"""What the loops and the PAUSEs of a program ask for: the words that their conditions read.
+
+A variable in a condition stands for what the loop itself gives it: in `done = IDLE(0)` … `While Not done` the loop asks
+for axis 0. A variable that only others write stands for them. A function stands for what it reads.
+"""
+
+from __future__ import annotations
+
+from motionlang.lang.asked import Asked
+from motionlang.mint.keywords import table
+from motionlang.mint.resolve.names import Names
+from motionlang.mint.resolve.problems import Problems
+from motionlang.mint.resolve.symbols import TIME
+from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.parser import parse
+from motionlang.mint.syntax.traversal import meant, walk
+from motionlang.mint.syntax.unparse import shown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+
+    from motionlang.lang.asked import Read
+    from motionlang.lang.keyword import Keyword
+    from motionlang.mint.resolve.symbols import Function, Symbol
+    from motionlang.mint.syntax.nodes import Module
+    from motionlang.source import Source
+
+LOOPS = (nodes.For, nodes.While, nodes.Repeat, nodes.Loop)
+LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End)
+# By the section of the machine file that says what a word reads.
+DRIVEN = {
+    "input": "input",
+    "analogue": "analogue",
+    "encoder": "encoder",
+    "key": "operator",
+    "answer": "operator",
+    "comms": "host",
+    "netdata": "host",
+    "dpr": "host",
+    "serial": "host",
+    "remote": "host",
+}
+
+
+def asked(source: Source) -> Callable[[int], Asked | None]:
+    """What the loop or the PAUSE at a place asks for."""
+    module = parse(source)
+    names = Names(table(), Problems(module), None)
+    names.declare_module(module)
+    return _Survey(module, names.functions).at
+
+
+class _Survey:
+    """The loops and the PAUSEs of a program; each is looked through when it is asked for."""
+
+    def __init__(self, module: Module, functions: Iterable[Function]) -> None:
+        self._module = module
+        self._nodes: dict[int, nodes.Node] = {}
+        self._by_labels: dict[int, list[nodes.Stmt]] = {}
+        # What each task, the parent and each event handler carries out.
+        self._roots = [
+            list(self._reached(each.body)) for each in functions if each.kind in ("main", "task", "event")
+        ]
+        for function in functions:
+            for node in walk(function.body):
+                if isinstance(node, (*LOOPS, nodes.Pause)):
+                    self._nodes[node.at] = node
+            self._by_labels.update(_by_labels(function))
+
+    def at(self, place: int) -> Asked | None:
+        """What the loop or the PAUSE at a place asks for; None where there is none."""
+        node = self._nodes.get(place)
+        if isinstance(node, nodes.Pause):
+            return Asked(self.reads([node.condition], []), why=f"until {shown(node.condition)}")
+        if node is not None:
+            return self.loop(node)  # type: ignore[arg-type]
+        return self.goto(self._by_labels[place]) if place in self._by_labels else None
+
+    def loop(self, node: nodes.For | nodes.While | nodes.Repeat | nodes.Loop) -> Asked:
+        """Of a loop that is written as one."""
+        conditions: list[nodes.Expr] = [] if isinstance(node, (nodes.For, nodes.Loop)) else [node.condition]
+        why = ""
+        if conditions:
+            word = "until" if isinstance(node, nodes.Repeat) else "while"
+            why = f"{word} {shown(conditions[0])}"
+        conditions += _deciding(node.body, LEAVES)
+        found = self._asked(node.body, conditions, why)
+        found.counts = isinstance(node, nodes.For)
+        return found
+
+    def goto(self, body: list[nodes.Stmt]) -> Asked:
+        """The same of a loop of Gotos."""
+        jumps = (node for node in walk(body) if isinstance(node, nodes.Jump))
+        unless = [node.unless for node in jumps if node.unless is not None]
+        return self._asked(body, [*unless, *_deciding(body, LEAVES)], "")
+
+    def _asked(self, body: list[nodes.Stmt], conditions: list[nodes.Expr], why: str) -> Asked:
+        reached = list(self._reached(body))
+        lines = frozenset(self._module.line(node.at) for node in reached)
+        if not why and conditions:
+            why = " or ".join(dict.fromkeys(map(shown, conditions)))
+        within = self.reads([*conditions, *_deciding(reached, None)], reached)
+        return Asked(self.reads(conditions, reached), within, lines, why)
+
+    def reads(self, conditions: list[nodes.Expr], body: list[nodes.Node]) -> frozenset[Read]:
+        """What conditions read, of a loop that carries out the nodes of `body`."""
+        found: set[Read] = set()
+        seen: set[Symbol] = set()
+        others: set[Symbol] = set()
+        counts = False
+        rest: list[nodes.Node] = list(conditions)
+        while rest:
+            for node in self._reached([rest.pop()]):
+                if isinstance(node, nodes.Name) and node.stands is None:
+                    symbol = node.symbol
+                    if symbol is None:
+                        found.update(_read(node, node.row))
+                    elif symbol.kind in ("variable", "parameter") and symbol not in seen:
+                        seen.add(symbol)
+                        if symbol.type.name == TIME:
+                            found.add(("time", None))
+                            continue
+                        given = _given(symbol, body)
+                        rest += given
+                        counts = counts or bool(given)
+                        if not given and symbol.shared:
+                            others.add(symbol)
+        if not counts and any(self._is_written(symbol, body) for symbol in others):
+            found.add(("task", None))
+        return frozenset(found)
+
+    def _is_written(self, symbol: Symbol, body: list[nodes.Node]) -> bool:
+        """Whether a task or an event handler gives a variable a value which is not the one that the loop stands in."""
+        inside = {id(node) for node in body}
+        others = [root for root in self._roots if not any(id(node) in inside for node in root)]
+        return any(
+            isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol
+            for root in others
+            for node in root
+        )
+
+    def _reached(self, body: Iterable[object]) -> Iterator[nodes.Node]:
+        """The nodes of a body, and of the subs that it calls."""
+        bodies, seen = [body], set()
+        for each in bodies:  # which grow meanwhile
+            for node in walk(each):
+                yield node
+                if not isinstance(node, nodes.Name):
+                    continue
+                symbol = node.symbol
+                if node.stands is not None:
+                    bodies.append([node.stands])
+                elif symbol is not None and symbol.kind == "sub" and symbol not in seen:
+                    seen.add(symbol)
+                    bodies.append(symbol.home.body)
+
+
+def _by_labels(function: Function) -> Iterator[tuple[int, list[nodes.Stmt]]]:
+    """The statements of each loop that the Gotos of a function make, up to the last jump back, by its label."""
+    body, labels = function.body, {}
+    for number, statement in enumerate(body):
+        if type(statement) is nodes.Label:
+            labels[statement.name.lower()] = number
+    last: dict[int, int] = {}
+    for number, statement in enumerate(body):
+        for node in walk([statement]):
+            if isinstance(node, nodes.Jump) and node.kind != "gosub":
+                first = labels.get(node.name.lower(), number)
+                if first < number:
+                    last[first] = number
+    for first, number in last.items():
+        yield body[first].at, body[first : number + 1]
+
+
+def _deciding(body: Iterable[object], leaves: tuple[type, ...] | None) -> list[nodes.Expr]:
+    """The conditions in a body by which something is carried out, one of `leaves` where there are any."""
+    found: list[nodes.Expr] = []
+    for node in walk(body):
+        if isinstance(node, nodes.If):
+            conditions, inner = [node.condition], [*node.body, *node.orelse]
+        elif isinstance(node, nodes.Select):
+            conditions, inner = [node.subject], [each for case in node.cases for each in case.body]
+        elif isinstance(node, (nodes.While, nodes.Repeat)) and leaves is None:
+            conditions, inner = [node.condition], []
+        else:
+            continue
+        if leaves is None or any(isinstance(each, leaves) for each in walk(inner)):
+            found += conditions
+    return found
+
+
+def _given(symbol: Symbol, body: list[nodes.Node]) -> list[nodes.Node]:
+    """What a loop gives a variable, and the conditions by which it does."""
+    found: list[nodes.Node] = []
+    for node in body:
+        if isinstance(node, nodes.Assign) and getattr(node.target, "symbol", None) is symbol:
+            found += node.values
+        elif isinstance(node, nodes.If):
+            inner = walk([*node.body, *node.orelse])
+            if any(
+                isinstance(x, nodes.Assign) and getattr(x.target, "symbol", None) is symbol for x in inner
+            ):
+                found.append(node.condition)
+    return found
+
+
+def _read(node: nodes.Name, row: Keyword | None) -> Iterator[Read]:
+    """What a word of the language reads."""
+    if row is None or row.kind not in ("reading", "setting"):
+        return
+    if row.verb == "time" or (row.unit == "s" and row.index == "none"):
+        yield "time", None
+    elif row.driven in DRIVEN and row.index not in ("axis", "axes"):
+        kind = DRIVEN[row.driven]
+        number = next(_numbers(node), None) if row.index in ("input", "channel") else None
+        yield kind, number
+    elif row.driven == "input":
+        yield "input", None
+    elif row.index in ("axis", "axes"):
+        numbers = list(_numbers(node))
+        kind = "position" if row.solved or row.changes == "motion" else "axis"
+        yield from ((kind, number) for number in numbers or [None])
+    elif row.index == "task":
+        yield "task", None
+    else:
+        yield "other", None
+
+
+def _numbers(node: nodes.Name) -> Iterator[int | None]:
+    """The numbers in the brackets; None for one that is known only when the program runs."""
+    for each in node.args or ():
+        found = meant(each)
+        value: object = found.value if isinstance(found, nodes.Number) else None
+        if isinstance(found, nodes.Name) and found.symbol is not None:
+            value = found.symbol.const
+        yield int(value) if isinstance(value, (int, float)) else None
