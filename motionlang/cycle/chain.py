@@ -195,7 +195,7 @@ class Chain:
         rank = len(ends) - 1  # of the last motion that was over by then
         waits, spans = self._waits.get(task, []), self._polls.spans.get(task)
         # From when to when the last loop was the innermost one, and what takes what is computed in it.
-        low, high, looped, over_loop = 1.0, 0.0, _NOTHING, _NOTHING
+        low, high, depth, looped, over_loop = 1.0, 0.0, 0, _NOTHING, _NOTHING
         # By the place in the program the cause and the callers of the last wait there, where it was, and what takes the
         # begins and ends of what was computed behind it, and of the wait where no motion ends it.
         known: dict[int, tuple[str, tuple[int, ...], Place, Put, Put, bool, Put, Put]] = {}
@@ -213,12 +213,14 @@ class Chain:
                 begun, over = self._strip(CAUSES[cause], place, task).columns
                 known[at] = cause, callers, place, began, ended, of_motion, begun, over
             if until < time:
-                if low <= until and time <= high:  # in the loop of the one before, as most often
+                in_loop = low <= until and time <= high  # the same one, as most often
+                if in_loop and len(callers) <= depth:
                     looped(until)
                     over_loop(time)
-                elif spans:
+                elif spans and not in_loop:
                     low, high, inside = self._compute(until, time, task, place)
                     if inside is not None:
+                        depth = len(inside.callers)
                         looped, over_loop = self._strip("computing", inside, task).columns
                 else:
                     began(until)
@@ -287,7 +289,10 @@ class Chain:
     def _compute(
         self, begin: float, end: float, task: str, place: Place
     ) -> tuple[float, float, Place | None]:
-        """Charge computing to the loops that it was in, and to `place` outside of them; the first of these loops."""
+        """Charge computing to the loops that it was in, and to `place` outside of them; the first of these loops.
+
+        A place in a sub that a loop calls is nearer than the loop.
+        """
         first: tuple[float, float, Place | None] = (1.0, 0.0, None)
         spans = self._polls.spans.get(task, [])
         number = bisect_right(spans, begin, key=itemgetter(1))
@@ -297,7 +302,8 @@ class Chain:
             begin = max(begin, since)
             if begin < end:
                 loop = self.places.of(at, callers)
-                self._add(begin, min(until, end), "computing", loop, task)
+                nearer = place if len(place.callers) > len(loop.callers) else loop
+                self._add(begin, min(until, end), "computing", nearer, task)
                 if first[2] is None:
                     first = since, until, loop
             begin = max(begin, until)
@@ -379,6 +385,10 @@ class Chain:
         return parent, 0.0 if task == parent else begin
 
     def _first_place(self, task: str) -> Place:
+        """Where a task begins; its first wait where that is not known."""
+        begin = self.places.begin(task)
+        if begin is not None:
+            return begin
         waits = self._waits.get(task, [])
         return self.places.of(waits[0][1], waits[0][-1]) if waits else NOWHERE
 

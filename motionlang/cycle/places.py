@@ -24,6 +24,7 @@ class Places:
         # From the compiled program, which has been through the text already, or else read again.
         outline = None if run.program is None else run.program.outline
         self._blocks, self._lines = (run.dialect.blocks(run.source), {}) if outline is None else outline
+        self._outlined = tuple(self._lines.values())
         self._called: dict[tuple[int, tuple[int, ...]], Place] = {}
         self._at_lines: dict[int, Place] = {}
         self._known: dict[tuple[int, tuple[int, ...]], Place] = {}
@@ -33,6 +34,22 @@ class Places:
         if at not in self._lines:
             self._lines[at] = self._run.dialect.locate(self._run.source, at)[0]
         return self._lines[at]
+
+    def begin(self, task: str) -> Place | None:
+        """The first line of a task or an event handler, else of the program; None where the text has no outline."""
+        names = f"task {task}".lower(), f"event {task}".lower()
+        block = next((block for block in self._blocks if block[0].lower() in names), None)
+        lines = sorted(set(self._outlined))
+        if block is not None:
+            lines = [line for line in lines if block[1] < line <= block[2]]
+        if block is None:
+            lines = [line for line in lines if not self.sub(line)]
+        first = next(filter(self._has_code, lines), None)
+        return None if first is None else self.at_line(first)
+
+    def _has_code(self, line: int) -> bool:
+        """Whether a line has more than a comment."""
+        return any(kind != "comment" for kind, _, _ in self._run.dialect.tokens(self._run.source.line(line)))
 
     def sub(self, line: int) -> str:
         """The innermost block that a line stands in."""

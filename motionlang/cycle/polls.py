@@ -77,7 +77,11 @@ class Polls:
             self._started = sorted(zip(motions.begins, motions.lines, strict=True))
             self.waits = dict(waits)
         for task, rows in loops.items():
-            self.waits[task], self.spans[task] = self._nested(task, rows, waits.get(task, []))
+            asking = {row[1] for row in rows}
+            if any(asked.leaves or asked.within for asked in map(self.asked, asking)):
+                self.waits[task] = self._nested(task, rows, waits.get(task, []))
+            spans = sorted(((row[2], -row[3], row) for row in reversed(rows)), key=itemgetter(0, 1))
+            self.spans[task] = list(_innermost((row[2], row[3], row[1], row[-1]) for _, _, row in spans))
 
     def asked(self, at: int) -> Asked:
         """What the loop or the wait at a place asks for."""
@@ -90,8 +94,8 @@ class Polls:
 
     # ------------------------------------------------------------------------------------------- nesting
 
-    def _nested(self, task: str, rows: list[Row], waits: list[Wait]) -> tuple[list[Wait], list[Span]]:
-        """The waits of a task and its spans, from the loops outermost first and what is in each."""
+    def _nested(self, task: str, rows: list[Row], waits: list[Wait]) -> list[Wait]:
+        """The waits of a task, from the loops outermost first and what is in each."""
         each: list[tuple[float, float, int, Row | Wait]] = [
             (row[2], -row[3], 0, row) for row in reversed(rows)
         ]
@@ -99,7 +103,6 @@ class Polls:
         each.sort(key=itemgetter(0, 1, 2))
         around: list[_Loop] = []
         whole = _Loop((task, 0, 0.0, self._run.time, ()))
-        spans: list[Span] = []
         for since, end, is_wait, row in each:
             while around and around[-1].until < max(-end, since + ROUNDING) - ROUNDING:
                 self._close(task, around, whole)
@@ -111,10 +114,9 @@ class Polls:
                     owner.acts.append((wait[2], wait[3]))
             else:
                 around.append(_Loop(row))  # type: ignore[arg-type]
-                spans.append((since, -end, row[1], row[-1]))
         while around:
             self._close(task, around, whole)
-        return whole.items, list(_innermost(spans))
+        return whole.items
 
     def _close(self, task: str, around: list[_Loop], whole: _Loop) -> None:
         """The innermost loop has ended: what it was becomes part of the one around it."""

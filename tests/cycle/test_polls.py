@@ -240,6 +240,19 @@ def test_loops_in_loops_have_their_own_time() -> None:
     assert lines[1] < 1e-3
 
 
+def test_a_sub_without_loops_has_what_it_computes() -> None:
+    """Fib(12) is 465 calls of two statements each, an If and an assignment; the first line has what is before it."""
+    text = (
+        "x = 1\ny = Fib(12)\nPAUSE INX(3)\nEnd\nFunction Fib(ByVal n As Integer) As Integer\n"
+        "  If n < 2 Then\n    Fib = n\n  Else\n    Fib = Fib(n - 1) + Fib(n - 2)\n  End If\nEnd Function\n"
+    )
+    made = checked(TimeProfile(ran(text, machine=WORLD)))
+    assert by_name(made.subs())["Fib"] == pytest.approx(930e-5, abs=2e-5)
+    computing = {share.line: share.causes.get("computing", 0.0) for share in made.lines()}
+    assert computing[5] == pytest.approx(930e-5, abs=2e-5)
+    assert computing.get(3, 0.0) < 2e-5
+
+
 # ------------------------------------------------------------------------------------------------------ who asks
 
 

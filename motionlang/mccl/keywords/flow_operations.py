@@ -40,7 +40,8 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
         return None
     task.repeats[here] = left - 1
     assert task.line is not None
-    task.loop_log.back(task.line, 0, here)
+    if here != task.loop_log.end or task.loop_log.target:
+        task.loop_log.back(task.line, 0, here)
     task.pc = 0
     task.poll.effects += 1
     return None

@@ -37,11 +37,14 @@ def call_macro(task: CommandTask, command: Command) -> None:
 def jump_macro(task: CommandTask, command: Command) -> Wait | None:
     """Carry out a macro and do not come back; one that jumps to itself is a loop."""
     macro = _macro(task, command)
-    if task.line is macro:
-        task.loop_log.back(macro, 0, task.here)
-    else:
-        task.loop_log.left()
-    task.enter(macro)
+    log = task.loop_log
+    if task.line is not macro:
+        log.left()
+        task.enter(macro)
+        return task.poll.again()
+    if task.here != log.end or log.target:
+        log.back(macro, 0, task.here)
+    task.pc, task.repeats = 0, {}
     return task.poll.again()
 
 

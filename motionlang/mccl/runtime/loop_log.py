@@ -28,25 +28,29 @@ class _Open:
 
 
 class LoopLog:
-    """The loops of one task; `end` is the number of the last command of the innermost one."""
+    """The loops of one task; `target` and `end` are the numbers of the first and the last command of the innermost one.
 
-    __slots__ = ("_open", "_task", "end", "entered")
+    They are that only while its line is carried out: a jump back from `end` to `target` is the next iteration.
+    """
+
+    __slots__ = ("_task", "end", "entered", "running", "target")
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
-        self._open: list[_Open] = []
-        self.end = NEVER
+        self.running: list[_Open] = []
+        self.end = self.target = NEVER
         # When the line that is being carried out began.
         self.entered = 0.0
 
     def back(self, line: Line, target: int, here: int) -> None:
         """A jump back from command `here` of a line to command `target`."""
-        around, depth = self._open, len(self._task.calls)
+        around, depth = self.running, len(self._task.calls)
         while around:
             last = around[-1]
             if last.depth == depth and last.line is line:
                 if last.target == target:
-                    last.here = self.end = max(last.here, here)
+                    last.here = max(last.here, here)
+                    self.find_end()
                     return
                 if last.target < target:
                     break
@@ -56,11 +60,12 @@ class LoopLog:
         task = self._task
         now = task.base + task.count * task.cost
         around.append(_Open(line, target, depth, now if target else self.entered, task.stack[:-1]))
-        around[-1].here = self.end = here
+        around[-1].here = here
+        self.find_end()
 
     def passed(self) -> None:
         """The next command is behind the last one of the innermost loop, or of another line."""
-        task, around = self._task, self._open
+        task, around = self._task, self.running
         while around and around[-1].depth == len(task.calls):
             last = around[-1]
             if last.line is task.line and task.pc <= last.here:
@@ -70,23 +75,23 @@ class LoopLog:
 
     def left(self) -> None:
         """The line has ended, or is given up: so have its loops."""
-        while self._open and self._open[-1].depth >= len(self._task.calls):
+        while self.running and self.running[-1].depth >= len(self._task.calls):
             self._close()
         self.find_end()
 
     def open(self) -> list[tuple[int, float, tuple[int, ...]]]:
         """The loops that the task is in, the outermost first, as `Task.loops` has them."""
-        return [(each.line.places[each.here], each.since, each.callers) for each in self._open]
+        return [(each.line.places[each.here], each.since, each.callers) for each in self.running]
 
     def find_end(self) -> None:
         """Which command is the last one of the innermost loop; none in the line of a macro that the loop calls."""
-        last = self._open[-1] if self._open else None
+        last = self.running[-1] if self.running else None
         task = self._task
         inside = last is not None and last.line is task.line and last.depth == len(task.calls)
-        self.end = last.here if last is not None and inside else NEVER
+        self.end, self.target = (last.here, last.target) if last is not None and inside else (NEVER, NEVER)
 
     def _close(self) -> None:
-        task, loop = self._task, self._open.pop()
+        task, loop = self._task, self.running.pop()
         until = task.base + task.count * task.cost
         if until - loop.since > LEAST * task.cost:
             at = loop.line.places[loop.here]

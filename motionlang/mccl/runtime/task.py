@@ -145,7 +145,8 @@ class CommandTask(Task):
         while left:
             line, pc = self.line, self.pc
             if line is None or pc >= len(line.commands):
-                loop_log.left()
+                if loop_log.running:
+                    loop_log.left()
                 if self._step_out():
                     continue
                 return now, self._rest(now)
@@ -266,7 +267,8 @@ class CommandTask(Task):
         """Carry out a line from its first command."""
         self.line, self.pc, self.repeats = line, 0, {}
         self.loop_log.entered = self.base + self.count * self.cost
-        self.loop_log.find_end()
+        if self.loop_log.running:
+            self.loop_log.find_end()
 
     def jump(self, target: int) -> Wait | None:
         """Go on with command `target` of the line."""
@@ -279,11 +281,13 @@ class CommandTask(Task):
                 f"they are numbered 0 to {last}",
                 "range",
             )
-        back = target <= self.here
-        if back:
-            self.loop_log.back(self.line, target, self.here)
+        here, log = self.here, self.loop_log
         self.pc = target
-        return self.poll.again() if back else None
+        if target > here:
+            return None
+        if here != log.end or target != log.target:
+            log.back(self.line, target, here)
+        return self.poll.again()
 
     def abandon(self) -> None:
         """Leave the line and every macro it is in."""

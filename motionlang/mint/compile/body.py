@@ -219,6 +219,7 @@ class Body:
         "_stretches",
         "analysed",
         "at",
+        "callee",
         "calls",
         "deepest",
         "facts",
@@ -286,6 +287,8 @@ class Body:
         self.targets: dict[str, tuple[str, Type, Symbol]] = {}
         # Of the statement being written: does it take note of time, does it call a sub that may wait?
         self.observes = self.calls = False
+        # The sub that was called last.
+        self.callee: Function | None = None
         # Of the function so far: was `t` used as an absolute time; does it hold a `yield`?
         self.noted = self.waits = False
 

@@ -30,6 +30,7 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
     texts = [_argument(b, arg, parameter) for arg, parameter in zip(args, callee.parameters, strict=True)]
     text = f"{symbol.python}({', '.join(texts)})"
     b.calls = True
+    b.callee = callee
     if not callee.plain:
         b.gives_way()
         text = f"(yield from {text})"

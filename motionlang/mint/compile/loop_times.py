@@ -9,12 +9,15 @@ The variable is named after the source offset of the loop, so that the frame of 
 been thrown out of it, says since when. A loop shorter than `LEAST` statements that never waited leaves no record.
 Nothing is added to an iteration.
 
+A call of a sub outside of loops is noted in the same way, for what it computes outside of its own.
+
 A backward Goto makes a loop of the stretches from its label to the last jump back to it. It begins where its label is
 reached, and ends behind the statement of that last jump, or at a jump to a stretch outside of it.
 """
 
 from __future__ import annotations
 
+from motionlang.mint.compile.lines import Line
 from motionlang.mint.runtime.loop_log import LEAST
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
@@ -46,6 +49,23 @@ def begin(b: Body) -> None:
 def end(b: Body) -> None:
     """Behind a loop."""
     _close(b, b.timed.pop())
+
+
+def call(b: Body, node: nodes.Stmt, begin: int) -> None:
+    """Around a statement, written from line `begin` on, that calls a sub: it leaves a record as a loop does.
+
+    Not where it waits, as the places of its waits say in which sub it is. Not in a loop, whose iterations stay what
+    they are, and not where a sub calls itself: the first call is enough.
+    """
+    if type(node) not in (nodes.Call, nodes.Assign) or b.callee is None or b.callee is b.function:
+        return
+    at = node.at
+    b.lines.insert(begin, Line(b.indent, f"l{at} = t, E.statements.base", at))
+    b.emit(
+        f"if t - l{at}[0] > {LEAST} and E.statements.base is l{at}[1]: "
+        f"E.looped(t, l{at}, {b.callee.at}, ({at},))"
+    )
+    b.emit(f"l{at} = None")
 
 
 def leave(b: Body) -> None:

@@ -42,6 +42,8 @@ def block(b: Body, body: list[nodes.Stmt]) -> None:
             _guard(b, node)
         else:
             _STATEMENTS[node.__class__](b, node)
+        if b.calls and not b.timed:
+            loop_times.call(b, node, begin)
         if around and b.deepest - len(around) >= splitting.MOST_LOOPS and splitting.fold(b, begin):
             b.deepest = len(around)
         begin = len(lines)

@@ -284,9 +284,9 @@ class Environment(Waits):
         """What places the cursor at the begin of a row of the screen."""
         return f"\x1b[{max(number, 1)};1H"
 
-    def looped(self, t: float, begun: Begun, at: int) -> None:
-        """A loop has ended at statement `t`."""
-        looped(self.machine.log, self.statements, self.task, t, begun, at)
+    def looped(self, t: float, begun: Begun, at: int, called: tuple[int, ...] = ()) -> None:
+        """A loop has ended at statement `t`, or a sub that was `called` at a place."""
+        looped(self.machine.log, self.statements, self.task, t, begun, at, called)
 
     def thrown(self, t: float, jump: Exception) -> None:
         """A jump has left loops at statement `t`."""

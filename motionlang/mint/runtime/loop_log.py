@@ -22,13 +22,21 @@ if TYPE_CHECKING:
 LEAST = 100.0
 
 
-def looped(log: Log, statements: StatementTime, task: MintTask, t: float, begun: Begun, at: int) -> None:
-    """A loop has ended at statement `t`; called by what the code of a program calls."""
+def looped(
+    log: Log,
+    statements: StatementTime,
+    task: MintTask,
+    t: float,
+    begun: Begun,
+    at: int,
+    called: tuple[int, ...],
+) -> None:
+    """A loop has ended at statement `t`, or a sub; called by what the code of a program calls."""
     count, base = begun
     since, until = base + count * statements.cost, statements.at(t)
     if until - since > LEAST * statements.cost:
         callers = () if _getframe(2) is task.frame else task.callers(3)
-        log.loops.add((task.name, at, since, until, callers))
+        log.loops.add((task.name, at, since, until, (*callers, *called)))
 
 
 def thrown(log: Log, statements: StatementTime, task: MintTask, jump: Exception, t: float) -> None:
