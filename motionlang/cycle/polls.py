@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 LEAST = 100.0
 ROUNDING = 1e-9
 _NOTHING = Asked(frozenset())
+_SINCE: Callable[[Wait], float] = itemgetter(2)
 
 
 class _Loop:
@@ -126,7 +127,10 @@ class Polls:
         if asked.leaves or asked.within:
             loop.acts += [(begin, begin) for begin in self._starts(asked.lines, loop.since, loop.until)]
             if asked.leaves and not loop.acts:
-                self._wait(task, loop, asked, loop.since, loop.until, asked.leaves, not asked.counts)
+                stretch = loop.since, loop.until
+                loop.items = self._wait(
+                    task, loop, asked, stretch, asked.leaves, not asked.counts, loop.items
+                )
             elif asked.within:
                 self._between(task, loop, asked)
         outer.items += loop.items
@@ -135,38 +139,46 @@ class Polls:
 
     def _between(self, task: str, loop: _Loop, asked: Asked) -> None:
         """The waits of a loop that works, between its acts."""
-        begin = loop.since
+        items, inner = sorted(loop.items, key=_SINCE), sorted(loop.inner)
+        made: list[Wait] = []
+        begin, place, number = loop.since, 0, 0
         for act, over in [*sorted(loop.acts), (loop.until, loop.until)]:
-            if act - begin > LEAST * self._cost + ROUNDING and _iterates(loop, begin, act):
-                self._wait(task, loop, asked, begin, act, asked.within, False)
+            first, place = place, _up_to(items, place, act, _SINCE)
+            stretch = items[first:place]
+            lower, number = number, _up_to(inner, number, act, itemgetter(0))
+            if act - begin > LEAST * self._cost + ROUNDING and _iterates(
+                stretch, inner[lower:number], begin, act
+            ):
+                stretch = self._wait(task, loop, asked, (begin, act), asked.within, False, stretch)
+            first, place = place, _up_to(items, place, over, _SINCE)
+            made += stretch + items[first:place]
             begin = max(begin, over)
+        loop.items = made + items[place:]
 
     def _wait(
         self,
         task: str,
         loop: _Loop,
         asked: Asked,
-        begin: float,
-        end: float,
+        stretch: tuple[float, float],
         reads: frozenset[Read],
         whole: bool,
-    ) -> None:
-        """A loop has waited from `begin` to `end`: that takes the place of the waits in it, up to what ended it."""
-        inner = [wait for wait in loop.items if begin <= wait[2] < end]
-        longest = max((wait[3] - wait[2] for wait in inner), default=0.0)
+        items: list[Wait],
+    ) -> list[Wait]:
+        """Where a loop waited in a stretch: that in the place of the waits in it, `items`, up to what ended it."""
+        begin, end = stretch
+        longest = max((wait[3] - wait[2] for wait in items), default=0.0)
         late = LEAST * self._cost + 2.0 * longest + ROUNDING
         found = self._ended(reads, begin, end, late, whole)
         if found is None or (asked.counts and end - found[0] > late):
-            return
+            return items
         over, cause, what = found
-        before = [wait for wait in loop.items if wait[2] < begin]
-        after = [wait for wait in loop.items if wait[2] >= begin and wait[3] > over]
+        after = [wait for wait in items if wait[3] > over]
         if after and after[0][2] < over:
             after[0] = (*after[0][:2], over, *after[0][3:])
-        made = task, loop.at, begin, over, cause, what, asked.why, loop.callers
-        loop.items = [*before, made, *after]
         if cause != "time":
             loop.acts.append((begin, over))
+        return [(task, loop.at, begin, over, cause, what, asked.why, loop.callers), *after]
 
     # --------------------------------------------------------------------------------------- what ended it
 
@@ -246,10 +258,17 @@ def _loops(run: Run) -> dict[str, list[Row]]:
     return found
 
 
-def _iterates(loop: _Loop, begin: float, end: float) -> bool:
+def _up_to(rows: list[Any], place: int, time: float, since: Callable[[Any], float]) -> int:
+    """The number of the first row, from `place` on, that does not begin before a time."""
+    while place < len(rows) and since(rows[place]) < time:
+        place += 1
+    return place
+
+
+def _iterates(waits: list[Wait], loops: list[tuple[float, float]], begin: float, end: float) -> bool:
     """True if a loop went round from `begin` to `end`, and did not just carry out a WAIT or a loop in it once."""
-    times = Counter(wait[1] for wait in loop.items if begin <= wait[2] < end)
-    inside = fsum(min(until, end) - since for since, until in loop.inner if begin <= since < end)
+    inside = fsum(min(until, end) - since for since, until in loops)
+    times = Counter(wait[1] for wait in waits)
     return inside < 0.5 * (end - begin) and all(count > 1 for count in times.values())
 
 
