@@ -4,6 +4,8 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from motionlang.result import Run
 
 
@@ -24,7 +26,6 @@ class Places:
         # From the compiled program, which has been through the text already, or else read again.
         outline = None if run.program is None else run.program.outline
         self._blocks, self._lines = (run.dialect.blocks(run.source), {}) if outline is None else outline
-        self._outlined = tuple(self._lines.values())
         self._called: dict[tuple[int, tuple[int, ...]], Place] = {}
         self._at_lines: dict[int, Place] = {}
         self._known: dict[tuple[int, tuple[int, ...]], Place] = {}
@@ -36,14 +37,14 @@ class Places:
         return self._lines[at]
 
     def begin(self, task: str) -> Place | None:
-        """The first line of a task or an event handler, else of the program; None where the text has no outline."""
+        """The first line of a task or an event handler, else of the program; None where there is none."""
         names = f"task {task}".lower(), f"event {task}".lower()
         block = next((block for block in self._blocks if block[0].lower() in names), None)
-        lines = sorted(set(self._outlined))
         if block is not None:
-            lines = [line for line in lines if block[1] < line <= block[2]]
-        if block is None:
-            lines = [line for line in lines if not self.sub(line)]
+            lines: Iterable[int] = range(block[1] + 1, block[2] + 1)
+        else:
+            last = self._run.source.text.count("\n") + 1
+            lines = (line for line in range(1, last + 1) if not self.sub(line))
         first = next(filter(self._has_code, lines), None)
         return None if first is None else self.at_line(first)
 
