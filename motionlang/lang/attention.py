@@ -26,27 +26,43 @@ TICK = 1e-3
 # How far past a solved moment a condition is looked at: `POS > 50` is false at the very moment of 50.
 _AFTER = (0.0, 1e-12, 1e-10, 1e-8)
 _NOBODY_ASKS = (-INFINITY,)
+# The same, and the level of what a loop keeps the greatest of.
+_OF_LOOPS = (_NOBODY_ASKS, (INFINITY,))
 
 
 class Attention:
-    """The notes of the task that is running; `notes` is None while nobody asks for them."""
+    """The notes of the task that is running; `notes` is None while nobody asks for them.
 
-    __slots__ = ("clock", "notes")
+    `read` has the notes of all tasks since somebody began to ask for all that is read; None while nobody does. Then
+    `notes` is never None.
+    """
+
+    __slots__ = ("clock", "notes", "read")
 
     def __init__(self, clock: Clock) -> None:
         self.clock = clock
         self.notes: list[Note] | None = None
+        self.read: set[Note] | None = None
 
     def note(self, until: Callable[..., float], *about: object) -> None:
         """Something has been read that may change at `until(*about)`, no event telling.
 
         What is compared with -INFINITY is only kept, and nobody asks what it is.
         """
-        notes = self.notes
+        notes, read = self.notes, self.read
+        if read is not None:
+            # Only a loop that carries out its last turn can do with less than the reading as it is.
+            read.add((self.at_once, ()) if about[-1:] in _OF_LOOPS else (until, about))
+            if len(read) > MOST:
+                self.read = None
         if notes is not None and about[-1:] != _NOBODY_ASKS:
             notes.append((until, about))
             if len(notes) > MOST:
-                self.notes = None  # whoever asks finds other notes than those he began with
+                self.rest()  # whoever asks finds other notes than those he began with
+
+    def rest(self) -> None:
+        """The running task asks for no notes any more."""
+        self.notes = None if self.read is None else []
 
     def begin(self) -> tuple[list[Note], int]:
         """From now on notes are taken: where they go, and how many are there already."""

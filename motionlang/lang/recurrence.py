@@ -1,8 +1,17 @@
-"""Tasks that poll and wait side by side: when all of them stand as they once stood, what follows is what followed then.
+"""Tasks that poll side by side: when their joint state repeats, execution is periodic and whole periods are skipped.
 
-How a task goes on that has done nothing for a whole turn is told by what the turn left behind, by how long it has run
-since, and by how long it still waits. So the machine as a whole comes back, after a while, to where it was, and will
-again and again until something happens: an event, a level that is passed, the end of a wait that is not like others.
+A joint state is all that decides what the tasks do next:
+
+* of each task where it is in its code, its local variables and what is left of its wait (`Task.state`),
+* the variables that tasks share, and the counters of what they did to anything else (`Shared.state`),
+* whose time slice is next, and the events so far.
+
+Readings are part of it through their dependencies. `Attention.read` collects those of all tasks since the first state
+was remembered. The period repeats until the first moment at which one of them may change, an event happens, or a wait
+that is no part of the period ends. So a state that is met again is proof of a period, whatever the tasks are doing.
+
+What tasks did is compared first, so that nothing is remembered while they act. States are small: contents are replaced
+by numbers, and a task that has not run since keeps its number.
 """
 
 from __future__ import annotations
@@ -16,85 +25,156 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from motionlang.controller.controller import Controller
+    from motionlang.lang.attention import Note
     from motionlang.lang.machine.machine import Machine
-    from motionlang.lang.task import Task, Wait
+    from motionlang.lang.task import Shared, Task, Wait
 
-    # When a state was met: the time, the statement time's base and count, until when what was read holds.
-    Met = tuple[float, float, float, float]
+    # When a state was met: the time, and the base and the count of the statement time.
+    Met = tuple[float, float, float]
 
 # Waits that are so many times as long as the shortest one are also taken as what ends a short period.
 LONGER = 4.0
-# So many states are remembered; where none has come back by then, none is looked for until something happens.
-MOST = 20_000
-# Times are compared in nanoseconds.
-_NANOSECONDS = 1e9
+# So many states, and contents of so many bytes, are remembered. Where no state has come back by then, none is looked
+# for until something happens.
+MAX_STATES = 20_000
+MAX_BYTES = 10_000_000
 
 
 class Recurrence:
-    """The states that the tasks have been in since something happened, each with its time."""
+    """The joint states since the tasks began to do no more than poll and wait."""
 
     def __init__(self, machine: Controller | Machine, pace: Callable[[float], None] | None) -> None:
         self._clock, self._pace = machine.clock, pace
         self._statements: StatementTime = getattr(machine, "statements", None) or StatementTime(0.0)
-        self._key: tuple[int, set[int]] = (-1, set())
+        cost_units = self._statements.cost * UNITS
+        # What a statement costs in units, 0 where that is no whole number of them.
+        self._cost_units = round(cost_units) if abs(cost_units - round(cost_units)) < 1e-6 else 0
+        self._shared: Shared | None = None
+        self._since: object = None
+        self._read: set[Note] = set()
         self._met: dict[tuple[object, ...], Met] = {}
+        self._numbers: dict[object, int] = {}
+        self._bytes = 0
+        self._states: dict[Task, int] = {}
+        # Objects whose identity is part of a state.
+        self._alive: dict[int, object] = {}
+
+    def forget(self) -> None:
+        """The tasks no longer do no more than poll and wait."""
+        if self._shared is not None:
+            self._shared.attention.read = None
+            self._since = self._shared = None
+
+    def has_run(self, task: Task) -> None:
+        """`task` may stand elsewhere by now."""
+        self._states.pop(task, None)
 
     def leap(self, tasks: Sequence[Task], turn: int, until: float) -> None:
-        """After a turn: go on over as many whole periods as fit before anything can change, if they are known."""
-        acts = {task.look[0] for task in tasks if task.look is not None}
+        """After a time slice: skip as many whole periods as fit before anything can change, if a period is known."""
+        shared = tasks[0].shared
         unknown = any(task.wait is None and task.look is None for task in tasks)
-        if len(acts) > 1 or unknown or self._statements.reached != self._clock.now:
-            return  # one has done something, or runs and nobody knows what it does
-        if self._key != (self._clock.fired, acts):
-            self._key, self._met = (self._clock.fired, acts), {}
-        if len(self._met) > MOST:
+        if shared is None or unknown or self._statements.reached != self._clock.now:
+            self.forget()
             return
+        *acts, contents = shared.state(self._alive)
+        since = self._clock.fired, acts
+        if since != self._since or shared.attention.read is not self._read:
+            self._begin(since, shared)
+        if len(self._met) > MAX_STATES or self._bytes > MAX_BYTES:
+            return
+        state = [turn, self._number(contents)]
+        for task in tasks:
+            number = self._states.get(task)
+            if number is None:
+                stands = task.state(self._alive)
+                if stands is None:
+                    return
+                number = self._states[task] = self._number(stands)
+            state.append(number)
         lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
         longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)
         for most in sorted({longest, min(longest, LONGER * shortest)}, reverse=True):
             inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
-            if self._skips(inner, others, (turn, most), until):
+            if self._skips(inner, others, (most, *state), until):
                 return
 
-    def _skips(
-        self, tasks: list[Task], others: list[Wait], signature: tuple[object, ...], until: float
-    ) -> bool:
-        """Whether the clock went on over whole periods of some `tasks`, which stand as they once did; `others` wait."""
+    def _begin(self, since: object, shared: Shared) -> None:
+        """Remember no state from before this moment."""
+        self._since, self._shared = since, shared
+        self._read = shared.attention.read = set()
+        self._met, self._numbers, self._bytes = {}, {}, 0
+        self._states, self._alive = {}, {}
+
+    def _number(self, contents: bytes) -> int:
+        """The number that stands for some contents."""
+        number = self._numbers.get(contents)
+        if number is None:
+            number = self._numbers[contents] = len(self._numbers)
+            self._bytes += len(contents)
+        return number
+
+    def _skips(self, tasks: list[Task], others: list[Wait], state: tuple[float, ...], until: float) -> bool:
+        """Whether whole periods of `tasks` were skipped, during which `others` last."""
         clock, statements = self._clock, self._statements
-        now = clock.now
-        for task in tasks:
-            left = 0.0 if task.wait is None else task.wait.due() - now
-            signature += (task.look[1], round(task.into * _NANOSECONDS), round(left * _NANOSECONDS))  # type: ignore[index]
+        now, base, count = clock.now, statements.base, statements.count
+        waits = [task.wait for task in tasks if isinstance(task.wait, Delay)]
+        passed = units(base) + (int(count) * self._cost_units)
+        left = [units(wait.ends) - passed for wait in waits]
+        if waits and not self._cost_units:
+            left.append(count)  # type: ignore[arg-type]
         dues = [wait.due() for wait in others]
-        level = min([task.level for task in tasks], default=INFINITY)
-        signature += tuple(dues)
-        before = self._met.get(signature)
-        if before is None or before[3] <= now:  # what passes a level sees another world from then on
-            self._met[signature] = now, statements.base, statements.count, level
+        key = (*state, *left, *dues)
+        before, self._met[key] = self._met.get(key), (now, base, count)
+        if before is None:
+            return False
+        shift = self._shift(before, bool(waits))
+        if shift is None:
+            return False
+        shared = self._shared
+        assert shared is not None
+        level = shared.attention.until(before[0] - CLOSE, self._read) - CLOSE
+        if level <= now:  # something that was read has changed, and the next period may be another one
+            self._begin(self._since, shared)
             return False
         if any(wait.ready() for wait in others):
             return False
         limit = min(level, clock.next_time(), *dues)
         if limit == INFINITY:
             for task in tasks:
-                if task.in_vain is None and task.look and task.look[2] and _lasts(task.wait) <= WATCH:
+                if task.in_vain is None and task.look and task.look[1] and _lasts(task.wait) <= WATCH:
                     task.in_vain = now
         if limit == until == INFINITY:
             raise Refusal("never", "the loops look for something that can no longer happen", "")
-        count = int((min(limit, until) - CLOSE - now) / (now - before[0]))
-        if count <= 0:
+        times = int((min(limit, until) - CLOSE - now) / (now - before[0]))
+        if times <= 0:
             return False
-        statements.repeat(before[1], before[2], count)
+        statements.repeat(before[1], before[2], times)
         time = statements.reached
         if self._pace is not None:
             self._pace(time)
-        for task in tasks:
-            if isinstance(task.wait, Delay):
-                task.wait.move(units(task.wait.due() + (time - now)) / UNITS)
+        for wait in waits:
+            wait.move((units(wait.ends) + times * shift) / UNITS)
         clock.leaps += 1
         clock.now = time
+        self._met[key] = time, statements.base, statements.count
         return True
+
+    def _shift(self, before: Met, wait: bool) -> int | None:
+        """How much later, in units, waits end period by period; None where a period is not the same to the last bit.
+
+        It is where statements count on from the same moment or as far from another one, of which each is a whole unit.
+        """
+        base, count = self._statements.base, self._statements.count
+        if base == before[1]:
+            return None if wait and not self._cost_units else int(count - before[2]) * self._cost_units
+        if count != before[2] or not _is_whole(base) or not _is_whole(before[1]):
+            return None
+        return units(base) - units(before[1])
+
+
+def _is_whole(moment: float) -> bool:
+    return units(moment) / UNITS == moment
 
 
 def _lasts(wait: Wait | None) -> float:

@@ -223,20 +223,25 @@ class Scheduler(WaitsInTurn):
 
     def _compare(self, task: Task) -> None:
         """Where nobody does more than poll and wait, and all stand as they did before: go on to what may change it."""
-        now, began = self.clock.now, self.turn_began
-        task.into = now - task.looked if task.looked >= began else task.into + now - began
-        if task.look is None or task.done or self.interrupts or self.outside is not None:
+        recurrence = self._recurrence
+        if task.look is None or task.busy or task.done or self.interrupts or self.outside is not None:
             self._calm = 0
+            if recurrence is not None:
+                recurrence.forget()
             return
         self._calm += 1
         count = len(self.tasks)
+        if recurrence is not None:
+            recurrence.has_run(task)
         if self._calm < count or (self._calm % count and not self._waiting):
             return  # not everybody has looked in vain yet; where nobody waits, one comparison a round tells as much
-        if self._recurrence is None:
+        if recurrence is None:
             from motionlang.lang.recurrence import Recurrence
 
-            self._recurrence = Recurrence(self.machine, self.pace)
-        self._recurrence.leap(self.tasks, self._turn, self.until)
+            recurrence = self._recurrence = Recurrence(self.machine, self.pace)
+        elif self._calm == count:
+            recurrence.forget()  # tasks may have run since it was last asked
+        recurrence.leap(self.tasks, self._turn, self.until)
 
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion that is under way end; False when `until` comes first or an axis jogs for ever."""

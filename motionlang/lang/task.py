@@ -12,11 +12,21 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
     from types import CodeType, FrameType
-    from typing import Any
+    from typing import Any, Protocol
 
     from motionlang.controller.clock import Clock
     from motionlang.controller.controller import Controller
+    from motionlang.lang.attention import Attention
     from motionlang.lang.machine.machine import Machine
+
+    class Shared(Protocol):
+        """What the tasks of a program share."""
+
+        attention: Attention
+
+        def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
+            """Two counters of what tasks did that cannot be compared, and what their variables hold."""
+
 
 INFINITY = float("inf")
 # Times that are nearer to each other than this are one: it is not rounding that decides who comes first.
@@ -121,20 +131,16 @@ class Task:
     `None` for the wait means that the horizon was reached, or, with `done` set, that the task has ended.
     Places in the program are token numbers ("at"), which the dialect's `locate` turns into line and column.
 
-    A task that only polls says so in `look`: how much anybody has done by then, what it leaves behind turn by turn, and
-    whether it looks at anything. `looked` is when its last turn ended, `into` how long it has run since, and `level`
-    the moment up to which it will do the same again if nothing happens. `in_vain` is the time since which it has looked
-    for something that nothing could bring about until the end of the run.
+    A task that only polls says so in `look`: how much anybody has done by then, and whether it looks at anything.
+    `in_vain` is the time since which it has looked for something that nothing could bring about until the end of the
+    run.
     """
 
     __slots__ = (
         "busy",
         "done",
         "in_vain",
-        "into",
-        "level",
         "look",
-        "looked",
         "name",
         "priority",
         "turn",
@@ -145,14 +151,24 @@ class Task:
         self.name = name
         # For how long, of its own running time, nobody can tell what the task does: it computes with what is its own.
         self.busy = 0.0
-        self.look: tuple[int, object, bool] | None = None
-        self.looked = self.into = 0.0
-        self.level = INFINITY
+        self.look: tuple[int, bool] | None = None
         self.in_vain: float | None = None
         self.priority = 0  # of two tasks that can run, the one with the higher priority does
         self.turn = INFINITY  # the most that it may run, s, while others can
         self.done = False
         self.wait: Wait | None = None
+
+    @property
+    def shared(self) -> Shared | None:
+        """What the tasks of its program share, where that can be compared."""
+        return None
+
+    def state(self, alive: dict[int, object]) -> bytes | None:
+        """All that decides what it does next but its wait and what tasks share; None where that cannot be compared.
+
+        Objects whose identity is part of it are added to `alive`.
+        """
+        return None
 
     @property
     def at(self) -> int:

@@ -37,6 +37,10 @@ class MintInteractive(Interactive):
             "P": self.environment.say,
             "T": self.environment.operations.now,
         }
+        self.environment.variables = self._variables
+
+    def _variables(self) -> list[object]:
+        return [value for name, value in self._namespace.items() if name.startswith("v_")]
 
     def is_complete(self, text: str) -> bool:
         return is_complete(text)

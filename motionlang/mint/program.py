@@ -147,7 +147,8 @@ class MintProgram(Program):
         namespace.update(E=environment, P=environment.say, T=environment.operations.now)
         if values:
             namespace.update({given_name(name): value for name, value in values.items()})
-        code.link(namespace, environment.time_cells)
+        cells = code.link(namespace, environment.time_cells)
+        environment.variables = lambda: [cell.cell_contents for cell in cells]
         environment.blocks = {key: namespace[name] for key, name in code.blocks.items()}  # type: ignore[misc]
         if len(environment.blocks) > 1:
             environment.listen()

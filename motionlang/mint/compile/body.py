@@ -34,6 +34,9 @@ Spec = tuple[object, ...]
 EACH = "each"
 
 
+# The call of a sub that may wait, and what may stand before it where nothing is worked out yet.
+CALL = "(yield from "
+_WORKS_NOTHING_OUT = frozenset(("if", "elif", "not", "while", "return"))
 # How tightly an operator binds whose brackets may be left out: a sum, a product.
 SUM, PRODUCT = 1, 2
 
@@ -263,7 +266,7 @@ class Body:
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
         # What a turn that a Goto ends is compared by, where it is known; () where it is not watched.
-        self.turn: tuple[dict[str, Symbol], bool] | tuple[()] | None = None
+        self.turn: tuple[dict[str, Symbol], bool, bool] | tuple[()] | None = None
         # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
         self.stretch = 0
         self.polls: list[Poll] = []
@@ -295,6 +298,9 @@ class Body:
     # -------------------------------------------------------------------------------------------- lines
 
     def emit(self, text: str, kind: str = PLAIN, cost: int = 0) -> None:
+        """Write a line; one that calls a sub with part of an expression worked out counts that (`E.midway`)."""
+        if CALL in text and self.whole.others and not _calls_first(text):
+            text = text.replace(CALL, f"{CALL}E.midway or ")
         if self.names:
             self.lines.append(Line(self.indent, text, self.at, kind, self.names, cost))
             self.names = []
@@ -311,9 +317,10 @@ class Body:
         self.names.append(YIELDS)
         self.waits = True
 
-    def temp(self) -> str:
+    def temp(self, kind: str = "w") -> str:
+        """A name for what the program does not name; of kind `SCRATCH` where nothing asks for it after a `yield`."""
         self.temps += 1
-        return f"w{self.temps}"
+        return f"{kind}{self.temps}"
 
     # --------------------------------------------------------------------------------------------- time
 
@@ -448,3 +455,10 @@ class Body:
         if symbol.type.name == INTEGER:
             return intervals.INTEGER
         return intervals.ANY if symbol in self.analysed else intervals.FLOAT
+
+
+def _calls_first(text: str) -> bool:
+    """Whether nothing is worked out in a line before its one call of a sub that may wait."""
+    before, _, after = text.partition(CALL)
+    words = before.rpartition(" = ")[2].replace("(", " ").split()
+    return CALL not in after and all(each in _WORKS_NOTHING_OUT for each in words)

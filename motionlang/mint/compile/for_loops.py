@@ -24,6 +24,7 @@ from motionlang.mint.compile.lines import LOOP, moved
 from motionlang.mint.compile.loops import body_of, flag_for, go_on_leaving, turn
 from motionlang.mint.compile.operators import arithmetic
 from motionlang.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, Symbol
+from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -177,7 +178,7 @@ def _chunks(b: Body, counter: Counter, body: list[Line]) -> None:
     each, b.pending = b.pending + 1, 0
     worst = each + sum([line.cost for line in body])
     text, stop, step = counter.text, counter.stop.text, counter.step.const
-    n, w, c = b.temp(), b.temp(), b.temp()
+    n, w, c = b.temp(SCRATCH), b.temp(SCRATCH), b.temp(SCRATCH)
     b.noted = True
     b.emit(f"while {_continues(counter)}:", LOOP)
     b.indent += 1

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from motionlang.mint.compile.lines import HORIZON, YIELDS
 from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME
+from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
 
@@ -46,10 +47,10 @@ class Poll:
 
     __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
-    def __init__(self, b: Body, state: State, asks: bool, idle: Idle = ([], set())) -> None:
+    def __init__(self, b: Body, state: State, asks: bool, alters: bool, idle: Idle = ([], set())) -> None:
         counters, mere = idle
-        self._site = b.whole.use("loop", asks, bool(mere), len(b.whole.specs))
-        self._look, self._next, self._named = b.temp(), b.temp(), state.values()
+        self._site = b.whole.use("loop", asks, bool(mere), alters, len(b.whole.specs))
+        self._look, self._next, self._named = b.temp(SCRATCH), b.temp(SCRATCH), state.values()
         self._counted = f"({', '.join(counters)},)" if counters else "()"
         self._compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
         self.first = f"{self._look} = None; {self._next} = {self._site}.left"
@@ -103,8 +104,9 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     return poll
 
 
-def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool] | None:
-    """The variables, as text, that turns of a loop are compared by, and whether these look at what others can change.
+def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool] | None:
+    """The variables, as text, that turns of a loop are compared by, whether it looks at what others can change, and
+    whether it gives values to variables of others.
 
     They are all that is named in what the turn reaches. None where there are too many, or where the loop just computes.
     """
@@ -122,7 +124,20 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool] | Non
     if len(state) > MOST_VARIABLES:
         return None
     b.whole.rewritten.update(filter(is_repeated, rows))
-    return state, reads
+    return state, reads, any(_alters(b, node) for node in turn)
+
+
+def _alters(b: Body, node: nodes.Node) -> bool:
+    """Whether a statement gives a value to a variable that others may use."""
+    target: object = None
+    if isinstance(node, nodes.Assign):
+        target = node.target
+    elif isinstance(node, nodes.For):
+        target = node.variable
+    while isinstance(target, nodes.Member):
+        target = target.value
+    symbol = target.symbol if isinstance(target, nodes.Name) else None
+    return symbol is not None and (symbol.shared or symbol.by_ref or b.whole.typed)
 
 
 def idle(b: Body, turn: Iterable[nodes.Node]) -> Idle:

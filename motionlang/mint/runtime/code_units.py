@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 FILE = "<mint>"
 # The time, which subs share with who calls them.
 TIME = ("t", "H")
+# How the names of variables begin that hold nothing of the program, or nothing beyond the next `yield`.
+SCRATCH = "m"
 
 
 def given_name(name: str) -> str:
@@ -144,8 +146,11 @@ class Code:
             places[line] = place
         return units, self.first, self.shared, self.specs, self.blocks, places.tobytes()
 
-    def link(self, namespace: dict[str, object], time: tuple[CellType, CellType]) -> None:
-        """Put the functions, or their stand-ins, into a namespace that has everything else; `time` are those cells."""
+    def link(self, namespace: dict[str, object], time: tuple[CellType, CellType]) -> list[CellType]:
+        """Put the functions, or their stand-ins, into a namespace that has everything else; `time` are those cells.
+
+        Answers with the cells of the variables that functions share.
+        """
         values: dict[str, object] = {}
         if self.first is not None:
             exec(self.first, values)
@@ -157,6 +162,7 @@ class Code:
             else:
                 for name in unit.names:
                     namespace[name] = _StandIn(name, unit, namespace, cells)
+        return [cells[name] for name in self.shared]
 
 
 def loaded(payload: tuple[object, ...]) -> Code:

@@ -88,6 +88,10 @@ class Environment(Waits):
         self.timer = [self.clock.now]
         # How often the program has done something; a loop that polls does nothing.
         self.acts = 0
+        # How often a sub that may wait was called with part of an expression worked out.
+        self.midways = 0
+        # What the variables hold that functions of the program share.
+        self.variables: Callable[[], list[object]] = list
         # How often a task has run after another one; which one ran last, and what the clock had counted by then.
         self.resumed = 0
         self.ran: MintTask | None = None
@@ -131,6 +135,17 @@ class Environment(Waits):
             found = self._parts[kind] = kind(self)  # type: ignore[call-arg]
         return found  # type: ignore[return-value]
 
+    @property
+    def midway(self) -> None:
+        """A sub that may wait is about to be called with part of the expression around it worked out."""
+        self.midways += 1
+
+    def state(self, alive: dict[int, object]) -> tuple[int, int, bytes]:
+        """What tasks did to anything but variables, as counters, and what the variables hold that they share."""
+        from motionlang.mint.runtime.task_state import of_values
+
+        return self.acts, self.midways, of_values(self.variables(), alive)
+
     def parts(self) -> list[object]:
         """The parts that there are so far."""
         return list(self._parts.values())
@@ -161,7 +176,7 @@ class Environment(Waits):
         if how == "loop":
             from motionlang.mint.runtime.loop_skipping import Site
 
-            return Site(self, bool(details[0]), bool(details[1]))
+            return Site(self, *map(bool, details[:3]))
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "wait":

@@ -41,13 +41,14 @@ STATEMENTS = 4.0
 class Site:
     """A loop of the text: `asks` whether it looks at anything, `carries` whether its last turn has to be carried out.
 
+    `alters`: a turn may give a variable that others wait for another value, and give it back its own.
     `left` is for how many turns it is left alone, or up to statement `due`, in one that counts no turns.
     """
 
-    __slots__ = ("_base", "_due", "_environment", "_statements", "asks", "carries", "left")
+    __slots__ = ("_base", "_due", "_environment", "_statements", "alters", "asks", "carries", "left")
 
-    def __init__(self, environment: Environment, asks: bool, carries: bool) -> None:
-        self._environment, self.asks, self.carries = environment, asks, carries
+    def __init__(self, environment: Environment, asks: bool, carries: bool, alters: bool) -> None:
+        self._environment, self.asks, self.carries, self.alters = environment, asks, carries, alters
         self.left = self._due = 0.0
         self._statements = environment.statements
         self._base = self._statements.base
@@ -79,7 +80,7 @@ class Site:
                 elements = sum([len(each) for each in state if isinstance(each, tuple)])
                 left, self.left = self.left, min(2.0 * self.left or 1.0, MOST_ALONE + 4 * elements)
                 if left:
-                    attention.notes = None
+                    attention.rest()
                     return t, horizon, None, left, counters
             else:
                 self.left = 0.0
@@ -102,13 +103,14 @@ class Site:
         now, level = statements.at(t), environment.attention.held(notes, first, began)
         if level <= now:
             return None
-        task.look, task.looked, task.level = (environment.acts, state[1:], self.asks), now, level
-        if self.carries and len(scheduler.tasks) > 1:
-            task.look = None  # periods of several tasks know nothing of counters
+        several = len(scheduler.tasks) > 1
+        # Periods of several tasks know nothing of counters.
+        task.look = None if several and self.carries else (environment.acts, self.asks)
         if environment.resumed != others:
             return t, horizon, counters
         until = statements.until
-        if began <= scheduler.began and now < until:  # it has done nothing since the others were asked
+        if began <= scheduler.began and now < until and not (several and self.alters):
+            # It has done nothing since the others were asked.
             environment.clock.now = now
             until = max(until, scheduler.reach())
         until = min(until, level)
@@ -124,7 +126,6 @@ class Site:
             statements.leave(t)
             t = statements.repeat(base, since, turns)
             horizon = statements.limit(statements.until)
-            task.looked = statements.at(t)
         return t, horizon, tuple([n + turns * step for n, step in zip(counters, steps, strict=True)])
 
 

@@ -81,7 +81,8 @@ class MintTask(GeneratorTask):
             environment.resumed += 1
             environment.leaps = clock.leaps
         acts = environment.acts
-        attention.notes = self.notes
+        notes = self.notes
+        attention.notes = [] if notes is None and attention.read is not None else notes
         self.busy = 0.0
         place = statements.go_on(now, horizon)
         environment.set_time(place)
@@ -153,6 +154,15 @@ class MintTask(GeneratorTask):
         finally:
             self._acts = False
         return generator.send((count, environment.time_cells[1].cell_contents))
+
+    @property
+    def shared(self) -> Environment:
+        return self.environment
+
+    def state(self, alive: dict[int, object]) -> bytes | None:
+        from motionlang.mint.runtime.task_state import of_task
+
+        return of_task(self._generator, self._put_off, alive)
 
     @property
     def running(self) -> bool:

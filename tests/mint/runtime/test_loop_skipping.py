@@ -383,7 +383,7 @@ def test_a_loop_that_goes_on_reading_what_moves_is_left_alone(
 def test_a_loop_is_looked_at_at_once_where_statements_count_from_another_moment() -> None:
     """It is left alone up to a statement, whose number means nothing once somebody has waited."""
     environment = Environment(Machine())
-    site = Site(environment, True, False)
+    site = Site(environment, True, False, False)
     looked_at = site.turn_at(7.0, 1e9, None, (), ())
     assert looked_at[3] == site.due == 7.0
     environment.statements.start(3.6)

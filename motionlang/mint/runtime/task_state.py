@@ -1,0 +1,89 @@
+"""What a suspended task and the variables of its program hold, as bytes that are equal where the state is.
+
+The state of a task is that of the generators that it is suspended in: where each stands in its code, and its local
+variables. Values on the stack of a generator are no part of it. An expression that would leave some there while a sub
+waits counts itself (`Environment.midway`), and counts are compared, too.
+"""
+
+from __future__ import annotations
+
+from marshal import dumps
+
+from motionlang.mint.runtime.code_units import SCRATCH, TIME
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import CodeType
+    from typing import Any
+
+    from motionlang.mint.runtime.operations import PutOff
+
+# Equal values are equal bytes: later versions of marshal also write which of them are one object.
+_VERSION = 2
+# Names of generated code that hold nothing across a `yield`.
+_PASSING = frozenset((*TIME, "z", "x", "jump"))
+# Parameters are named so. A list among them may be a variable of somebody else.
+_PARAMETER = "p_"
+
+
+class Names:
+    """The names of the local variables of some code, and which of them are parameters."""
+
+    __slots__ = ("all", "parameters")
+
+    def __init__(self, code: CodeType) -> None:
+        names = dict.fromkeys(code.co_varnames + code.co_cellvars)
+        self.all = [each for each in names if each not in _PASSING and not each.startswith(SCRATCH)]
+        self.parameters = [each for each in self.all if each.startswith(_PARAMETER)]
+
+
+_names_of: dict[CodeType, Names] = {}
+
+
+def of_task(generator: Any, put_off: PutOff | None, alive: dict[int, object]) -> bytes | None:
+    """The state of a task that is suspended in `generator`; None where something else than Mint's code is.
+
+    Objects whose identity is part of it are added to `alive`, so that no other object gets it.
+    """
+    state: list[object] = []
+    if put_off is not None:
+        operation, arguments, axes = put_off
+        state += [_identity(operation, alive), arguments, axes]
+    while generator is not None:
+        frame = getattr(generator, "gi_frame", None)
+        if frame is None:
+            return None
+        code = frame.f_code
+        names = _names_of.get(code)
+        if names is None:
+            names = _names_of[code] = Names(code)
+        values = frame.f_locals
+        state += [_identity(code, alive), frame.f_lasti]
+        state += [values.get(name) for name in names.all]
+        for name in names.parameters:
+            if isinstance(values.get(name), list):
+                state.append(_identity(values[name], alive))
+        generator = generator.gi_yieldfrom
+    return of_values(state, alive)
+
+
+def of_values(values: list[Any], alive: dict[int, object]) -> bytes:
+    """Values as bytes."""
+    try:
+        return dumps(values, _VERSION)
+    except ValueError:  # a task that holds a semaphore
+        return dumps(_named(values, alive), _VERSION)
+
+
+def _named(value: Any, alive: dict[int, object]) -> Any:
+    if isinstance(value, (list, tuple)):
+        return [_named(each, alive) for each in value]
+    if value is None or isinstance(value, (int, float, str)):
+        return value
+    return ("object", _identity(value, alive))
+
+
+def _identity(value: object, alive: dict[int, object]) -> int:
+    """What tells an object from all others."""
+    alive[id(value)] = value
+    return id(value)

@@ -1,0 +1,243 @@
+"""Random programs of two to four tasks that poll, wait and hand variables to each other, with a machine for each.
+
+Each is run twice, with its loops skipped and with every iteration carried out, and the reports must be equal byte for
+byte. A program ends by itself or at `UNTIL`. The machine's last input comes after that, so that neither run can know
+that nothing would happen any more.
+
+`python -m tests.generated.tasks 2000 --seed 1` compares so many programs and prints the seeds of those that differ.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from random import Random
+
+from motionlang import report, run
+from motionlang.mint.compile import polling
+from motionlang.source import Source
+
+# When a run ends at the latest, machine seconds.
+UNTIL = 1.5
+# Of a statement: one whose multiples meet whole milliseconds, and one whose multiples never do.
+COSTS = (1e-5, 0.7310585e-5)
+
+_HEAD = """\
+Dim a As Integer, b As Integer, c As Integer, x As Float
+Dim v(4) As Integer
+TIME = 0
+SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500
+"""
+_SUBS = """\
+Sub Bump(ByRef n As Integer)
+  n = n + 1
+  If n > 6 Then n = 0
+End Sub
+Sub Slowly(ByVal k As Integer)
+  Dim i As Integer
+  For i = 1 To k
+    WAIT(3)
+  Next
+End Sub
+Function Late(ByVal k As Integer) As Integer
+  WAIT(2)
+  Late = k
+End Function
+Function Either() As Integer
+  Either = a + INX(1)
+End Function
+"""
+_SHARED = ("a", "b", "c", "v(1)", "v(2)")
+_CONDITIONS = (
+    "a = 0", "a = 1", "b = 0", "b <> a", "c < 3", "v(1) = 0", "v(2) > v(1)", "INX(0)", "INX(1) = 0", "INX(2) And a",
+    "TIME < 300", "TIME > 40", "TIME > 700", "TIME Mod 100 < 50", "IDLE(0)", "POS(0) > 6", "OUTX(1) = 0",
+    "COMMS(1) = 0", "Either()", "b + Late(1) > 1", "c = 0",
+)  # fmt: skip
+
+
+class _Task:
+    """The statements of one task; `k` is its number, which its own variables bear."""
+
+    def __init__(self, random: Random, k: int) -> None:
+        self._random, self._k = random, k
+
+    def loop(self) -> list[str]:
+        """The body of the task: an endless loop, or one that ends some time after the first half second."""
+        body = self._statements(0)
+        end = self._random.choice(
+            (f"n{self._k} > {self._random.randint(2, 30)}", "TIME > 900", "INX(3)", "0")
+        )
+        return [
+            "Repeat",
+            *_indented([f"n{self._k} = n{self._k} + 1", *body] if "n" in end else body),
+            f"Until {end}",
+        ]
+
+    def exchange(self, role: int, flags: list[str]) -> list[str]:
+        """The body of a task that takes what others give, or gives it, a number of times; counters tell how often."""
+        random, k = self._random, self._k
+        flag, other = random.choice(flags), random.choice(flags)
+        wait = f"WAIT({random.choice((1, 5, 10, 50, 100, random.randint(1, 70)))})"
+        take = random.choice(
+            ([f"While {flag} = 0", "End While"], ["Repeat", f"Until {flag} <> 0"],
+             [f"While {flag} = 0", "  WAIT(2)", "End While"], ["Repeat", f"Until {flag} Or INX(1)"],
+             ["Repeat", f"Until {flag} Or TIME > {random.randint(100, 1200)}"],
+             [f"PAUSE {flag} <> 0"])
+        )  # fmt: skip
+        count = [
+            f"n{k} = n{k} + 1",
+            random.choice(
+                (f"{other} = n{k}", "x = x + 1", "OUTX(1) = 1", f"Bump({other})", f"s{k} = 1 - s{k}")
+            ),
+        ]
+        body = (
+            [*take, f"{flag} = 0", *count] if role else [wait, f"{flag} = 1", *count[: random.randint(0, 2)]]
+        )
+        if random.random() < 0.5:
+            body.insert(random.randint(0, len(body)) if role == 0 else len(body), wait)
+        end = f"n{k} >= {random.randint(3, 25)}" if role else "0"
+        return ["Repeat", *_indented(body), f"Until {end}"]
+
+    def _statements(self, depth: int) -> list[str]:
+        count = self._random.randint(1, 4 if depth == 0 else 2)
+        return [line for _ in range(count) for line in self._statement(depth)]
+
+    def _statement(self, depth: int) -> list[str]:
+        random, k = self._random, self._k
+        one, other, condition = random.choice(_SHARED), random.choice(_SHARED), random.choice(_CONDITIONS)
+        kind = random.randrange(20 if depth < 2 else 14)
+        if kind == 0:
+            return [f"{one} = {random.randint(0, 2)}"]
+        if kind == 1:
+            return [f"{one} = {other}"]
+        if kind == 2:
+            return [random.choice((f"{one} = 1 - {one}", f"Bump({one})", f"s{k} = s{k} + 1"))]
+        if kind <= 6:
+            return [
+                random.choice(
+                    (f"WAIT({random.choice((1, 2, 5, 10, 20, 50, 100))})", f"WAIT({random.randint(1, 60)})")
+                )
+            ]
+        if kind == 7:
+            return [
+                random.choice(
+                    (f"OUTX(1) = INX({random.randint(0, 2)})", "OUTX(2) = 1", "COMMS(1) = 4", "COMMS(2) = x")
+                )
+            ]
+        if kind == 8:
+            return [
+                random.choice(
+                    (f"s{k} = INX({random.randint(0, 3)})", "x = POS(0)", "x = TIME", f"s{k} = {one}")
+                )
+            ]
+        if kind == 9:
+            return [f"If {condition} Then {one} = {random.randint(0, 2)}"]
+        if kind == 10:
+            return [
+                random.choice(
+                    (f"Slowly({random.randint(1, 3)})", f"s{k} = {one} + Late(1)", f"{one} = Either()")
+                )
+            ]
+        if kind == 11:
+            return [
+                f"If s{k} < {random.randint(1, 5)} And {condition} Then",
+                f"  s{k} = s{k} + 1",
+                f"  {self._act()}",
+                "End If",
+            ]
+        if kind == 12:
+            return [
+                f"For i{k} = 1 To 4",
+                f"  v(i{k}) = INX(i{k} - 1) + v(i{k}) * {random.randint(0, 1)}",
+                "Next",
+            ]
+        if kind == 13:
+            return [
+                f"PAUSE {random.choice(('a = 0', 'b = 0', 'INX(1)', 'INX(0) = 0', 'IDLE(0)', 'TIME > 200'))}"
+            ]
+        if kind <= 17:
+            body = self._statements(depth + 1) if random.random() < 0.4 else []
+            return [f"While {condition}", *_indented(body), "End While"]
+        return [f"If {condition} Then", *_indented(self._statements(depth + 1)), "End If"]
+
+    def _act(self) -> str:
+        return self._random.choice(
+            ("OUTX(1) = 1", "OUTX(1) = 0", "COMMS(1) = 1", "COMMS(1) = 0", 'PRINT "act ", TIME', "MOVER(0) = 3 : GO(0)",
+             "TIME = 0", "JOG(0) = 5", "STOP(0)")
+        )  # fmt: skip
+
+
+def program(seed: int) -> tuple[str, dict[str, object]]:
+    """A program and its machine."""
+    random = Random(seed)
+    tasks = random.randint(2, 4)
+    names = range(tasks)
+    lines = [_HEAD, *(f"Dim n{k} As Integer, s{k} As Integer, i{k} As Integer" for k in names)]
+    lines += [f"Run T{k}" for k in names if k]
+    flags = random.sample(_SHARED, random.randint(1, 2))
+    exchanges = random.random() < 0.5
+    bodies = [
+        _Task(random, k).exchange(1 - k % 2, flags) if exchanges else _Task(random, k).loop() for k in names
+    ]
+    lines += bodies[0]
+    lines += [
+        'PRINT "end ", TIME, " ", a, b, c, " ", v(1), v(2), v(3), v(4), " ", x, " ", n0, " ", s0',
+        "End",
+    ]
+    for k in names[1:]:
+        lines += [f"Task T{k}", *_indented(bodies[k]), f'  PRINT "T{k} ", TIME', "End Task"]
+    inputs: list[dict[str, object]] = [{"channel": 7, "at": 2 * UNTIL}]
+    inputs += [
+        {
+            "channel": random.randint(0, 3),
+            "at": round(random.uniform(0, 1.2), 4),
+            "for": round(random.uniform(0.001, 0.4), 4),
+        }
+        for _ in range(random.randint(0, 3))
+    ]
+    return "\n".join([*lines, _SUBS]), {"controller.instruction_time": random.choice(COSTS), "input": inputs}
+
+
+def _indented(lines: list[str]) -> list[str]:
+    return [f"  {line}" for line in lines]
+
+
+def document(text: str, machine: dict[str, object]) -> str:
+    """The report of a run."""
+    return report.text(run(Source("a.mnt", text), machine=machine, cache=False, until=UNTIL))
+
+
+@contextmanager
+def every_iteration() -> Iterator[None]:
+    """Meanwhile programs are compiled without what their loops are skipped by."""
+    found = polling.left_behind
+    polling.left_behind = lambda *_: None
+    try:
+        yield
+    finally:
+        polling.left_behind = found
+
+
+def is_equal(seed: int) -> bool:
+    """Whether a program does the same with its loops skipped and without."""
+    skipped = document(*program(seed))
+    with every_iteration():
+        return document(*program(seed)) == skipped
+
+
+def main(arguments: list[str]) -> int:
+    """Compare programs; exit with 1 if one differs."""
+    parser = argparse.ArgumentParser(prog="tests.generated.tasks")
+    parser.add_argument("count", nargs="?", type=int, default=2000)
+    parser.add_argument("--seed", type=int, default=1)
+    given = parser.parse_args(arguments)
+    different = [seed for seed in range(given.seed, given.seed + given.count) if not is_equal(seed)]
+    print(*(f"seed {seed} differs" for seed in different), sep="\n", end="\n" if different else "")
+    print(f"{given.count} programs from seed {given.seed}: {len(different)} differ")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

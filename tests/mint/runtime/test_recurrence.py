@@ -1,0 +1,167 @@
+"""Periods of several tasks are skipped only where nothing differs that decides what any of them does next."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+from tests.generated.tasks import every_iteration
+
+COUNTED = """\
+Dim a As Integer, n As Integer
+Run Other
+While n < 20
+  While a = 0
+  End While
+  a = 0
+  n = n + 1
+  WAIT(50)
+End While
+PRINT n, " ", TIME
+End
+Task Other
+  Loop
+    WAIT(100)
+    a = 1
+  End Loop
+End Task
+"""
+# The reading stands outside the loop that polls.
+TIMED = """\
+Dim a As Integer
+Run Other
+Loop
+  While a = 0
+  End While
+  a = 0
+  If TIME > 1050 Then Exit Loop
+End Loop
+PRINT TIME
+End
+Task Other
+  Loop
+    WAIT(100)
+    a = 1
+  End Loop
+End Task
+"""
+# `n` is 0 whenever a time slice ends while Late waits; only the sum that is half worked out has counted.
+HALF_WORKED_OUT = """\
+Dim n As Integer, m As Integer, ready As Integer
+Run Other
+Repeat
+  n = m
+  m = 0
+  m = n + Late()
+Until m = 20
+PRINT m, " ", TIME
+End
+Function Late() As Integer
+  While ready = 0
+  End While
+  ready = 0
+  Late = 1
+End Function
+Task Other
+  Loop
+    WAIT(10)
+    n = 0
+    WAIT(10)
+    ready = 1
+  End Loop
+End Task
+"""
+# Both arrays hold the same whenever a time slice ends while Count polls, and which one it counts in is decided before.
+BY_REFERENCE = """\
+Type Pair
+  n As Integer
+  m As Integer
+End Type
+Dim p(2) As Pair, i As Integer, k As Integer, ready As Integer
+Run Other
+Loop
+  i = 2 - k
+  Count(p(i).n)
+  If p(1).n = 1 And p(2).n = 1 Then Exit Loop
+  p(1).n = 0
+End Loop
+PRINT TIME
+End
+Sub Count(ByRef n As Integer)
+  i = 0
+  While ready = 0
+  End While
+  ready = 0
+  n = n + 1
+End Sub
+Task Other
+  Loop
+    WAIT(20)
+    ready = 1
+  End Loop
+End Task
+"""
+# A flag that is given back within the iteration of a loop, and a task that waits for it.
+GIVEN_BACK = """\
+Dim a As Integer
+Run Other
+Loop
+  a = 1
+  OUTX(1) = INX(1)
+  a = 0
+  OUTX(2) = INX(2)
+  If TIME > 900 Then Exit Loop
+End Loop
+PRINT TIME
+End
+Task Other
+  PAUSE a = 1
+  PRINT "seen ", TIME
+End Task
+"""
+
+
+def ran(text: str, **how: float) -> Run:
+    return run(Source("a.mnt", text), cache=False, **how)  # type: ignore[arg-type]
+
+
+def test_a_counter_that_the_polling_loop_does_not_name_counts() -> None:
+    """Other begins at 1.03 ms and sets `a` every 100.03 ms, the 20th time at 2 001.6 ms, after which 50 ms pass."""
+    assert ran(COUNTED).output == ["20 2051"]
+
+
+def test_a_time_that_is_read_outside_the_polling_loop_passes() -> None:
+    """`a` is set 1.03 ms after each multiple of 100.03 ms; the first of these past 1 050 is 1 101.36 ms."""
+    assert ran(TIMED).output == ["1101"]
+
+
+@pytest.mark.parametrize("beside", ["If INX(1) Then OUTX(1) = 1", "WAIT(7)", "While INX(1) = 0 : End While"])
+def test_a_loop_until_a_time_ends_then_beside_a_task_that_polls(beside: str) -> None:
+    text = f"Run Other\nWhile TIME < 400\nEnd While\nPRINT TIME\nEnd\nTask Other\nLoop\n  {beside}\nEnd Loop\nEnd Task"
+    (printed,) = ran(text).output
+    assert 400 <= int(printed) <= 401  # the other one may have had the time slice
+
+
+def test_what_an_expression_has_worked_out_before_it_waits_is_part_of_the_state() -> None:
+    """Other begins at 1.05 ms, and its iterations take 20.05 ms, of which it makes twenty."""
+    assert ran(HALF_WORKED_OUT, until=3.0).output == ["20 402"]
+
+
+@pytest.mark.parametrize("text", [BY_REFERENCE, GIVEN_BACK, COUNTED, TIMED, HALF_WORKED_OUT])
+@pytest.mark.parametrize("cost", [1e-5, 0.7310585e-5, 3e-5])
+def test_it_is_as_every_iteration_has_it(text: str, cost: float) -> None:
+    machine: dict[str, object] = {"controller.instruction_time": cost}
+    skipped = run(Source("a.mnt", text), machine=machine, cache=False, until=3.0)
+    with every_iteration():
+        carried_out = run(Source("a.mnt", text), machine=machine, cache=False, until=3.0)
+    assert (skipped.output, skipped.time) == (carried_out.output, carried_out.time)
+
+
+def test_tasks_that_hand_a_variable_to_and_fro_for_ever_are_skipped() -> None:
+    """A period of their joint state, in which each changes what the other one polls for."""
+    text = COUNTED.replace("  n = n + 1\n", "")
+    result = ran(text)
+    assert result.time == pytest.approx(28_800.0)
+    assert len(result.machine.log.waits) < 2000
