@@ -43,7 +43,7 @@ def repeat(task: CommandTask, command: Command) -> Wait | None:
     if here != task.loop_log.end or task.loop_log.target:
         task.loop_log.back(task.line, 0, here)
     task.pc = 0
-    task.poll.effects += 1
+    task.board.effects += 1
     return None
 
 

@@ -146,6 +146,7 @@ def _breakpoint(board: Board, axis: AxisState, position: float) -> None:
     board.breakpoints[number] = controller.watch(number, position, reach)
 
 
+PURE = frozenset({"wait"})
 ACTIONS: dict[str, Action] = {
     "wait": wait,
     "wait_stop": wait_stop,

@@ -68,6 +68,7 @@ for _group in (
 
 PURE = (
     flow_operations.PURE
+    | flow_waits.PURE
     | registers_functions.PURE
     | macros_operations.PURE
     | registers_operations.PURE

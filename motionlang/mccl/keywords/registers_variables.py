@@ -75,7 +75,7 @@ def _write_low(task: CommandTask, command: Command, mask: int) -> None:
 
 
 def _write(task: CommandTask, command: Command, value: float) -> None:
-    task.poll.effects += 1
+    task.board.effects += 1
     write(task.board, task.axis(command), task.whole(command), value)
 
 

@@ -60,8 +60,8 @@ class Board:
         self.tasks: list[CommandTask] = []
         self.background: dict[int, BackgroundTask] = {}
         self._last_task = 0
-        # Counts the turns that tasks take.
-        self.turns = 0
+        # Counts the turns that tasks take, and what they do to anything but their accumulators.
+        self.turns = self.effects = 0
         self.at_work: CommandTask | None = None
         self.points: dict[tuple[int, int], float] = {}
         self.records: dict[int, tuple[float, int]] = {}

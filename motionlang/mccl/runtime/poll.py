@@ -14,28 +14,46 @@ from motionlang.mccl.axis.variables import crossing_time
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.lang.attention import Note
+    from motionlang.mccl.resolve.command import Command
     from motionlang.mccl.runtime.task import CommandTask
 
 # What compares the whole accumulator with a number, and what does nothing to it.
 _COMPARES = frozenset(("if_below", "if_equal", "if_greater", "if_unequal"))
 _JUMPS = frozenset(("jump", "jump_by", "repeat", "nothing"))
+# What looks at a channel, and what looks at nothing in the world.
+_CHANNELS = frozenset(("do_if_on", "do_if_off", "if_on", "if_off"))
+_LOOKS_AT_NOTHING = (
+    _COMPARES | _JUMPS | {"if_set", "if_clear", "wait", "call_macro", "jump_macro", "leave", "look_up"}
+)
 
-
+_LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 # So many passes go by unlooked at; what is looked at costs not much more than what is not.
 MOST_ALONE = 1024
 
 
 class Poll:
-    """Watches one task's loops. `effects` counts what was done; `attention` has the notes of what was read."""
+    """Watches one task's loops; `attention` has the notes of what was read.
 
-    __slots__ = ("_alone", "_before", "_left", "_task", "attention", "effects")
+    `hopeless` is the time since which passes were alike that nothing but a task or an event can change.
+    """
+
+    __slots__ = ("_alone", "_before", "_done", "_left", "_task", "attention", "hopeless")
 
     def __init__(self, task: CommandTask) -> None:
         self._task = task
-        self.effects = 0
         self.attention = Attention(task.board.controller.clock)
-        # The place and what was done by then, the accumulator, the count of commands, the next event.
-        self._before: tuple[tuple[object, ...], float | int, int, float] = (None, None), 0, 0, 0.0
+        # The place and what was done by then, the accumulator, the count of commands, the next event, and what tells
+        # whether another task has run since, or this one has waited.
+        self._before: tuple[tuple[object, ...], float | int, int, float, object] = (
+            (None, None),
+            0,
+            0,
+            0.0,
+            None,
+        )
+        self.hopeless: float | None = None
+        # What tasks and events had done by the last pass that was hopeless, and the commands of that pass.
+        self._done: tuple[int, int, tuple[Command, ...]] = 0, 0, ()
         # For how many passes nobody looks at what goes on there, and for how many when next that is in vain.
         self._alone = self._left = 0
 
@@ -47,26 +65,62 @@ class Poll:
             if there[0] is task.line and there[1] == task.pc:
                 self._alone -= 1
                 return None
-        attention, clock = self.attention, self.attention.clock
-        (before, accumulator, count, event), held = self._before, task.registers[0]
+        attention, clock, board = self.attention, self.attention.clock, task.board
+        (before, accumulator, count, event, ran), held = self._before, task.registers[0]
         wait, now, length = None, clock.now, task.count - count
-        place = task.line, task.pc, task.board.turns, self.effects, len(task.calls)
+        place = task.line, task.pc, board.effects, len(task.calls)
+        by_itself = board.turns, task.base
         notes, attention.notes = attention.notes, []
-        if before[:3] != place[:3] or now >= event or notes is None:
-            self._alone = 0  # where an event or another task came between, what was read before it is old
+        if before[:2] != place[:2] or now >= event or notes is None:
+            self._alone = 0  # where an event came between, what was read before it is old
+        elif ran != by_itself:
+            self._alone = 0
+            if before == place and accumulator == held and attention.until(now, notes) == INFINITY:
+                self._give_up()
         else:
             until = now
             if before == place and length > 0:
                 until = attention.until(now, notes) if accumulator == held else now
-                if until <= now:
+                if until == INFINITY:
+                    self._give_up()
+                elif until <= now:
                     until = attention.until(now - length * task.cost - CLOSE, self._levels())
             if until > now:
                 self._left, wait = 0, self._skip(until, length)
             else:
                 self._alone, self._left = self._left, min(2 * self._left or 1, MOST_ALONE)
                 attention.notes = None if self._alone else []
-        self._before = place, held, task.count, clock.next_time()
+        self._before = place, held, task.count, clock.next_time(), by_itself
         return wait
+
+    def is_hopeless(self) -> bool:
+        """Whether the last pass was one that nothing but a task or an event can change, and neither has come since."""
+        done = self._task.board.effects, self.attention.clock.fired
+        return self.hopeless is not None and done == self._done[:2]
+
+    def watched(self) -> list[str]:
+        """What the passes of a hopeless loop look at: channels, and other commands that read."""
+        found: dict[str, None] = {}
+        macros, bodies = dict(self._task.board.macros), [self._done[2]]
+        for commands in bodies:  # which grow meanwhile
+            for command in commands:
+                verb = command.row.verb if command.row is not None else ""
+                if verb == "call_macro" and command.value in macros:
+                    bodies.append(macros.pop(command.value).commands)  # type: ignore[arg-type]
+                elif verb in _CHANNELS:
+                    found[f"channel {command.text.lstrip(_LETTERS)}"] = None
+                elif command.pure and verb not in _LOOKS_AT_NOTHING:
+                    found[command.text] = None
+        return list(found)
+
+    def _give_up(self) -> None:
+        """The pass that ends here changes nothing and will be the same for ever, as far as this task can tell."""
+        task = self._task
+        assert task.line is not None
+        if not self.is_hopeless():
+            self.hopeless = self.attention.clock.now
+        commands = task.line.commands[task.pc : max(task.here, task.pc) + 1]
+        self._done = task.board.effects, self.attention.clock.fired, tuple(commands)
 
     def _skip(self, until: float, length: int) -> Wait | None:
         """Go on over passes of so many commands that are alike until a moment."""

@@ -52,10 +52,11 @@ class MacroFile(Program):
 class FileTask(CommandTask):
     """Sends the lines of a file, and at the end waits for the background tasks that are left."""
 
-    __slots__ = ("_lines", "_next", "_stray")
+    __slots__ = ("_lines", "_next", "_source", "_stray")
 
     def __init__(self, program: MacroFile, board: Board) -> None:
         super().__init__(program.source.name, board)
+        self._source = program.source
         board.foreground(self)
         self._lines = program.lines
         self._next = 0
@@ -84,14 +85,50 @@ class FileTask(CommandTask):
     def _rest(self, now: float) -> Wait | None:
         board = self.board
         left = board.background
-        if not left:
+        if self._nothing_left():
             board.ended(self)
             self.done = True
+            board.machine.notes.update((told_of(self._source, task), None) for task in left.values())
             return None
         names = ", ".join(str(number) for number in left)
-        return Wait(
-            now, lambda: not board.background, lambda: INFINITY, f"for background task {names} to end", "task"
+        return Wait(now, self._nothing_left, lambda: INFINITY, f"for background task {names} to end", "task")
+
+    def _nothing_left(self) -> bool:
+        """Whether each background task has ended, or watches for what nothing on this machine can bring about."""
+        board = self.board
+        scheduler = board.machine.scheduler
+        if not board.background:
+            return True
+        if scheduler is None or scheduler.outside is not None:
+            return False
+        return all(map(_only_watches, board.background.values())) and (
+            board.controller.clock.next_time() == INFINITY
         )
+
+
+def _only_watches(task: CommandTask) -> bool:
+    """Whether a task polls what no event is to change, or waits for an input."""
+    wait = task.wait
+    return task.poll.is_hopeless() or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
+
+
+def told_of(source: Source, task: CommandTask) -> str:
+    """What is to be said of a background task that still watches when the foreground has ended."""
+    line, _, _ = locate(source, task.at)
+    poll = task.poll
+    if poll.is_hopeless():
+        seen = " and ".join(poll.watched())
+        doing, since = f"polled {seen}" if seen else "ran a loop that looks at nothing", poll.hopeless
+    else:
+        assert task.wait is not None
+        doing, since = f"waited {task.wait.why}", task.wait.since
+    macro = next(
+        (f" (macro {number})" for number, each in task.board.macros.items() if each is task.line), ""
+    )
+    return (
+        f"line {line}: background {task.name}{macro} still {doing} when the foreground had ended, "
+        f"and nothing could change that any more, since {since:.3f} s"
+    )
 
 
 def override(task: CommandTask, values: dict[str, float | str]) -> None:

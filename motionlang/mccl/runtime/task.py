@@ -137,7 +137,7 @@ class CommandTask(Task):
         wait = self._go_on(now)
         if wait is not None:
             return now, wait
-        board, poll, cost, lacks, gated = self.board, self.poll, self.cost, self.lacks, self.gated
+        board, cost, lacks, gated = self.board, self.cost, self.lacks, self.gated
         loop_log = self.loop_log
         clock, left = board.controller.clock, SLICE
         if len(board.tasks) > 1:
@@ -167,7 +167,7 @@ class CommandTask(Task):
             command = line.commands[pc]
             self.here, self.pc = pc, pc + 1
             if not command.pure:
-                poll.effects += 1
+                board.effects += 1
             try:
                 if self.path_open is not None and (command.row is None or command.row.verb not in DESCRIBES):
                     self.close_path()
@@ -241,13 +241,13 @@ class CommandTask(Task):
         """Give a register a value."""
         if number < PRIVATE:
             if number and self.registers[number] != value:
-                self.poll.effects += 1
+                self.board.effects += 1
             self.registers[number] = value
             return
         if number >= len(self.board.registers):
             raise self._no_register(number)
         if self.board.registers[number] != value:
-            self.poll.effects += 1
+            self.board.effects += 1
         self.board.registers[number] = value
 
     def call(self, line: Line) -> None:

@@ -1,0 +1,74 @@
+"""A run ends with its foreground where background tasks only watch for what nothing on the machine can bring about."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.mccl.conftest import Runner
+
+# 1 000 counts take 0.2 s, with ramps of 0.1 s; the foreground ends then.
+FOREGROUND = "1MN,1MR1000,1WS\nGT15"
+ENDED = "when the foreground had ended, and nothing could change that any more, since"
+WATCHES = {
+    "MD15,IN3,CN34,NO,WA0.001,RP": "polled channel 3",
+    "MD15,IN3,CN34,NO,WA1,RP": "polled channel 3",
+    "MD15,IN3,CN34,NO,RP": "polled channel 3",
+    "MD15,IF3,NO,NO,IN4,CN34,NO,WA0.01,RP": "polled channel 3 and channel 4",
+    "MD15,IN3,CN34,NO,WA0.01,JR-4": "polled channel 3",
+    "MD15,IN3,CN34,NO,WA0.01,MJ15": "polled channel 3",
+    'MD15,LU"STATUS",1RL@0,IC11,JR-3,NO,CN34,RP': "polled 1RL@0",
+    "MD14,IN3,CN34,NO\nMD15,MC14,WA0.01,RP": "polled channel 3",
+    "MD15,WN3,CN34,RP": "waited for channel 3 to be on",
+    "MD15,WN3,CN34,WA1,RP": "waited for channel 3 to be on",
+}
+
+
+@pytest.mark.parametrize("watch", WATCHES)
+def test_a_watch_does_not_keep_the_run_from_ending(watch: str, mccl: Runner) -> None:
+    result = mccl(f"{watch}\n{FOREGROUND}")
+    assert result.status == "ended"
+    assert not result.diagnostics
+    (note,) = result.not_counted
+    line = watch.count("\n") + 1
+    assert note.startswith(f"line {line}: background task 1 (macro 15) still {WATCHES[watch]} {ENDED}")
+    assert 0.2 < result.time < 0.2 + (2.1 if "WA1" in watch and "WN" not in watch else 0.05)
+
+
+def test_several_watches_are_each_named(mccl: Runner) -> None:
+    watches = (
+        "MD15,IN3,CN34,NO,WA0.01,RP\nMD16,IN4,CN34,NO,RP\nMD17,WF40,WN5,CN34,RP\nMD18,IN6,CN34,NO,WA0.3,RP"
+    )
+    result = mccl(f"{watches}\n1MN,1MR1000,1WS\nGT15\nGT16\nGT17\nGT18")
+    assert result.status == "ended"
+    assert [note.partition(" when ")[0] for note in result.not_counted] == [
+        "line 1: background task 1 (macro 15) still polled channel 3",
+        "line 2: background task 2 (macro 16) still polled channel 4",
+        "line 3: background task 3 (macro 17) still waited for channel 5 to be on",
+        "line 4: background task 4 (macro 18) still polled channel 6",
+    ]
+    assert 0.2 < result.time < 1.0
+
+
+def test_the_run_goes_on_as_long_as_something_is_to_come(mccl: Runner) -> None:
+    """The input comes on at 5 s, which lets the watch move the axis once more, for 0.2 s."""
+    watch = "MD15,IN3,MJ16,NO,WA0.01,RP\nMD16,1MR1000,1WS"
+    result = mccl(f"{watch}\n{FOREGROUND}", machine={"input": [{"channel": 3, "at": 5.0}]})
+    assert result.status == "ended"
+    assert [move.line for move in result.machine.log.moves] == [3, 2]
+    assert result.time == pytest.approx(5.2, abs=0.011)
+    assert result.not_counted == []
+
+
+@pytest.mark.parametrize(
+    "acts",
+    ["MD15,CN34,WA0.1,CF34,WA0.1,RP", "MD15,RA20,AA1,AR20,WA0.1,RP", "MD15,IF3,CN34,NO,WA0.1,RP"],
+    ids=["outputs", "a counter", "an output again and again"],
+)
+def test_a_background_task_that_acts_is_no_watch(acts: str, mccl: Runner) -> None:
+    result = mccl(f"{acts}\n{FOREGROUND}", until=20.0)
+    assert (result.status, result.time) == ("until", 20.0)
+
+
+def test_a_background_task_that_waits_for_a_position_in_vain_is_a_mistake(mccl: Runner) -> None:
+    result = mccl("MD15,1WP5000\n" + FOREGROUND)
+    assert [each.code for each in result.diagnostics] == ["never"]
