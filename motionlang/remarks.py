@@ -95,7 +95,8 @@ def tell_who_waited(result: Run, scheduler: Scheduler) -> None:
             result.not_counted.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif task.in_vain is not None:
             line, _, _ = result.dialect.locate(result.source, task.at)
-            what = "still polled, and nothing could change what it looks at any more"
+            polled = f"polled {task.looks_at}" if task.looks_at else "polled"
+            what = f"still {polled}, and nothing could change what it looks at any more"
             result.not_counted.append(f"line {line}: {task.name} {what}, since {task.in_vain:.3f} s")
 
 

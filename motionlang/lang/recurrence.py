@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     # When a state was met: the time, and the base and the count of the statement time.
     Met = tuple[float, float, float]
 
-# Waits that are so many times as long as the shortest one are also taken as what ends a short period.
+# Waits that are so many times as long as the shortest one are also taken as what ends a short period, and all waits
+# where a task polls without one.
 LONGER = 4.0
-# So many states, and contents of so many bytes, are remembered. Where no state has come back by then, none is looked
-# for until something happens.
+# So many states, and contents of so many bytes, are remembered; then all are forgotten.
 MAX_STATES = 20_000
 MAX_BYTES = 10_000_000
 
@@ -78,10 +78,9 @@ class Recurrence:
             return
         *acts, contents = shared.state(self._alive)
         since = self._clock.fired, acts
-        if since != self._since or shared.attention.read is not self._read:
+        full = len(self._met) > MAX_STATES or self._bytes > MAX_BYTES
+        if since != self._since or full or shared.attention.read is not self._read:
             self._begin(since, shared)
-        if len(self._met) > MAX_STATES or self._bytes > MAX_BYTES:
-            return
         state = [turn, self._number(contents)]
         for task in tasks:
             number = self._states.get(task)
@@ -93,7 +92,10 @@ class Recurrence:
             state.append(number)
         lengths = [task.wait.length for task in tasks if task.look and isinstance(task.wait, Delay)]
         longest, shortest = max(lengths, default=0.0), min(lengths, default=0.0)
-        for most in sorted({longest, min(longest, LONGER * shortest)}, reverse=True):
+        most_of_inner = {longest, min(longest, LONGER * shortest)}
+        if any(task.wait is None for task in tasks):
+            most_of_inner.add(0.0)
+        for most in sorted(most_of_inner, reverse=True):
             inner = [task for task in tasks if task.look and _lasts(task.wait) <= most]
             others = [task.wait for task in tasks if task.wait is not None and task not in inner]
             if self._skips(inner, others, (most, *state), until):

@@ -133,7 +133,7 @@ class Task:
 
     A task that only polls says so in `look`: how much anybody has done by then, and whether it looks at anything.
     `in_vain` is the time since which it has looked for something that nothing could bring about until the end of the
-    run.
+    run, and `looks_at` what it looked at last, as text.
     """
 
     __slots__ = (
@@ -141,6 +141,7 @@ class Task:
         "done",
         "in_vain",
         "look",
+        "looks_at",
         "name",
         "priority",
         "turn",
@@ -153,6 +154,7 @@ class Task:
         self.busy = 0.0
         self.look: tuple[int, bool] | None = None
         self.in_vain: float | None = None
+        self.looks_at = ""
         self.priority = 0  # of two tasks that can run, the one with the higher priority does
         self.turn = INFINITY  # the most that it may run, s, while others can
         self.done = False

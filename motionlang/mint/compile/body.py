@@ -266,7 +266,7 @@ class Body:
         self._stretches: list[tuple[str, list[nodes.Stmt]]] | None = None
         self._labels: dict[str, int] | None = None
         # What a turn that a Goto ends is compared by, where it is known; () where it is not watched.
-        self.turn: tuple[dict[str, Symbol], bool, bool] | tuple[()] | None = None
+        self.turn: tuple[dict[str, Symbol], bool, bool, str] | tuple[()] | None = None
         # The stretch between labels that is being written; the watches on jumps back, which begin with the dispatcher.
         self.stretch = 0
         self.polls: list[Poll] = []

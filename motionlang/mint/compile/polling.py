@@ -20,6 +20,7 @@ from motionlang.mint.resolve.symbols import FLOAT, NUMERIC, STRING, TIME
 from motionlang.mint.runtime.code_units import SCRATCH
 from motionlang.mint.syntax import nodes
 from motionlang.mint.syntax.traversal import walk
+from motionlang.mint.syntax.unparse import shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 
 # A loop that names more variables is not looked at turn by turn.
 MOST_VARIABLES = 100
+# Of what a loop reads, so many places are named.
+MOST_NAMED = 3
 # Types whose values do not change by themselves.
 PLAIN = NUMERIC | {STRING}
 # What stands for a level, in generated text, until the reading turns round, and whatever it does.
@@ -47,9 +50,11 @@ class Poll:
 
     __slots__ = ("_begin", "_compared", "_counted", "_look", "_named", "_next", "_site", "first")
 
-    def __init__(self, b: Body, state: State, asks: bool, alters: bool, idle: Idle = ([], set())) -> None:
+    def __init__(
+        self, b: Body, state: State, asks: bool, alters: bool, looks_at: str, idle: Idle = ([], set())
+    ) -> None:
         counters, mere = idle
-        self._site = b.whole.use("loop", asks, bool(mere), alters, len(b.whole.specs))
+        self._site = b.whole.use("loop", asks, bool(mere), alters, looks_at, len(b.whole.specs))
         self._look, self._next, self._named = b.temp(SCRATCH), b.temp(SCRATCH), state.values()
         self._counted = f"({', '.join(counters)},)" if counters else "()"
         self._compared = ", ".join(["E.acts", *sorted(state.keys() - mere)])
@@ -104,9 +109,9 @@ def watched(b: Body, body: list[nodes.Stmt], *conditions: nodes.Expr) -> Poll | 
     return poll
 
 
-def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool] | None:
-    """The variables, as text, that turns of a loop are compared by, whether it looks at what others can change, and
-    whether it gives values to variables of others.
+def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool, str] | None:
+    """The variables, as text, that turns of a loop are compared by, whether it looks at what others can change, whether
+    it gives values to variables of others, and the names of what it reads.
 
     They are all that is named in what the turn reaches. None where there are too many, or where the loop just computes.
     """
@@ -124,7 +129,16 @@ def left_behind(b: Body, turn: Sequence[nodes.Node]) -> tuple[State, bool, bool]
     if len(state) > MOST_VARIABLES:
         return None
     b.whole.rewritten.update(filter(is_repeated, rows))
-    return state, reads, any(_alters(b, node) for node in turn)
+    return state, reads, any(_alters(b, node) for node in turn), _looks_at(turn)
+
+
+def _looks_at(turn: Sequence[nodes.Node]) -> str:
+    """The names of the first things that a turn reads."""
+    written = {id(node.target) for node in turn if isinstance(node, nodes.Assign)}
+    names = [node for node in turn if isinstance(node, nodes.Name) and id(node) not in written]
+    read = [node for node in names if node.row is not None and node.row.kind in ("reading", "setting")]
+    found = dict.fromkeys(shown(node) for node in read if node.row is not None and node.row.verb != "wait")
+    return " and ".join([*found][:MOST_NAMED])
 
 
 def _alters(b: Body, node: nodes.Node) -> bool:

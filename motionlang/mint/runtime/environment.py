@@ -176,7 +176,7 @@ class Environment(Waits):
         if how == "loop":
             from motionlang.mint.runtime.loop_skipping import Site
 
-            return Site(self, *map(bool, details[:3]))
+            return Site(self, *details[:4])  # type: ignore[arg-type]
         if how == "env":
             return getattr(self, str(details[0]))
         if how == "wait":

@@ -41,14 +41,28 @@ STATEMENTS = 4.0
 class Site:
     """A loop of the text: `asks` whether it looks at anything, `carries` whether its last turn has to be carried out.
 
-    `alters`: a turn may give a variable that others wait for another value, and give it back its own.
+    `alters`: a turn may give a variable that others wait for another value, and give it back its own. `looks_at` names
+    what it reads.
     `left` is for how many turns it is left alone, or up to statement `due`, in one that counts no turns.
     """
 
-    __slots__ = ("_base", "_due", "_environment", "_statements", "alters", "asks", "carries", "left")
+    __slots__ = (
+        "_base",
+        "_due",
+        "_environment",
+        "_statements",
+        "alters",
+        "asks",
+        "carries",
+        "left",
+        "looks_at",
+    )
 
-    def __init__(self, environment: Environment, asks: bool, carries: bool, alters: bool) -> None:
+    def __init__(
+        self, environment: Environment, asks: bool, carries: bool, alters: bool, looks_at: str = ""
+    ) -> None:
         self._environment, self.asks, self.carries, self.alters = environment, asks, carries, alters
+        self.looks_at = looks_at
         self.left = self._due = 0.0
         self._statements = environment.statements
         self._base = self._statements.base
@@ -106,6 +120,7 @@ class Site:
         several = len(scheduler.tasks) > 1
         # Periods of several tasks know nothing of counters.
         task.look = None if several and self.carries else (environment.acts, self.asks)
+        task.looks_at = self.looks_at
         if environment.resumed != others:
             return t, horizon, counters
         until = statements.until

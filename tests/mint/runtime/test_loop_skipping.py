@@ -334,16 +334,20 @@ def test_a_loop_that_looks_for_what_cannot_happen_is_told(text: str) -> None:
     assert diagnostic.code == "never"
 
 
-IN_VAIN = "still polled, and nothing could change what it looks at any more, since"
+IN_VAIN = "and nothing could change what it looks at any more, since"
 
 
 def test_what_a_task_still_polled_for_at_the_end_is_no_figure_of_the_run() -> None:
     result = run(
         Source("a.mnt", "SPEED = 100 : MOVER = 5 : GO\nPAUSE IDLE\nWhile INX(3) = 0\nEnd While"), cache=False
     )
-    assert result.not_counted == [f"line 3: ParentTask {IN_VAIN} 0.051 s"]
+    assert result.not_counted == [f"line 3: ParentTask still polled INX(3), {IN_VAIN} 0.051 s"]
     result = run(Source("a.mnt", "seen = 0\n" + TASKS), cache=False)
-    assert [each.partition(":")[0] for each in result.not_counted] == ["line 4", "line 8", "line 16"]
+    assert [each.partition(", and")[0] for each in result.not_counted] == [
+        "line 4: ParentTask still polled INX(1)",
+        "line 8: first still polled INX(2)",
+        "line 16: second still polled INX(3)",
+    ]
 
 
 def test_a_parent_that_leaves_the_work_to_its_tasks_looks_for_nothing() -> None:
