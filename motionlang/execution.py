@@ -10,6 +10,7 @@ from motionlang import user_cache
 from motionlang.errors import ProgramError, Terminated
 from motionlang.lang.dialect import dialect, dialects
 from motionlang.lang.machine.machine import Machine
+from motionlang.lang.nesting import Room
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.result import Run
 from motionlang.source import STDIN, Source
@@ -119,7 +120,8 @@ def run(
         size = compiled.size
         result.diagnostics += compiled.warnings
         try:
-            _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
+            with Room():
+                _execute(result, compiled, end_of(settings) if until is None else until, pace, outside)
         except Exception as error:
             if not keep_crash:
                 raise

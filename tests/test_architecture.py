@@ -68,6 +68,7 @@ FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
             "task",
             "statement_time",
             "lint",
+            "nesting",
             "cache",
             "run_errors",
             "dialect",

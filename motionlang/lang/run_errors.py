@@ -19,7 +19,6 @@ _ARITHMETIC: dict[type[BaseException], tuple[str, str, str]] = {
         "the result is too large for a number",
         "check the values that go into this line",
     ),
-    RecursionError: ("recursion", "calls are nested too deeply", "a sub calls itself without an end"),
     MemoryError: ("limit", "the program needs more memory than there is", "make its arrays smaller"),
 }
 

@@ -54,6 +54,7 @@ OPEN: dict[str, str | dict[str, str]] = {
     "mint.event-queue": "event",
     "mint.timerevent": "timerevent",
     "mint.onerror": "onerror",
+    "mint.call-depth": "sub function gosub",
     "mint.pending-error": "abort onerror",
     "mint.error-numbers": "errcode",
     "mint.groups": "_egall _egsynchronous _egaxis _egmisc _egcontroller",

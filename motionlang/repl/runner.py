@@ -11,6 +11,7 @@ from motionlang.execution import ONE_SHIFT
 from motionlang.extras import missing
 from motionlang.lang.dialect import Dialect
 from motionlang.lang.machine.machine import Machine
+from motionlang.lang.nesting import Room
 from motionlang.lang.run_errors import explain
 from motionlang.lang.scheduler import Scheduler, Stuck
 from motionlang.lang.task import Task, Wait, wait_idle, wait_until
@@ -111,7 +112,8 @@ class Runner:
         """Do `work`; whatever goes wrong is told, and the machine lives on."""
         try:
             try:
-                return work()
+                with Room():
+                    return work()
             finally:
                 self._pass_on(source)
         except (Interrupted, KeyboardInterrupt) as error:

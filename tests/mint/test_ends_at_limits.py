@@ -45,7 +45,9 @@ def test_a_crash_stop(counts: float, first: float, limit: float, switch: bool, m
     )
     result = ran(text, TRAVEL if switch else None)
     assert result.output == ["1"]
-    assert list(result.machine.log.moves)[-1].profile.end == result.controller.position(0) == limit * counts
+    profile = list(result.machine.log.moves)[-1].profile
+    assert profile is not None
+    assert profile.end == result.controller.position(0) == limit * counts
     (event,) = [each for each in result.machine.log.events if each.kind in ("limit", "soft limit")]
     assert event.value == event.limit == pytest.approx(limit, rel=1e-15)
 

@@ -29,6 +29,7 @@ from motionlang.lang.machine.keys import (
 )
 from motionlang.lang.machine.machine import READINGS
 from motionlang.lang.machine.switch import problem as reading_problem
+from motionlang.lang.nesting import Room
 from motionlang.source import Source
 
 TYPE_CHECKING = False
@@ -39,6 +40,9 @@ if TYPE_CHECKING:
 _DEEPEST = 5
 # Of more parts Python's reader is not asked: it remembers every beginning of a key, 1.6 GB for one of 20 000 parts.
 _MOST_PARTS = 1000
+# So many brackets are open at once in no machine file.
+_MOST_OPEN = 100
+_QUOTED = r'''"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|#[^\n]*'''
 _PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _LONG_KEY = rf"(?<![\w-]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{_MOST_PARTS}}}"
 
@@ -69,12 +73,15 @@ def read_toml(source: Source) -> dict[str, object]:
 
     if source.text.count(".") >= _MOST_PARTS:
         _refuse_long_keys(source)
+    if source.text.count("[") + source.text.count("{") > _MOST_OPEN:
+        _refuse_nesting(source)
     try:
-        return tomllib.loads(source.text)
+        with Room():
+            return tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
         raise ProgramError([_toml_mistake(source, error)]) from None
-    except (ValueError, RecursionError) as error:
-        raise ProgramError([_beyond_python(source, error)]) from None
+    except ValueError:
+        raise ProgramError([_too_many_digits(source)]) from None
 
 
 def read_value(text: str) -> object:
@@ -374,28 +381,33 @@ def _toml_mistake(source: Source, error: Exception) -> Diagnostic:
     return Diagnostic("machine-file", text.split(" (at ")[0], line, column, hint="the machine file is TOML")
 
 
-def _beyond_python(source: Source, error: Exception) -> Diagnostic:
-    """What Python's reader of TOML gives up at: nesting, or a number that is longer than any."""
+def _too_many_digits(source: Source) -> Diagnostic:
+    """A number that is longer than any that Python reads."""
     import re
 
-    if isinstance(error, RecursionError):
-        line, column = source.place(_deepest(source.text))
-        message, hint = (
-            "values are nested too deeply",
-            "no value of the machine file is more than a list of numbers",
+    digits = re.search("[0-9_]{1000,}", source.text)
+    line, column = source.place(digits.start()) if digits else (0, 0)
+    return Diagnostic("machine-file", "a number has too many digits", line, column, hint="1e6 is a million")
+
+
+def _refuse_nesting(source: Source) -> None:
+    """Raise ProgramError where more brackets are open than any value has, in strings and comments excepted."""
+    import re
+
+    plain = re.sub(_QUOTED, lambda found: " " * len(found[0]), source.text)
+    most, place = _deepest(plain)
+    if most > _MOST_OPEN:
+        hint = "no value of the machine file is more than a list of numbers"
+        raise ProgramError(
+            [Diagnostic("machine-file", "values are nested too deeply", *source.place(place), hint=hint)]
         )
-    else:
-        digits = re.search("[0-9_]{1000,}", source.text)
-        line, column = source.place(digits.start()) if digits else (0, 0)
-        message, hint = "a number has too many digits", "1e6 is a million"
-    return Diagnostic("machine-file", message, line, column, hint=hint)
 
 
-def _deepest(text: str) -> int:
-    """Where the most brackets are open."""
+def _deepest(text: str) -> tuple[int, int]:
+    """How many brackets are open at most, and where."""
     open_now, most, place = 0, 0, 0
     for offset, letter in enumerate(text):
         open_now += (letter in "[{") - (letter in "]}")
         if open_now > most:
             most, place = open_now, offset
-    return place
+    return most, place

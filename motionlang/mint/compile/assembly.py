@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from motionlang.mint.compile import jumps
+from motionlang.mint.compile.calls import whole_stack
 from motionlang.mint.compile.expressions import counted
 from motionlang.mint.compile.first_values import fresh
-from motionlang.mint.compile.lines import Line, names_in, text_of
+from motionlang.mint.compile.lines import ROOM, Line, names_in, text_of
 from motionlang.mint.compile.splitting import SIZE
 from motionlang.mint.resolve.handlers import label_handlers
 from motionlang.mint.resolve.symbols import FLOAT, Function, Symbol
@@ -196,23 +197,26 @@ def _dispatched(whole: Whole, b: Body) -> list[Line]:
     function = b.function
     own = {symbol.python for symbol in _own(function) if b.keeps(symbol)} & b.outside
     name = jumps.dispatcher(function)
-    texts = [f"def {name}(pc):"]
+    counted = function.counted
+    texts = [f"def {name}(pc{f', {ROOM}' if counted else ''}):"]
     texts += [f" {text}" for text in _shared_names(whole, {*TIME, *own}, b.outside - own)]
     out = [Line(b.indent, text, function.at, names=[*b.outside]) for text in texts] + b.lines
     texts = []
     handlers = label_handlers(function)
     for number, (label, _) in enumerate(b.stretches()):
         if label in handlers:
-            texts += _label_handler(function, label, number)
+            texts += _label_handler(b, label, number)
+    begin = f", {ROOM if function.kind == 'sub' else whole_stack(b)}" if counted else ""
     last = function.result.python if function.result else ""
-    texts += [f"yield from {name}(0)", f"return {last}".rstrip()]
+    texts += [f"yield from {name}(0{begin})", f"return {last}".rstrip()]
     return out + [Line(b.indent, text, function.at) for text in texts]
 
 
-def _label_handler(function: Function, label: str, number: int) -> list[str]:
+def _label_handler(b: Body, label: str, number: int) -> list[str]:
     """v4: a label with the name of an event, to which nothing jumps, is its handler."""
+    begin = f", {whole_stack(b)}" if b.function.counted else ""
     return [
-        f"def e_{label}(): yield from {jumps.dispatcher(function)}({number})",
+        f"def e_{label}(): yield from {jumps.dispatcher(b.function)}({number}{begin})",
         f"E.blocks['event {label}'] = e_{label}; E.listen()",
     ]
 
@@ -263,7 +267,8 @@ def _shared_by(part: Part, function: Function) -> set[str]:
 
 
 def _parameters(function: Function) -> list[str]:
-    return [name for parameter in function.parameters for name in _spellings(parameter)]
+    names = [name for parameter in function.parameters for name in _spellings(parameter)]
+    return [*names, ROOM] if function.counted and function.kind == "sub" else names
 
 
 def _spellings(symbol: Symbol) -> list[str]:

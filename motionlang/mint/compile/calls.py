@@ -6,7 +6,8 @@ from motionlang.mint.compile import intervals
 from motionlang.mint.compile.body import Value
 from motionlang.mint.compile.conversions import converted
 from motionlang.mint.compile.expressions import counted, member, place, unknown, value
-from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, Symbol, Type
+from motionlang.mint.compile.lines import ROOM
+from motionlang.mint.resolve.symbols import FLOAT, INTEGER, RECORD, Function, Symbol, Type
 from motionlang.mint.syntax import nodes
 
 TYPE_CHECKING = False
@@ -28,6 +29,8 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
         b.problem("values", f"{symbol.name} takes {count} value{'s' * (count != 1)}, {len(args)} given", node)
         return _NOTHING
     texts = [_argument(b, arg, parameter) for arg, parameter in zip(args, callee.parameters, strict=True)]
+    if callee.counted:
+        texts.append(room_below(b))
     text = f"{symbol.python}({', '.join(texts)})"
     b.calls = True
     b.callee = callee
@@ -36,6 +39,24 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
         text = f"(yield from {text})"
     known = intervals.INTEGER if symbol.type.name == INTEGER else intervals.FLOAT
     return Value(text, str(symbol.type), known)
+
+
+def room_below(b: Body) -> str:
+    """The room on the stack for what is called here; the recursion error where there is none."""
+    if not has_room(b.function):
+        return f"{whole_stack(b)}[0]"
+    b.names.append(ROOM)
+    return f"{ROOM}[0] or {b.whole.use('env', 'too_deep')}()"
+
+
+def whole_stack(b: Body) -> str:
+    """The room that a task begins with."""
+    return b.whole.use("env", "stack")
+
+
+def has_room(function: Function) -> bool:
+    """Whether the code of a function is given its room on the stack; a task begins with all of it."""
+    return function.counted and (function.kind == "sub" or function.jumps)
 
 
 def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> str:

@@ -13,6 +13,7 @@ import gc
 from marshal import dumps
 
 from motionlang.errors import ProgramError
+from motionlang.lang.nesting import Room
 from motionlang.mint.compile import jumps
 from motionlang.mint.compile.assembly import assemble, assemble_line
 from motionlang.mint.compile.body import Body, Whole
@@ -73,10 +74,11 @@ def compile_line(
     """Compile a line typed at a prompt, whose names are those of `scope`; ProgramError with every mistake."""
     known_before = dict(scope.names)
     problems = Problems(module)
-    whole = _declared(module, settings, problems, scope, suffix)
-    bodies = {function: _function(whole, function) for function in whole.names.functions}
-    problems.raise_errors()
-    return assemble_line(whole, bodies, known_before, file)
+    with Room():
+        whole = _declared(module, settings, problems, scope, suffix)
+        bodies = {function: _function(whole, function) for function in whole.names.functions}
+        problems.raise_errors()
+        return assemble_line(whole, bodies, known_before, file)
 
 
 def _declared(
@@ -149,13 +151,14 @@ def compile_text(
     collecting = gc.isenabled()
     gc.disable()  # what is made here lasts to the end or goes by itself, and the collector would look at it every time
     try:
-        module = _parsed(source, settings)
-        if overrides or given:
-            override(module, overrides or {}, given)
-        blocks = blocks_of(module)
-        compiled = compile_module(module, settings)
-        compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
-        return compiled
+        with Room():
+            module = _parsed(source, settings)
+            if overrides or given:
+                override(module, overrides or {}, given)
+            blocks = blocks_of(module)
+            compiled = compile_module(module, settings)
+            compiled.outline = dumps((blocks, module.places.lines(compiled.code.places)))
+            return compiled
     finally:
         if collecting:
             gc.enable()

@@ -14,6 +14,7 @@ the outermost level; a jump out of loops is an exception, as Python has no other
 from __future__ import annotations
 
 from motionlang.mint.compile import loop_times, polling
+from motionlang.mint.compile.calls import room_below
 from motionlang.mint.compile.expressions import condition
 from motionlang.mint.compile.lines import LEAVES, Line
 from motionlang.mint.resolve.symbols import Function
@@ -126,7 +127,8 @@ def jump(b: Body, node: nodes.Jump) -> None:
         return
     if node.kind == "gosub":
         b.gives_way()
-        b.emit(f"yield from {dispatcher(b.function)}({number})", LEAVES)
+        room = f", {room_below(b)}" if b.function.counted else ""
+        b.emit(f"yield from {dispatcher(b.function)}({number}{room})", LEAVES)
     elif leaves_loops:
         b.emit(f"{unless}raise {b.whole.use('env', 'Jump')}({number})")
     else:

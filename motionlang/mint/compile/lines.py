@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 PLAIN, LOOP, BREAK, LEAVES, HORIZON = "", "loop", "break", "leaves", "horizon"
 # Among the names of a line: it holds a `yield`.
 YIELDS = "yield"
+# The name of the room on the stack that a call is given: a tuple of the room that the next one is given, () for none.
+ROOM = "r"
 NONE: Sequence[str] = ()
 JUST_YIELDS: Sequence[str] = (YIELDS,)
 

@@ -13,7 +13,7 @@ program, and their parts units of their own; a sub may be called again before it
 
 from __future__ import annotations
 
-from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, YIELDS, Line, moved, names_in
+from motionlang.mint.compile.lines import BREAK, LEAVES, LOOP, ROOM, YIELDS, Line, moved, names_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,21 +33,25 @@ MOST_LOOPS = 8
 class Part:
     """A part by its name; its lines are indented for the body of a function in the outermost place.
 
-    `names` are the variables in it; `inside`: it stands in its function.
+    `names` are the variables in it; `inside`: it stands in its function, else it is given the room on the stack.
     """
 
-    __slots__ = ("inside", "lines", "name", "names", "waits")
+    __slots__ = ("given", "inside", "lines", "name", "names", "waits")
 
     def __init__(self, name: str, lines: list[Line], inside: bool) -> None:
         self.name, self.lines, self.inside = name, lines, inside
         self.names = names_in(lines)
         self.waits = YIELDS in self.names
+        self.given = ROOM if ROOM in self.names and not inside else ""
 
     def written(self, shared: Iterable[str], indent: int) -> list[Line]:
         """The whole function; `shared` are the names that are not its own."""
         at = self.lines[0].at
         names = sorted(shared)
-        head = [Line(1, f"def {self.name}():", at), Line(2, f"nonlocal {', '.join(names)}", at, names=names)]
+        head = [
+            Line(1, f"def {self.name}({self.given}):", at),
+            Line(2, f"nonlocal {', '.join(names)}", at, names=names),
+        ]
         end = [Line(2, "if 0: yield", at)] if self.waits else []  # a generator wherever its yields are
         return moved([*head, *self.lines, *end], indent)
 
@@ -117,5 +121,7 @@ def _part(b: Body, lines: list[Line]) -> list[Line]:
     b.whole.parts += 1
     part = Part(f"q{b.whole.parts}", moved(lines, 2 - b.indent), b.function.kind == "sub")
     b.parts.append(part)
-    call, names = (f"yield from {part.name}()", [YIELDS]) if part.waits else (f"{part.name}()", [])
+    call, names = f"{part.name}({part.given})", [ROOM] if ROOM in part.names else []
+    if part.waits:
+        call, names = f"yield from {call}", [*names, YIELDS]
     return [Line(b.indent, call, lines[0].at, names=names)]

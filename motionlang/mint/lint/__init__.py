@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.errors import Diagnostic, ProgramError
 from motionlang.lang.lint import silence
+from motionlang.lang.nesting import Room
 from motionlang.mint.compile.compiler import compile_module
 from motionlang.mint.compile.error_recovery import with_other_lines
 from motionlang.mint.keywords import table
@@ -37,7 +38,11 @@ COMMENT = re.compile(r"""^(?:[^'"\n]|"[^"\n]*")*?('|(?<![\w.])rem)""", re.IGNORE
 
 def check(source: Source, settings: Mapping[str, object] | None = None) -> list[Diagnostic]:
     """Every mistake of a program; if it has none, every warning, too."""
-    settings = dict(settings or {})
+    with Room():
+        return _check(source, dict(settings or {}))
+
+
+def _check(source: Source, settings: dict[str, object]) -> list[Diagnostic]:
     try:
         module = parse(source)
     except ProgramError as error:

@@ -6,6 +6,7 @@ from itertools import chain
 
 from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
 from motionlang.mint.keywords.unsimulated import WRITTEN, written
+from motionlang.mint.resolve.call_depth import count_calls
 from motionlang.mint.resolve.folding import fold, given
 from motionlang.mint.resolve.handlers import handles
 from motionlang.mint.resolve.symbols import (
@@ -22,6 +23,7 @@ from motionlang.mint.resolve.symbols import (
     Type,
 )
 from motionlang.mint.syntax import nodes
+from motionlang.mint.syntax.nesting import depth_of
 from motionlang.mint.syntax.traversal import Survey, copied, walk
 
 TYPE_CHECKING = False
@@ -41,6 +43,8 @@ _SHOWS: dict[type, str] = {
 }
 # Array elements in all; a typing error in a Dim must not take the memory of the computer.
 MOST_ELEMENTS = 10_000_000
+# Nodes within one another where Defines stand for expressions with further Defines in them.
+MAX_DEFINED_DEPTH = 1000
 
 
 class Names:
@@ -63,6 +67,8 @@ class Names:
         self._surveys: dict[Function, Survey] = {}
         # The Defines that are being put in the places of their names, one within the other.
         self._replacing: list[Symbol] = []
+        self._depths: dict[Symbol, int] = {}
+        self._defines_too_deep = False
         # Names in Python, with the number of the last one that was made of each.
         self._taken: dict[str, int] = {s.python: 0 for s in self.module.names.values()}
 
@@ -89,6 +95,7 @@ class Names:
         for function in self.functions:
             function.scope.settle()
             self._use(function)
+        count_calls(self.functions, self.typed)
         self._settle()
 
     def _block(
@@ -363,6 +370,8 @@ class Names:
             if shows is None:
                 continue
             setattr(function, shows, True)
+            if kind is nodes.Jump and node.kind == "gosub":  # type: ignore[attr-defined]
+                function.gosubs = True
             if (kind is nodes.Run or kind is nodes.End) and node.name is not None:  # type: ignore[attr-defined]
                 node.resolve(function.scope.find(node.name))  # type: ignore[attr-defined]
             elif kind is nodes.Print and node.word:  # type: ignore[attr-defined]
@@ -406,6 +415,12 @@ class Names:
                 "type", message, define.at, "the expression of a Define may not come back to its name"
             )
             return
+        if self._defined_depth(define) > MAX_DEFINED_DEPTH:
+            message = (
+                f"the Defines behind {define.name} nest their expressions more than {MAX_DEFINED_DEPTH} deep"
+            )
+            self.problems.add("syntax", message, define.at, "use a variable for a part of them")
+            return
         self._replacing.append(define)
         stands: nodes.Expr = copied(define.node)  # type: ignore[assignment]
         for inner in walk([stands]):
@@ -415,6 +430,15 @@ class Names:
                 self._use_name(function, inner)
         self._replacing.pop()
         node.stands = stands
+
+    def _defined_depth(self, define: Symbol) -> int:
+        """How deep the expressions nest that are being put in the places of names, with that of one more Define."""
+        depth = 0
+        for each in (*self._replacing, define):
+            if each not in self._depths:
+                self._depths[each] = depth_of(each.node)  # type: ignore[arg-type]
+            depth += self._depths[each]
+        return depth
 
     def _box_arguments(self, function: Function, node: nodes.Name, callee: Function) -> None:
         for argument, parameter in zip(node.args or (), callee.parameters, strict=False):

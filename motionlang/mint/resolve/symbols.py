@@ -126,7 +126,8 @@ class Scope:
 class Function:
     """What becomes one Python function: the parent task, a task, a sub, an event handler.
 
-    `plain`: it cannot wait and takes no note of time, so it is an ordinary function and not a generator.
+    `plain`: it cannot wait and takes no note of time, so it is an ordinary function and not a generator. `counted`: it
+    is given its room on the stack, as the calls of its program may nest more deeply than that allows.
     """
 
     __slots__ = (
@@ -134,7 +135,9 @@ class Function:
         "at",
         "body",
         "calls",
+        "counted",
         "exits",
+        "gosubs",
         "jumps",
         "kind",
         "loops",
@@ -158,7 +161,7 @@ class Function:
         self.parameters: list[Symbol] = []
         self.result: Symbol | None = None
         self.calls: set[Function] = set()
-        self.observes = self.loops = self.jumps = self.exits = self.plain = False
+        self.observes = self.loops = self.jumps = self.exits = self.plain = self.counted = self.gosubs = False
         self._graph: Graph | None = None
 
     @property

@@ -6,6 +6,7 @@ from math import ceil, floor
 
 from motionlang.controller.faults import Refusal
 from motionlang.lang.attention import Attention
+from motionlang.lang.nesting import MAX_DEPTH
 from motionlang.lang.task import Wait
 from motionlang.mint.runtime.loop_log import looped, thrown
 from motionlang.mint.runtime.operations import Operations
@@ -415,6 +416,22 @@ class Environment(Waits):
         from motionlang.mint.runtime.errors import TROUBLE
 
         return TROUBLE
+
+    @property
+    def stack(self) -> tuple[object, ...]:
+        """The room of a task: tuples within one another, one for itself and one for each call that may nest in it.
+
+        What a call hands on is the tuple within its own, which costs less than a number that is counted down.
+        """
+        room: tuple[object, ...] = ()
+        for _ in range(MAX_DEPTH + 1):
+            room = (room,)
+        return room
+
+    def too_deep(self) -> tuple[object, ...]:
+        """A call finds no room on the stack."""
+        words = f"calls are nested more than {MAX_DEPTH} deep"
+        raise Refusal("recursion", words, "a sub or a Gosub calls itself without an end")
 
     def failed(self, trouble: Exception, t: float, line: int) -> float:
         """A guarded statement has failed; answers with the statement at which the program goes on."""

@@ -58,10 +58,9 @@ ALL, SYNCHRONOUS, AXIS, MISC = 0, 1, 2, 3
 _PYTHON: tuple[tuple[type[BaseException], str, str], ...] = (
     (ZeroDivisionError, "division-by-zero", "division by zero"),
     (OverflowError, "overflow", "the result is too large for a number"),
-    (RecursionError, "recursion", "calls are nested too deeply"),
 )
 # What a handler of ONERROR can be told of.
-TROUBLE = (Refusal, ZeroDivisionError, OverflowError, RecursionError)
+TROUBLE = (Refusal, ZeroDivisionError, OverflowError)
 
 
 class Error:

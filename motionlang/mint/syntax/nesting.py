@@ -91,6 +91,16 @@ def _too_deep(module: Module) -> list[Node]:
     return found
 
 
+def depth_of(expression: Node) -> int:
+    """How many nodes of an expression are within one another."""
+    deepest, waiting = 0, [(expression, 1)]
+    while waiting:
+        node, depth = waiting.pop()
+        deepest = max(deepest, depth)
+        waiting += _children(node, depth + 1)
+    return deepest
+
+
 def _children(node: Node, depth: int) -> list[tuple[Node, int]]:
     values = [getattr(node, name) for name in node.__slots__]
     found = [value for value in values if isinstance(value, Node)]

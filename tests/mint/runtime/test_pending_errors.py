@@ -62,7 +62,7 @@ def test_an_error_of_the_controller_is_pending_too() -> None:
     assert ended(text, machine).output == ["1", "2"]
 
 
-FOREVER = {
+FOREVER: dict[str, tuple[str, dict[str, object], int, str]] = {
     "an error that is cleared": ("ABORT" + COUNT.format("  CANCEL(0)\n  ABORT\n"), {}, 7, "ONERROR"),
     "an event that is pended": (
         "EVENTPEND(2, 0, 0)\nWAIT = 1\nEnd\nEvent STOP\n  EVENTPEND(2, 0, 0)\nEnd Event",
