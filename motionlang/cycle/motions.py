@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from motionlang.result import Run
 
     # End, begin, line, axes, and the profile or its recipe of ramps: those that are one motion have the axes of all of
-    # them, and the profile of the first.
+    # them, and the profile of the first that moves.
     Motion = tuple[float, float, int, tuple[int, ...], Profile | Recipe]
     # What a stretch is called in each phase of a move, and how many seconds that takes.
     Phases = tuple[tuple[str, float], ...]
@@ -117,14 +117,21 @@ class Motions:
         return None if found < 0 else self._whole(found)
 
     def before(self, axes: tuple[int, ...], begin: float, near: float) -> Motion | None:
-        """The motion of one of some axes that began before `begin`, and ended within `near` of it."""
-        place = bisect_right(self.ends, begin + near) - 1
-        while place >= 0:
-            if self.ends[place] < begin - near:
-                return None
+        """The motion of one of some axes that began before `begin`, and ended within `near` of it or was blended."""
+        first = bisect_right(self.ends, begin + near)
+        place = first - 1
+        while place >= 0 and self.ends[place] >= begin - near:
             if self.axis(place) in axes and self.begins[self.order[place]] < begin:
                 return self._whole(place)
             place -= 1
+        for place in range(first, len(self.ends)):
+            if self.axis(place) not in axes:
+                continue
+            began = self.begins[self.order[place]]
+            if began < begin:
+                return self._whole(place)
+            if began > begin:  # so has whatever ends later
+                return None
         return None
 
     def last(self, after: float, time: float) -> Motion | None:
@@ -172,13 +179,22 @@ class Motions:
             return self._motion(place)
         begin, line = begins[number], self.lines[number]
         same = [each for each in order[first:last] if begins[each] == begin and self.lines[each] == line]
-        return end, begin, line, tuple(self.rows[each][0] for each in same), self.rows[same[0]][5]
+        shapes = [self.rows[each][5] for each in same]
+        shape = next(filter(_moves, shapes), shapes[0])
+        return end, begin, line, tuple(self.rows[each][0] for each in same), shape
 
     def _motion(self, place: int) -> Motion:
         """That motion alone."""
         number = self.order[place]
         row = self.rows[number]
         return self.ends[place], self.begins[number], self.lines[number], self.alone[row[0]], row[5]
+
+
+def _moves(shape: Profile | Recipe) -> bool:
+    """True unless the axis stands, as on a path that leads along another one."""
+    if isinstance(shape, tuple):
+        return any(shape[::3])
+    return shape.start != shape.end or shape.peak_speed > 0.0
 
 
 def _cuts(begins: list[float]) -> Sequence[int]:
