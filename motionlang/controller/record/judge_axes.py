@@ -6,12 +6,14 @@ from itertools import pairwise
 from math import copysign, inf, isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.due import law, lead, move_time
+from motionlang.controller.record.due import ROUNDING, doubt, law, lead, move_time, top_speed
 from motionlang.controller.record.judge import SLACK, Uses
+from motionlang.controller.record.judge_slowing import slowing
 from motionlang.controller.record.spans import spans
 
 if TYPE_CHECKING:
     from motionlang.controller.record.judge import Proof
+    from motionlang.controller.record.judge_slowing import Slowing
     from motionlang.controller.record.orders import Order
     from motionlang.controller.record.spans import Span
     from motionlang.controller.record.track import WholeTrack
@@ -35,15 +37,14 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, before: Ord
         return
     entry = profile.at(0.0)
     # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
-    came = abs(entry.velocity)
-    if order.jerks[0] < inf and entry.acceleration * entry.velocity > 0.0:
-        came += 0.5 * entry.acceleration**2 / order.jerks[0]
-    fastest = max(order.speed, came)
+    begun = _entry(profile, order, before)
+    slow = _slowing(profile, order, begun)
     still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
     uses = Uses(proof)
     eased = abs(entry.acceleration) if order.jerks[0] < inf else 0.0
-    for span in parts:
-        uses.look("speed", span.peak(1), fastest)
+    for span in slow.cuts(parts):
+        end = span.begin + span.length
+        uses.look("speed", span.peak(1), slow.bound(end))
         sides = list(span.sides())
         for power, left, right in sides:
             side = 0 if power > 0.0 else 1
@@ -53,39 +54,77 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, before: Ord
             if len(sides) > 1:  # what turns round eases out at the jerk that it came with
                 jerk = max(order.jerks)
             name = ("acceleration", "deceleration")[side]
-            uses.look(name, max(abs(left[2]), abs(right[2])), max(rate, eased))
+            uses.look(name, max(abs(left[2]), abs(right[2])), max(rate, eased if end <= slow.eased else 0.0))
             if order.jerks[0] < inf:
                 uses.look("jerk", max(abs(left[3]), abs(right[3])), jerk)
     where = f"axis {a.index} from {a.starts[i]:.6f} s"
     uses.tell(order.line, where, " counts")
-    _judge_time(proof, profile, order, before, where)
+    if isfinite(length):
+        reached, due = abs(profile.velocity(length)), slow.due(length)
+        if reached > due + still + 4e-15 * (1.0 + a.starts[i]) * max(order.rates):
+            words = f"it does not slow down: {reached:g} counts/s after {length:g} s, due are {due:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    _judge_time(proof, profile, order, begun, where)
 
 
-def _judge_time(proof: Proof, profile: Profile, order: Order, before: Order, where: str) -> None:
-    """What was planned takes no longer than its bounds ask for, from whatever state it begins with."""
+def _judge_time(
+    proof: Proof, profile: Profile, order: Order, entry: tuple[float, float, float], where: str
+) -> None:
+    """What was planned takes as long as its bounds ask for, from whatever state it begins with, and ends as ordered."""
     by = law(order.shape, order.rates, order.jerks, order.ramp)
-    entry = profile.at(0.0)
-    v0, a0 = entry.velocity, entry.acceleration if by.smooth else 0.0
-    extra = 0.0
-    if order.shape != "trapezoid" and not by.smooth and entry.acceleration:
-        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
-        peak = before.speed if before.speed < inf else abs(v0)
-        v0, extra = (
-            2.0 * v0,
-            law(before.shape, before.rates, before.jerks, before.ramp).stretch * peak / min(before.rates),
-        )
+    v0, a0, extra = entry
+    rounded = 0.0
     if order.kind in ("move", "step"):
         if not isfinite(profile.duration):
             return
-        # A stepper stops at once at the velocity of its step, as if it came to rest so much later and farther on.
-        late = order.step / order.rates[1]
-        way = profile.distance + copysign(0.5 * order.step * late, profile.distance)
+        way, late = _to_go(profile, order)
         wanted, took = move_time(v0, a0, way, order.speed, by) - late, profile.duration
+        if took < wanted:
+            wanted = move_time(v0, a0, way, order.speed, by, ROUNDING * abs(way)) - late
+            rounded = doubt(v0, a0, way, by)
     else:
         wanted = lead(v0, a0, order.goal, by)[0]
         took = profile.knots[-1] if isfinite(profile.knots[-1]) else profile.knots[-2]
-    if took > (wanted + extra) * (1.0 + SLACK) + 1e-9 + 4e-16 * abs(profile.start):
+        if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
+            words = f"it comes to {profile.end_velocity:g} counts/s, ordered is {order.goal:g}"
+            proof.breaks(order.line, f"{where}: {words}")
+    slack = 1e-9 + 4e-16 * abs(profile.start)
+    if took > (wanted + extra) * (1.0 + SLACK) + slack:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
+    elif not extra and took < wanted * (1.0 - SLACK) - slack - rounded:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where no less than {wanted:g} s are due")
+
+
+def _entry(profile: Profile, order: Order, before: Order) -> tuple[float, float, float]:
+    """The velocity and the acceleration that a profile begins with, and the time for leaving a ramp with a shape."""
+    entry = profile.at(0.0)
+    if order.jerks[0] < inf:
+        return entry.velocity, entry.acceleration, 0.0
+    if order.shape == "trapezoid" or not entry.acceleration:
+        return entry.velocity, 0.0, 0.0
+    # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
+    peak = before.speed if before.speed < inf else abs(entry.velocity)
+    ramp = law(before.shape, before.rates, before.jerks, before.ramp).stretch * peak / min(before.rates)
+    return 2.0 * entry.velocity, 0.0, ramp
+
+
+def _to_go(profile: Profile, order: Order) -> tuple[float, float]:
+    """The distance of a move, and the seconds that a stepper saves.
+
+    It stops at once at the velocity of its step, as if it came to rest so much later and farther on.
+    """
+    late = order.step / order.rates[1]
+    return profile.distance + copysign(0.5 * order.step * late, profile.distance), late
+
+
+def _slowing(profile: Profile, order: Order, entry: tuple[float, float, float]) -> Slowing:
+    """How it comes to its speed; without the room to do so and to stop, to a higher one."""
+    by = law(order.shape, order.rates, order.jerks, order.ramp)
+    v0, a0, extra = entry
+    speed = order.speed
+    if order.kind in ("move", "step") and isfinite(profile.duration):
+        speed = max(speed, top_speed(v0, a0, _to_go(profile, order)[0], speed, by))
+    return slowing(v0, a0, speed, by, extra)
 
 
 def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:

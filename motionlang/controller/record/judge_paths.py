@@ -9,13 +9,16 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.record.due import law, lead, move_time, ramp
 from motionlang.controller.record.judge import SLACK, Uses
+from motionlang.controller.record.judge_slowing import slowing
 from motionlang.controller.record.spans import combined, rotation, spans
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from motionlang.controller.move import Move
+    from motionlang.controller.record.due import Law
     from motionlang.controller.record.judge import Proof, Run
+    from motionlang.controller.record.judge_slowing import Slowing
     from motionlang.controller.record.orders import Order, PathOrder
     from motionlang.controller.record.spans import Span
     from motionlang.controller.record.track import WholeTrack
@@ -157,61 +160,112 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
     assert path is not None
     smooth = order.jerks[0] < inf
     _, v0, a0, _ = along[0].at(0.0)
-    came = abs(v0) + (0.5 * a0 * a0 / order.jerks[0] if smooth and a0 * v0 > 0.0 else 0.0)
-    eased = abs(a0) if smooth else 0.0
+    slow = _slowing(order, way, v0, a0)
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
-    for span in along:
+    for span in slow.cuts(along):
         if span.length <= late:  # the time of a join is rounded
             continue
-        uses.look("path speed", span.peak(1), max(order.speed, came))
+        # What begins too fast, since a limit has come down, is excused until it has slowed down.
+        end = span.begin + span.length
+        excused = end <= max(slow.until, slow.eased)
+        came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
+        eased = bent if end <= slow.eased else 0.0
+        fastest = 0.0 if path.rests else order.speed
+        uses.look("path speed", span.peak(1), max(fastest, came if end <= slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, speed = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))
-            if speed <= SLACK * max(1.0, came):  # at rest but for rounding
+            if speed <= SLACK * max(1.0, slow.came):  # at rest but for rounding
                 continue
             name = ("path acceleration", "path deceleration")[side]
             uses.look(name, rate, max(order.rates[side], eased))
             if smooth:
                 uses.look("path jerk", max(abs(left[3]), abs(right[3])), max(order.jerks))
             first, last = left[0], right[0]
-            # What begins too fast, since a limit has come down, is excused until it has slowed down.
-            slow = [
+            slowed = [
                 max(x, came * s)
                 for x, s in zip(path.most, _counts(way.slopes(first, last), axes), strict=True)
             ]
-            for (number, k), slope, most in zip(axes, way.slopes(first, last), slow, strict=True):
+            for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
                 uses.look(f"speed on paths of axis {number}", speed * slope * k, most)
             limits = path.most_decel if side else path.most_accel
-            own, excused = way.rates(first, last, rate, speed), way.rates(first, last, eased, came)
-            too_fast = eased > 0.0 or came > 0.0
-            for (number, k), figure, came_with, most in zip(axes, own, excused, limits, strict=True):
-                uses.look(
-                    f"rate on paths of axis {number}",
-                    figure * k,
-                    max(most, came_with * k if too_fast else 0.0),
-                )
+            own, came_with = way.rates(first, last, rate, speed), way.rates(first, last, bent, came)
+            for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
+                uses.look(f"rate on paths of axis {number}", figure * k, max(most, other * k))
     uses.tell(order.line, where, "")
+    took = along[-1].begin + along[-1].length
+    reached, due = along[-1].at(along[-1].length)[1], slow.due(took)
+    if reached > due + SLACK * max(1.0, slow.came) + 4.0 * late * max(order.rates):
+        words = f"it does not slow down: {reached:g} after {took:g} s, due are {due:g}"
+        proof.breaks(order.line, f"{where}: {words}")
     names = ("speed", "acceleration")[: 2 if smooth else 1]
     for before, after in pairwise(along):
         for which, name in enumerate(names, 1):
             gap = abs(after.at(0.0)[which] - before.at(before.length)[which])
-            if gap > SLACK * max(1.0, came, *(r for r in (order.speed, *order.rates) if r < inf)):
+            if gap > SLACK * max(1.0, slow.came, *(r for r in (order.speed, *order.rates) if r < inf)):
                 proof.breaks(order.line, f"{where}: the {name} along it jumps by {gap:g}")
+
+
+def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
+    """How a path that begins too fast, for its speed or for one of its axes, comes to its speed."""
+    assert order.path is not None
+    speed, by = _least(order, way)
+    if order.path.rests:
+        speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
+    shaped = order.jerks[0] == inf and order.shape != "trapezoid" and a0
+    slow = (
+        slowing(2.0 * v0, 0.0, speed, by, ramp(0.0, max(speed, 2.0 * v0), by)[0])
+        if shaped
+        else slowing(v0, a0, speed, by)
+    )
+    # On an arc the least speed bounds the time alone: the limits of its axes say which speed is too high.
+    return (
+        slow if way.unit is not None or order.path.rests else slow._replace(speed=max(slow.came, order.speed))
+    )
+
+
+def _gentlest(order: Order, way: Way, rate: float) -> float:
+    """The lowest deceleration that a stop has to keep, on a path and on those behind it that it may come into."""
+    assert order.path is not None
+    for each in order.path.ahead:
+        assert each.path is not None
+        way = Way(each.path, way.ends)
+        rate = min(rate, _least(each, way)[1].rates[1])
+    return rate
 
 
 def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
     """What ends a path takes no longer than to stop, and to run the rest of it alone, from rest to rest.
 
-    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster. On arcs an axis
-    is counted on for half of its limits, as turning and speeding up share them.
+    That is a motion which keeps all bounds, whatever comes behind: what is planned may only be faster.
     """
-    path = order.path
-    assert path is not None
     if not order.speed or not min(order.rates) > 0.0:
         return
     first, last = along[0].at(0.0), along[-1].at(along[-1].length)
+    speed, by = _least(order, way)
+    bent = first[2] if by.smooth else 0.0
+    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
+    hard = by._replace(rates=order.rates)
+    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
+    if order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates):
+        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
+        time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
+        gone = 0.0
+    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
+    took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
+    if took > due * (1.0 + SLACK) + 1e-9:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
+
+
+def _least(order: Order, way: Way) -> tuple[float, Law]:
+    """The speed and the law that a path may always be run by, whatever its axes are limited to.
+
+    On arcs an axis is counted on for half of its limits, as turning and speeding up share them.
+    """
+    path = order.path
+    assert path is not None
     speed, rates = order.speed, list(order.rates)
     share = 1.0 if way.unit is not None else 0.5
     slopes = way.slopes(0.0, way.length)
@@ -225,19 +279,7 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
     for figure, limit in zip(way.bends(), map(min, path.most_accel, path.most_decel), strict=True):
         if figure:
             speed = min(speed, sqrt(share * limit / figure))
-    by = law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
-    bent = first[2] if by.smooth else 0.0
-    # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
-    hard = by._replace(rates=order.rates)
-    time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
-    if order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(rates):
-        # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
-        time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
-        gone = 0.0
-    due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
-    took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
-    if took > due * (1.0 + SLACK) + 1e-9:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")
+    return speed, law(order.shape, (rates[0], rates[1]), order.jerks, order.ramp)
 
 
 def _counts(parts: Sequence[float], axes: Sequence[tuple[int, float]]) -> list[float]:

@@ -38,6 +38,7 @@ class PathOrder(NamedTuple):
     a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
     began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
     run through. Of several paths that begin at one moment, since they are blended into each other, it is the `nth`.
+    A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
     """
 
     members: tuple[int, ...]
@@ -55,6 +56,8 @@ class PathOrder(NamedTuple):
     most_accel: tuple[float, ...]
     most_decel: tuple[float, ...]
     angle_through: float
+    rests: bool = False
+    ahead: tuple[Order, ...] = ()
 
 
 class Tie(NamedTuple):
@@ -279,6 +282,7 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
     run = action.run
     if guide is None and run is not None and run.ended and run.hard:
         rates = rates[0], master.error_decel
+    rests = any(each.suspended for each in axes) or (run is not None and run.ended != "")
     geometry = action.geometry
     straight = isinstance(geometry, Line)
     path = PathOrder(
@@ -297,6 +301,8 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
         tuple(each.max_accel for each in axes),
         tuple(each.max_decel for each in axes),
         through,
+        rests,
+        tuple(_path(each, each.moves[0], 0) for each, _ in run.ahead) if rests and run is not None else (),
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
     return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)
