@@ -169,14 +169,14 @@ class Run:
             return done
         k = entries.index(move)
         for other in entries[max(0, k - _AT_ONCE) : k]:
-            done -= _gone(other, time)[1]
+            done -= gone(other, time)[1]
         for other in entries[k + 1 : k + 1 + _AT_ONCE]:
             if other.start_time < time:
-                done -= _gone(other, time)[0]
+                done -= gone(other, time)[0]
         return done
 
 
-def _gone(move: Move, time: float) -> tuple[float, float]:
+def gone(move: Move, time: float) -> tuple[float, float]:
     """How far a log entry has come at a time, and how far that is from its end, signed."""
     profile = move.profile
     assert profile is not None
