@@ -105,8 +105,8 @@ class Run:
         self._order_of: dict[int, Order] = {}
         self._tracks: dict[int, WholeTrack] = {}
         ordered = {
-            (number, order.path.begun, order.path.nth): order
-            for number, records in orders.of.items()
+            order.path.entry: order
+            for records in orders.of.values()
             for order in records
             if order.path is not None
         }
@@ -115,15 +115,11 @@ class Run:
                 self._kept[number] = move
                 self.offsets.setdefault(move.axis, []).append(move)
                 continue
-            if not ordered:
-                continue
-            key = (move.axis, move.start_time, 0)
-            while key in self.entries:
-                key = (*key[:2], key[2] + 1)
-            if key in ordered:
-                self._kept[number] = self.entries[key] = move
+            order = ordered.get(number)
+            if order is not None and order.path is not None:
+                self._kept[number] = self.entries[move.axis, order.path.begun, order.path.nth] = move
                 self.paths.setdefault(move.axis, []).append(move)
-                self._order_of[id(move)] = ordered[key]
+                self._order_of[id(move)] = order
 
     @property
     def moves(self) -> Iterator[Move]:
@@ -149,7 +145,11 @@ class Run:
         """What holds for an entry of the log when it begins."""
         found = self._order_of.get(id(move))
         if found is None:
-            found = self.orders.of[move.axis][self.axes[move.axis].place(move.start_time)]
+            a, records = self.axes[move.axis], self.orders.of[move.axis]
+            i = a.place(move.start_time)
+            while records[i].path is not None and i and a.starts[i] == move.start_time:
+                i -= 1  # a path that begins at the moment at which a move without a distance has ended
+            found = records[i]
         return found
 
     def members(self, path: PathOrder) -> list[Move]:
@@ -169,14 +169,14 @@ class Run:
             return done
         k = entries.index(move)
         for other in entries[max(0, k - _AT_ONCE) : k]:
-            done -= _gone(other, time)[1]
+            done -= gone(other, time)[1]
         for other in entries[k + 1 : k + 1 + _AT_ONCE]:
             if other.start_time < time:
-                done -= _gone(other, time)[0]
+                done -= gone(other, time)[0]
         return done
 
 
-def _gone(move: Move, time: float) -> tuple[float, float]:
+def gone(move: Move, time: float) -> tuple[float, float]:
     """How far a log entry has come at a time, and how far that is from its end, signed."""
     profile = move.profile
     assert profile is not None

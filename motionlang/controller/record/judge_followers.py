@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import fsum, isfinite, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.judge import SLACK, Uses, position
+from motionlang.controller.record.judge import SLACK, Uses, gone, position
 from motionlang.controller.record.spans import Span, derivatives
 
 if TYPE_CHECKING:
@@ -237,7 +237,7 @@ def _offset(run: Run, a: WholeTrack, time: float) -> float:
     total = 0.0
     for move in run.offsets.get(a.index, ()):
         if move.start_time <= time and move.profile is not None:
-            total += move.profile.position(time - move.start_time) - move.profile.start
+            total += gone(move, time)[0]
     return total
 
 

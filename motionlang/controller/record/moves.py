@@ -67,6 +67,14 @@ class Moves(Stream[Move]):
         for each in rows:  # one at a time, as who goes through many wants none of them back
             yield move_of(each) if each.__class__ is tuple else each
 
+    def number(self, move: Move) -> int:
+        """The number of the entry that a move under way has in the log."""
+        tail = self.tail
+        for place in range(len(tail) - 1, -1, -1):
+            if tail[place] is move:
+                return self.packed + place
+        return next(number for number, each in self._left_out.items() if each is move)
+
     def as_kept(self) -> Iterator[Move | Row]:
         """All of them, the plain ones that are not packed as rows."""
         self._live()

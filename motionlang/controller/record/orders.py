@@ -38,6 +38,7 @@ class PathOrder(NamedTuple):
     a `relative` one the numbers count from its start. `scales` are counts per user unit, `begun` is when it
     began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
     run through. Of several paths that begin at one moment, since they are blended into each other, it is the `nth`.
+    `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
     A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
     """
 
@@ -58,6 +59,7 @@ class PathOrder(NamedTuple):
     angle_through: float
     rests: bool = False
     ahead: tuple[Order, ...] = ()
+    entry: int = -1
 
 
 class Tie(NamedTuple):
@@ -130,6 +132,8 @@ class Orders:
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
         self._counts: dict[tuple[int, float], int] = {}
+        # When the log entry of a path began, and its number in the log: a long one goes on as another entry.
+        self._entries: dict[Move, tuple[float, int]] = {}
         # What is left of a stepper's move at a new zero is not planned anew: what held when it began still does.
         self._steps: dict[Move, Order] = {}
         self._known = {REST: REST}  # those that further profiles may be ordered by
@@ -167,8 +171,9 @@ class Orders:
             self.data[a.index].append(a.datum)
             return
         self.is_full, self._controller.orders = True, None
-        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._steps, self._known):
+        for kept in (self.of, self.data, self.stands, self._nth, self._counts, self._entries, self._steps):
             kept.clear()
+        self._known.clear()
 
     def keep_whole(self) -> None:
         """Forget orders of profiles that did not come onto their track, as somebody ended the run at that moment.
@@ -190,7 +195,11 @@ class Orders:
         if action not in self._nth:
             key = action.axes[0].index, move.start_time
             self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
-        return _path(action, move, self._nth[action])
+        began, entry = self._entries.get(move, (-1.0, -1))
+        if began != move.start_time:
+            entry = self._controller.log.moves.number(move)
+            self._entries[move] = move.start_time, entry
+        return _path(action, move, self._nth[action], entry)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
@@ -269,7 +278,7 @@ def _jerks(a: Axis) -> tuple[float, float]:
     return (a.accel_jerk, a.decel_jerk) if a.shape == "scurve" else ENDLESS
 
 
-def _path(action: PathMove, move: Move, nth: int) -> Order:
+def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
     master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
     shape, k, ramp = master.shape, abs(master.scale.counts), master.ramp
     if guide is None:
@@ -302,7 +311,10 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
         tuple(each.max_decel for each in axes),
         through,
         rests,
-        tuple(_path(each, each.moves[0], 0) for each, _ in run.ahead) if rests and run is not None else (),
+        tuple(_path(each, each.moves[0], 0, -1) for each, _ in run.ahead)
+        if rests and run is not None
+        else (),
+        entry,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
     return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)

@@ -1,0 +1,58 @@
+"""What generated programs found: the smallest program of each kind, proved, with figures worked out by hand."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang import run
+from motionlang.result import Run
+from motionlang.source import Source
+
+FINE = {"controller.instruction_time": 1e-9}
+RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
+
+
+def proved(program: str, suffix: str = "mnt", until: float = 20.0) -> Run:
+    """A run without a diagnostic, whose proof holds."""
+    result = run(Source(f"found.{suffix}", program), machine=FINE, cache=False, prove=True, until=until)
+    assert [each.message for each in result.diagnostics] == []
+    assert [each.message for each in result.proof().violations] == []
+    return result
+
+
+def places(result: Run, *axes: int) -> list[float]:
+    return [result.controller.axes[axis].position(result.time) for axis in axes]
+
+
+def test_a_path_begins_at_the_moment_at_which_a_move_without_a_distance_ends() -> None:
+    """30 by 40 is 50 at 20 with 100: 50/20 + 20/100 s."""
+    result = proved(RATES + "MOVEA(0) = 0 : VECTORA(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)\n")
+    assert places(result, 0, 1) == [30.0, 40.0]
+    assert result.time == pytest.approx(2.7)
+
+
+SPLINE = "Dim way(5) As Float = 4, 10, 20, 10, 0\nSPLINETABLE(0, way, NULL, NULL)\n"
+
+
+def test_a_spline_goes_on_by_the_same_distances_from_a_position_that_is_written() -> None:
+    """After 100 ms it is at 10, which becomes 5: 30 of its 40 are left."""
+    result = proved(f"{SPLINE}SPLINE(0) = 0 : GO(0)\nWAIT = 100\nPOS(0) = 5\nPAUSE IDLE(0)\n")
+    assert places(result, 0) == pytest.approx([35.0])
+
+
+def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_again() -> None:
+    """It comes to rest 20 of its 40 further on than the position that is written."""
+    suspend = "SPLINESUSPENDTIME(0) = 40\nSPLINE(0) = 0 : GO(0)\nWAIT = 200\nSUSPEND(0) = 1\nWAIT = 20\n"
+    twice = (
+        "k = POS(0)\nPOS(0) = 0\nSUSPEND(0) = 0\nSUSPEND(0) = 1\nWAIT = 100\nSUSPEND(0) = 0\nPAUSE IDLE(0)\n"
+    )
+    result = proved(f"Dim k As Float\n{SPLINE}{suspend}{twice}PRINT POS(0) + k\n")
+    assert result.output == ["40.0000"]
+
+
+def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
+    """At 0.6 s the slave stands at 10 and the 0.5 of its offset; from 0.7 s on it follows for 0.3 s at 20."""
+    program = f"{RATES}MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
+    cancel = "OFFSET(1) = 10 : GO(1)\nWAIT = 100\nCANCEL(1)\nWAIT = 100\nFOLLOW(1) = 1\nWAIT = 300\nCANCEL(0)\n"
+    result = proved(program + cancel)
+    assert places(result, 0, 1) == pytest.approx([18.0, 16.5], abs=1e-6)
