@@ -52,7 +52,11 @@ def test_a_spline_that_is_suspended_is_given_another_position_and_suspended_agai
 
 def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
     """At 0.6 s the slave stands at 10 and the 0.5 of its offset; from 0.7 s on it follows for 0.3 s at 20."""
-    program = f"{RATES}MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
-    cancel = "OFFSET(1) = 10 : GO(1)\nWAIT = 100\nCANCEL(1)\nWAIT = 100\nFOLLOW(1) = 1\nWAIT = 300\nCANCEL(0)\n"
+    program = (
+        f"{RATES}MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nFOLLOW(1) = 1 : JOG(0) = 20\nWAIT = 500\n"
+    )
+    cancel = (
+        "OFFSET(1) = 10 : GO(1)\nWAIT = 100\nCANCEL(1)\nWAIT = 100\nFOLLOW(1) = 1\nWAIT = 300\nCANCEL(0)\n"
+    )
     result = proved(program + cancel)
     assert places(result, 0, 1) == pytest.approx([18.0, 16.5], abs=1e-6)
