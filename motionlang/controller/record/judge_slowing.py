@@ -1,8 +1,8 @@
 """Slowing down: motion that begins above its speed, or above its rates, comes back within them as fast as it may.
 
 A profile may begin above its speed, as that has come down, and with more acceleration than its S-ramp may have. Both
-are accepted only for as long as the ramp from there takes. Until then the speed is at most that of the ramp; from then on
-the bounds hold as for any other motion. The ramp is worked out from what was ordered alone.
+are accepted only for as long as the ramp from there takes. Until then the speed is at most that of the ramp; from then
+on the bounds hold as for any other motion. The ramp is worked out from what was ordered alone.
 """
 
 from __future__ import annotations

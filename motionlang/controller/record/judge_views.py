@@ -42,6 +42,12 @@ def _judge_row(proof: Proof, run: Run, row: Mapping[str, object], move: Move) ->
     if row["axis"] != move.axis or row["line"] != move.line or row["start_time"] != move.start_time:
         proof.breaks(move.line, f"{where}: the report has it at {row['start_time']} s, line {row['line']}")
         return
+    if move.start_time + duration > run.until + 1e-12 * (1.0 + run.until):
+        proof.breaks(
+            move.line,
+            f"{where}: the report has it end at {move.start_time + duration:g} s, the run at {run.until:g} s",
+        )
+        return
     if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
         return
     places = [(move.start_time, start)]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile
+from motionlang.controller.record.judge_entries import Ends, judge_ends, take_entry
 from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
 from motionlang.controller.record.judge_views import judge_report, judge_trace
@@ -73,8 +74,11 @@ def prove(
                     judge_reference(proof, a, i, order)
             if i:
                 _judge_join(proof, run, a, i)
+    ends: dict[int, Ends] = {}
     for move in run.moves:
         _judge_move(proof, run, move)
+        take_entry(ends, run, move)
+    judge_ends(proof, run, ends)
     return proof
 
 
