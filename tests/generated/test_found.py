@@ -77,3 +77,11 @@ def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> N
     axis = result.controller.axes[1]
     peak = max(abs(axis.at(1.0 + slowed * k / 1000.0).acceleration) for k in range(1000))
     assert 30.0 < peak <= hypot(80.0, rate)
+
+
+def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> None:
+    """The rest of the first segment takes the suspend time, 100 ms, and so do the three others."""
+    suspend = "SPLINE(0) = 0 : GO(0)\nWAIT = 40\nSUSPEND(0) = 1\nWAIT = 200\nSUSPEND(0) = 0\n"
+    result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
+    assert places(result, 0) == [40.0]
+    assert result.time == pytest.approx(0.04 + 0.2 + 4 * 0.1)
