@@ -112,7 +112,7 @@ def _brief(run: Run, move: Move | PlainRow, running: set[int]) -> Row:
     else:
         profile, _ = _until_end(run, move, id(move) in running)
         axis, command, line, scale = move.axis, move.command, move.line, move.scale
-        duration, distance, peak = profile.duration, profile.end - profile.start, profile.peak_speed
+        duration, distance, peak = profile.duration, profile.end - profile.start, _peak(profile)
     scale = scale or 1.0
     return {
         "axis": axis,
@@ -187,7 +187,7 @@ def _move(run: Run, move: Move, is_running: bool, motor: MotorFigures | None) ->
         "start": (profile.start - zero) / scale,
         "end": (profile.end - zero) / scale,
         "distance": (profile.end - profile.start) / scale,
-        "peak_speed": profile.peak_speed / size,
+        "peak_speed": _peak(profile) / size,
         **({} if move.asked is None else {"asked_speed": move.asked / size}),
         "phases": [
             {"name": phase.name, "duration": phase.duration, "distance": phase.distance / scale}
@@ -204,6 +204,11 @@ def _move(run: Run, move: Move, is_running: bool, motor: MotorFigures | None) ->
             "peak_output": motor.peak_output,
         }
     return row
+
+
+def _peak(profile: Profile) -> float:
+    """The highest speed, counts/s; what has taken no time has had none, at whatever speed it was to begin."""
+    return profile.peak_speed if profile.duration else 0.0
 
 
 def _until_end(run: Run, move: Move, is_running: bool) -> tuple[Profile, str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import hypot, sqrt
+
 import pytest
 
 from motionlang import run
@@ -60,3 +62,26 @@ def test_an_offset_that_was_cancelled_adds_no_more_to_what_follows() -> None:
     )
     result = proved(program + cancel)
     assert places(result, 0, 1) == pytest.approx([18.0, 16.5], abs=1e-6)
+
+
+def test_an_axis_that_turns_beyond_a_limit_that_was_lowered_brakes_for_it() -> None:
+    """At 40 on a radius of 20 it turns at 80; a MAXDECEL of 30 has sqrt(1/2) of it for each of turning and braking.
+
+    So it brakes at 21.21 to a speed of sqrt(21.21 * 20), and both add up to at most sqrt(80² + 21.21²) until then.
+    """
+    arc = "CIRCLER(0, 1) = 20, 0, 360 : GO(0)\nWAIT = 1000\nMAXDECEL(1) = 30\nWAIT = 1000\nPRINT VELDEMANDPATH(0)\n"
+    result = proved(f"SPEED(0) = 40 : ACCEL(0) = 100 : DECEL(0) = 100\n{arc}PAUSE IDLE(0)\n")
+    rate = 30.0 * sqrt(0.5)
+    assert float(result.output[0]) == pytest.approx(sqrt(rate * 20.0), abs=1e-4)
+    slowed = (40.0 - sqrt(rate * 20.0)) / rate
+    axis = result.controller.axes[1]
+    peak = max(abs(axis.at(1.0 + slowed * k / 1000.0).acceleration) for k in range(1000))
+    assert 30.0 < peak <= hypot(80.0, rate)
+
+
+def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> None:
+    """The rest of the first segment takes the suspend time, 100 ms, and so do the three others."""
+    suspend = "SPLINE(0) = 0 : GO(0)\nWAIT = 40\nSUSPEND(0) = 1\nWAIT = 200\nSUSPEND(0) = 0\n"
+    result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
+    assert places(result, 0) == [40.0]
+    assert result.time == pytest.approx(0.04 + 0.2 + 4 * 0.1)

@@ -93,6 +93,9 @@ class Played(Action):
         return last.after(elapsed), 0.0, 1.0
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        last, elapsed = a.profiles[-1], controller.clock.now - a.starts[-1]
+        if not self._is_paced and elapsed < last.duration:
+            self._count_from_here(controller, a, last, elapsed)
         if self.ordered is not None:
             points, velocities, times = self.ordered
             self.ordered = [point + shift for point in points], velocities, times
@@ -102,11 +105,30 @@ class Played(Action):
     def _segment_in_time(self, controller: Core, a: Axis, path: Profile, place: float) -> Profile:
         """The rest of the segment that holds `place` as one cubic of `suspend_time`, then the path as it was."""
         state = a.at(controller.clock.now)
+        self._count_from_here(controller, a, path, place, a.suspend_time)
         end = path.knots[bisect_right(path.knots, place)]
         goal = path.at(end)
         first = pvt_segment(state.position, state.velocity, goal.position, goal.velocity, a.suspend_time)
         self._is_paced = False
         return relabelled(first, path.shape, "segment").then(path.after(end))
+
+    def _count_from_here(
+        self, controller: Core, a: Axis, path: Profile, place: float, time: float = 0.0
+    ) -> None:
+        """From now on its points are where the axis is, and those of the path after `place`, the next one in `time`.
+
+        Without a time that is the one at which the path has it.
+        """
+        if self.ordered is None:
+            return
+        points, velocities, times = self.ordered
+        state, following = a.at(controller.clock.now), bisect_right(path.knots, place)
+        left = len(path.knots) - following
+        self.ordered = (
+            [state.position, *points[-left:]],
+            [state.velocity, *velocities[-left:]],
+            [time or path.knots[following] - place, *times[len(times) - left + 1 :]],
+        )
 
     def _on_the_way(self, controller: Core, a: Axis) -> tuple[Profile, Profile]:
         """The profile, with what goes on behind it, and its time coming to rest, or to the end where nothing does."""

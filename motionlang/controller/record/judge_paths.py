@@ -201,6 +201,8 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
     uses = Uses(proof)
     axes = list(zip(path.members, [abs(k) for k in path.scales], strict=True))
     late = ROUNDED * (1.0 + path.begun)
+    # An axis that turns beyond its limit has to brake for that, and turning and braking add up until it has.
+    braking = min(order.rates[1], _hardest(path, way)) if way.unit is None else 0.0
     for span in slow.cuts(along):
         if span.length <= late:  # the time of a join is rounded
             continue
@@ -230,7 +232,8 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
             for (number, k), slope, most in zip(axes, way.slopes(first, last), slowed, strict=True):
                 uses.look(f"speed on paths of axis {number}", speed * slope * k, most)
             limits = path.most_decel if side else path.most_accel
-            own, came_with = way.rates(first, last, rate, speed), way.rates(first, last, bent, came)
+            own = way.rates(first, last, rate, speed)
+            came_with = way.rates(first, last, max(bent, braking) if side and excused else bent, came)
             for (number, k), figure, most, other in zip(axes, own, limits, came_with, strict=True):
                 uses.look(f"rate on paths of axis {number}", figure * k, max(most, other * k))
     uses.tell(order.line, where, "")
@@ -263,6 +266,12 @@ def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
     return (
         slow if way.unit is not None or order.path.rests else slow._replace(speed=max(slow.came, order.speed))
     )
+
+
+def _hardest(path: PathOrder, way: Way) -> float:
+    """The highest deceleration along a path that keeps the limits of its axes, turning not counted."""
+    slopes = zip(way.slopes(0.0, way.length), path.scales, path.most_decel, strict=True)
+    return min((limit / (slope * abs(k)) for slope, k, limit in slopes if slope), default=inf)
 
 
 def _gentlest(order: Order, way: Way, rate: float) -> float:
