@@ -85,3 +85,16 @@ def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> 
     result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
     assert places(result, 0) == [40.0]
     assert result.time == pytest.approx(0.04 + 0.2 + 4 * 0.1)
+
+
+def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
+    """After 1 s, 18 of its 50, the speed becomes 0.1 of a new unit of 100 counts, which is 10 of the old ones.
+
+    Braking to that takes 0.1 s and 1.5, the last ramp 0.1 s and 0.5, and the 30 between them 3 s.
+    """
+    line = (
+        "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 1000\nSCALEFACTOR(0) = 100 : SPEED(0) = 0.1\nPAUSE IDLE(0)\n"
+    )
+    result = proved(RATES + line)
+    assert places(result, 0, 1) == [30.0, 40.0]
+    assert result.time == pytest.approx(1.0 + 0.1 + 3.0 + 0.1, abs=1e-6)
