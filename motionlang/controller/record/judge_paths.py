@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import atan2, ceil, copysign, cos, fsum, hypot, inf, isfinite, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
-from motionlang.controller.record.due import law, lead, move_time, ramp
+from motionlang.controller.record.due import doubt, law, lead, move_time, ramp
 from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.judge_slowing import slowing
 from motionlang.controller.record.spans import combined, rotation, spans
@@ -105,6 +105,16 @@ class Way:
             for place, k in enumerate(self.path.scales)
         ]
 
+    def at(self, gone: float) -> list[float]:
+        """The place, counts, that lies so far along an arc."""
+        angle = self.begin + copysign(self.turn, self.path.angle) * gone
+        part = gone / self.length
+        found = [start + part * (end - start) for start, end in zip(self.starts, self.ends, strict=True)]
+        (i, j), scales = self.path.plane, self.path.scales
+        found[i] = (self.centre[0] + self.radius * cos(angle)) * scales[i]
+        found[j] = (self.centre[1] + self.radius * sin(angle)) * scales[j]
+        return found
+
     def off(self, places: Sequence[float]) -> float:
         """How far a point, counts, lies off the way, user units."""
         point = [place / k for place, k in zip(places, self.path.scales, strict=True)]
@@ -138,21 +148,48 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
         places = [a.place(begin) for a in axes]
         tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, places, strict=True)]
         along = _along(tracks, way, end - begin)
-    for share in (0.0, 0.3, 0.7, 1.0):
-        time = begin - path.begun + share * (end - begin)
-        off = way.off([profile.position(time) for profile in profiles])
-        if off > SLACK * max(
-            1.0, way.length, *(abs(s / k) for s, k in zip(way.starts, path.scales, strict=True))
-        ):
-            proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
-            break
+    _judge_way(proof, order, way, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         _judge_along(proof, order, way, along, where)
         reached = [profile.position(end - path.begun) for profile in profiles]
-        if all(
+        # A full circle ends where it begins.
+        gone = way.length if way.unit is not None else along[-1].at(along[-1].length)[0]
+        if gone >= way.length * (1.0 - SLACK) and all(
             abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
         ):
             _judge_path_time(proof, order, way, along, where)
+
+
+def _judge_way(
+    proof: Proof,
+    order: Order,
+    way: Way,
+    profiles: Sequence[Profile],
+    along: list[Span],
+    time: tuple[float, float],
+    where: str,
+) -> None:
+    """At four times its axes are on the way, and on an arc as far along it as the path has come.
+
+    `time` is when the profile begins, since the path did, and how long it is in force.
+    """
+    first, length = time
+    slack = SLACK * max(
+        1.0, way.length, *(abs(s / k) for s, k in zip(way.starts, way.path.scales, strict=True))
+    )
+    for share in (0.0, 0.3, 0.7, 1.0):
+        places = [profile.position(first + share * length) for profile in profiles]
+        off = way.off(places)
+        if off > slack:
+            proof.breaks(order.line, f"{where}: it lies {off:g} off the way that was ordered")
+            return
+        if along and way.unit is None:
+            span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
+            gone = span.at(share * length - span.begin)[0]
+            beside = max(abs(p - w) for p, w in zip(places, way.at(gone), strict=True))
+            if beside > slack * max(map(abs, way.path.scales)):
+                proof.breaks(order.line, f"{where}: {gone:g} along it lie {beside:g} counts elsewhere")
+                return
 
 
 def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where: str) -> None:
@@ -184,7 +221,9 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
             name = ("path acceleration", "path deceleration")[side]
             uses.look(name, rate, max(order.rates[side], eased))
             if smooth:
-                uses.look("path jerk", max(abs(left[3]), abs(right[3])), max(order.jerks))
+                # Rounding at the end of a ramp says nothing of its side.
+                jerk = order.jerks[side] if rate > SLACK * max(order.rates) else max(order.jerks)
+                uses.look("path jerk", max(abs(left[3]), abs(right[3])), jerk)
             first, last = left[0], right[0]
             slowed = [
                 max(x, came * s)
@@ -215,14 +254,14 @@ def _slowing(order: Order, way: Way, v0: float, a0: float) -> Slowing:
     """How a path that begins too fast, for its speed or for one of its axes, comes to its speed."""
     assert order.path is not None
     speed, by = _least(order, way)
+    extra = 0.0
+    if a0 and order.shape != "trapezoid" and not by.smooth:
+        # The flank of the ramp that PMC's S-curve is in, as long as a whole one to its speed at the most.
+        v0 *= 2.0
+        extra = ramp(0.0, max(speed, v0), by)[0]
     if order.path.rests:
         speed, by = 0.0, by._replace(rates=(by.rates[0], _gentlest(order, way, by.rates[1])))
-    shaped = order.jerks[0] == inf and order.shape != "trapezoid" and a0
-    slow = (
-        slowing(2.0 * v0, 0.0, speed, by, ramp(0.0, max(speed, 2.0 * v0), by)[0])
-        if shaped
-        else slowing(v0, a0, speed, by)
-    )
+    slow = slowing(v0, a0, speed, by, extra)
     # On an arc the least speed bounds the time alone: the limits of its axes say which speed is too high.
     return (
         slow if way.unit is not None or order.path.rests else slow._replace(speed=max(slow.came, order.speed))
@@ -258,11 +297,15 @@ def _judge_path_time(proof: Proof, order: Order, way: Way, along: list[Span], wh
     # The time of the gentlest stop, and the way of the hardest one: what comes in too fast gains by braking gently.
     hard = by._replace(rates=order.rates)
     time, gone = lead(first[1], bent, 0.0, by)[0], lead(first[1], bent, 0.0, hard)[1]
-    if order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates):
+    shaped = order.shape != "trapezoid" and not by.smooth and abs(first[2]) > SLACK * max(by.rates)
+    if shaped:
         # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
         time += lead(2.0 * first[1], 0.0, 0.0, by)[0] + ramp(0.0, max(speed, first[1]), by)[0]
         gone = 0.0
     due = time + move_time(0.0, 0.0, max(0.0, last[0] - first[0] - gone), speed, by)
+    if way.unit is not None and not last[1] > SLACK * speed and not shaped:
+        left = last[0] - first[0]
+        due = min(due, move_time(first[1], bent, left, speed, by) + doubt(first[1], bent, left, by))
     took = fsum(span.length for span in along if span.peak(1) > SLACK * speed)
     if took > due * (1.0 + SLACK) + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {due:g} s are due at the most")

@@ -102,6 +102,11 @@ class Order(NamedTuple):
     slopes: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
     step: float = 0.0
 
+    @property
+    def bends(self) -> bool:
+        """Whether the acceleration of its shape never jumps."""
+        return self.jerks[0] < INFINITY or self.shape in ("scurve", "sinusoidal")
+
 
 REST = Order("rest", 0)
 # Kinds of which what is left goes on unchanged at a new zero, as they say nothing of places.

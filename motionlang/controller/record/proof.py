@@ -119,16 +119,17 @@ def _judge_join(proof: Proof, run: Run, a: WholeTrack, i: int) -> None:
         else:
             proof.breaks(line, f"{where}: the velocity jumps by {jump:g} counts/s")
         return
-    if order.jerks[0] == inf:
+    if not order.bends:
         return
     size = SLACK * max(1.0, *order.rates)
     if kinds == ("path", "path") and order.path is not None and order.path.members[0] == a.index:
         bend = _bend(run, order, time)
         if bend > size:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
-    elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.jerks[0] < inf:
+    elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
         bend = abs(after.acceleration - before.acceleration)
-        if bend > size + 4.0 * late * order.jerks[0]:
+        jerk = order.jerks[0] if order.jerks[0] < inf else abs(before.jerk)
+        if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
 
 
