@@ -339,10 +339,15 @@ class AxisVerbs(Core):
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
-        """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it."""
+        """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it.
+
+        The action is taken each time. A fault that is still pending is no new error.
+        """
+        a = self.axes[axis]
+        is_new = not a.faults & bit
         if action != "ignore":
-            triggers.events.raised(self, self.axes[axis], bit, action)
-        self.axes[axis].faults |= bit
+            triggers.events.raised(self, a, bit, action)
+        a.faults |= bit
         if action in ("stop", "error-stop"):
             self.stop(axis, "fault", hard=action == "error-stop")
         elif action == "abort":
@@ -351,3 +356,5 @@ class AxisVerbs(Core):
             self.disable(axis)
         if action != "ignore":
             self.tell("fault", axis)
+            if is_new:
+                self.tell("error", axis)
