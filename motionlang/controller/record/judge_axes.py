@@ -41,7 +41,8 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, before: Ord
     fastest = max(order.speed, came)
     still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
     uses = Uses(proof)
-    eased = abs(entry.acceleration) if order.jerks[0] < inf else 0.0
+    smooth = order.jerks[0] < inf or order.shape in ("sinusoidal", "scurve")
+    eased = abs(entry.acceleration) if smooth else 0.0
     for span in parts:
         uses.look("speed", span.peak(1), fastest)
         sides = list(span.sides())
