@@ -176,7 +176,7 @@ class AxisVerbs(Core):
     def define_position(self, axis: int, position: float) -> None:
         """Give the present position a new value, also in motion: the rest of the move shifts with it."""
         a, now = self.axes[axis], self.clock.now
-        here = a.position(now)
+        here = a.here(now)
         shift = position - self.position(axis)
         if not shift:
             return
@@ -189,6 +189,7 @@ class AxisVerbs(Core):
             a.move.offset += shift
             a.move.target += shift
         self.extend_track(a, rest.shifted(shift))
+        a.cross(now, here + shift if a.feedback is not None else position)
 
     # -------------------------------------------------------------------------------------------- moving
 
