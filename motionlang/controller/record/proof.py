@@ -63,7 +63,8 @@ def prove(
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
             if end > begin:
-                judge_profile(proof, a, i, order, records[max(i - 1, 0)], end - begin)
+                shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
+                judge_profile(proof, a, i, order, shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     judge_path(proof, run, a, i, order, end)
                 elif order.tie is not None:
