@@ -86,6 +86,7 @@ class Axis:
         "buffer_size",
         "contour_angle",
         "contour_mode",
+        "crossed",
         "datum",
         "decel",
         "decel_jerk_time",
@@ -187,6 +188,8 @@ class Axis:
         self._arrival: Event | None = None
         self.target = 0.0
         self.datum = 0.0
+        # When it was last known to be exactly at a position, which, and on which profile.
+        self.crossed: tuple[float, float, Profile] | None = None
         self._starts = [0.0]
         self._profiles: list[Profile] = [hold(0.0)]
         # The plain moves since the track was last written: the one in the buffer, those that were started, whether the
@@ -334,6 +337,17 @@ class Axis:
             return self._profiles[-1].position(time - began)
         start, profile = self.in_force(time)
         return profile.position(time - start)
+
+    def cross(self, now: float, position: float) -> None:
+        """Note that the axis is at exactly `position` now; the time of a crossing is rounded, and so is its profile."""
+        self.crossed = now, position, self.profiles[-1]
+
+    def here(self, now: float) -> float:
+        """The demanded position now: exactly that of the watch that the axis crosses, if it crosses one."""
+        crossed = self.crossed
+        if crossed is not None and crossed[0] == now and crossed[2] is self.profiles[-1]:
+            return crossed[1]
+        return self.position(now)
 
     def velocity(self, time: float) -> float:
         """The demanded velocity at `time`, counts/s."""

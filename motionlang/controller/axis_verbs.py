@@ -176,7 +176,7 @@ class AxisVerbs(Core):
     def define_position(self, axis: int, position: float) -> None:
         """Give the present position a new value, also in motion: the rest of the move shifts with it."""
         a, now = self.axes[axis], self.clock.now
-        here = a.position(now)
+        here = a.here(now)
         shift = position - self.position(axis)
         if not shift:
             return
@@ -189,6 +189,7 @@ class AxisVerbs(Core):
             a.move.offset += shift
             a.move.target += shift
         self.extend_track(a, rest.shifted(shift))
+        a.cross(now, here + shift if a.feedback is not None else position)
 
     # -------------------------------------------------------------------------------------------- moving
 
@@ -339,10 +340,15 @@ class AxisVerbs(Core):
         self._hold(a)
 
     def fault(self, axis: int, bit: int, action: str) -> None:
-        """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it."""
+        """Raise a fault on an axis and do what `action` (one of `conditions.ACTIONS`) says about it.
+
+        The action is taken each time. A fault that is still pending is no new error.
+        """
+        a = self.axes[axis]
+        is_new = not a.faults & bit
         if action != "ignore":
-            triggers.events.raised(self, self.axes[axis], bit, action)
-        self.axes[axis].faults |= bit
+            triggers.events.raised(self, a, bit, action)
+        a.faults |= bit
         if action in ("stop", "error-stop"):
             self.stop(axis, "fault", hard=action == "error-stop")
         elif action == "abort":
@@ -351,3 +357,5 @@ class AxisVerbs(Core):
             self.disable(axis)
         if action != "ignore":
             self.tell("fault", axis)
+            if is_new:
+                self.tell("error", axis)

@@ -358,7 +358,11 @@ class Core(Readings):
         if move is not None and move.profile is not None:
             if move.action is not None:
                 move.action.leave(self, a, ended)
-            move.profile = move.profile.cut(self.clock.now - move.start_time)
+            done = move.profile.cut(self.clock.now - move.start_time)
+            exact = a.here(self.clock.now) - move.offset
+            if abs(exact - done.end) < triggers.watch.margin(exact):  # not on a path that is blended
+                done = done.ending_at(exact)
+            move.profile = done
             move.ended = ended
             a.move = None
 
@@ -376,7 +380,7 @@ class Core(Readings):
         if a.move is None:
             return
         triggers.events.jumped(self, a, ended)
+        a.target = here = a.here(self.clock.now)
         self.end_move(a, ended)
-        a.target = a.position(self.clock.now)
-        self.extend_track(a, hold(a.target))
+        self.extend_track(a, hold(here))
         self.tell("idle", a.index)

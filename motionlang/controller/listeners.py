@@ -8,10 +8,23 @@ if TYPE_CHECKING:
 
     Listener = Callable[[str, int], None]
 
-# What there is to hear of, each with the number of an axis: it has come to rest, has a fault, that is cleared, it was
-# switched on or off, has another scale; its home switch or a limit has changed, its buffer has room again. With the
-# number of a latch, or the bits of an error of the controller itself: the last two.
-KINDS = ("idle", "fault", "cleared", "switched", "scale", "home", "limit", "buffer-low", "latch", "misc")
+# What there is to hear of. With the number of an axis: it has come to rest, has a fault, has one that was not pending
+# before ("error"), its faults are cleared, it was switched on or off, has another scale, its home switch or a limit has
+# changed, its buffer has room again. With the number of a latch, or the bits of an error of the controller itself: the
+# last two.
+KINDS = (
+    "idle",
+    "fault",
+    "error",
+    "cleared",
+    "switched",
+    "scale",
+    "home",
+    "limit",
+    "buffer-low",
+    "latch",
+    "misc",
+)
 
 
 class Listeners:

@@ -80,7 +80,7 @@ class Readings:
     def position(self, axis: int) -> float:
         """The actual position: that of the simulated motor, without one the demand."""
         a = self.axes[axis]
-        return a.position(self.clock.now) if a.feedback is None else a.feedback.position
+        return a.here(self.clock.now) if a.feedback is None else a.feedback.position
 
     def velocity(self, axis: int) -> float:
         """The actual velocity: that of the simulated motor, without one the demand."""
@@ -89,7 +89,7 @@ class Readings:
 
     def demand(self, axis: int) -> float:
         """The demanded position."""
-        return self.axes[axis].position(self.clock.now)
+        return self.axes[axis].here(self.clock.now)
 
     def demand_velocity(self, axis: int) -> float:
         """The demanded velocity."""

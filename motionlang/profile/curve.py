@@ -257,6 +257,12 @@ class Profile:
             self.shape, self.start, self.position(time), curve, self.start_velocity, self.velocity(time)
         )
 
+    def ending_at(self, end: float) -> Profile:
+        """The same motion, the end of which is known exactly."""
+        if end == self.end or not self.pieced:
+            return self
+        return from_curve(self.shape, self.start, end, self.curve, self.start_velocity, self.end_velocity)
+
     def after(self, time: float) -> Profile:
         """What remains after `time` seconds, its clock starting at 0."""
         if time <= 0.0:

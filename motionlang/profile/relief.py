@@ -15,6 +15,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from motionlang.profile.ramps import Piece
 
+# The relative rounding of a peak acceleration.
+_SLACK = 1e-9
+
 
 def shaped(shape: str, accel_jerk: float) -> bool:
     """Whether ramps bend without a jerk being set."""
@@ -62,25 +65,32 @@ def stop_under_way(
 ) -> Profile:
     """Come to rest at `decel` from a motion under way; the acceleration of an S-curve does not jump.
 
-    A shaped one that slows down already goes on to rest as it was to, if that is no farther. Raises ValueError as
-    `plan_stop`.
+    A ramp of PMC's that slows down already goes on to rest as planned, if that is no farther and nowhere harder than
+    `decel`. Raises ValueError as `plan_stop`.
     """
     state = profile.at(time)
-    if not shaped(shape, decel_jerk):
+    if shape == "trapezoid" or (shape == "scurve" and decel_jerk < inf):
         bent = state.acceleration if shape == "scurve" else 0.0
         return plan_stop(shape, state.position, state.velocity, decel, ramp, decel_jerk, bent, accel_jerk)
-    eased = relief(profile, time)
+    eased = relief(profile, time) if shaped(shape, decel_jerk) else None
     if eased is None:
-        return plan_stop(shape, state.position, state.velocity, decel, ramp)
-    rest = plan_stop(shape, eased.end, eased.end_velocity, decel, ramp)
-    made = relabelled(eased.then(rest), shape, "stop")
-    if state.acceleration * state.velocity < 0.0:
-        still = profile.velocity_crossing(0.0, time)
-        if still is not None and still <= profile.duration < inf:
-            planned = profile.cut(still).after(time)
-            if abs(planned.end - state.position) <= abs(made.end - state.position):
-                return relabelled(planned, shape, "stop")
+        made = plan_stop(shape, state.position, state.velocity, decel, ramp)
+    else:
+        rest = plan_stop(shape, eased.end, eased.end_velocity, decel, ramp)
+        made = relabelled(eased.then(rest), shape, "stop")
+    planned = _rest_ahead(profile, time, decel) if state.acceleration * state.velocity < 0.0 else None
+    if planned is not None and abs(planned.end - state.position) <= abs(made.end - state.position):
+        return relabelled(planned, shape, "stop")
     return made
+
+
+def _rest_ahead(profile: Profile, time: float, decel: float) -> Profile | None:
+    """The rest of a profile up to standstill; None if it has none, or exceeds `decel` before it."""
+    still = profile.velocity_crossing(0.0, time)
+    if still is None or not still <= profile.duration < inf:
+        return None
+    planned = profile.cut(still).after(time)
+    return planned if planned.peak_acceleration <= decel * (1.0 + _SLACK) else None
 
 
 def _on_wave(piece: Piece) -> tuple[Piece, float] | None:

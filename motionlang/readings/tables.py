@@ -54,6 +54,7 @@ OPEN: dict[str, str | dict[str, str]] = {
     "mint.event-queue": "event",
     "mint.timerevent": "timerevent",
     "mint.onerror": "onerror",
+    "mint.pending-error": "abort onerror",
     "mint.error-numbers": "errcode",
     "mint.groups": "_egall _egsynchronous _egaxis _egmisc _egcontroller",
     "mint.errorreadnext": "errorreadnext errorreadcode",

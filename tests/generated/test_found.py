@@ -85,3 +85,46 @@ def test_a_spline_that_is_resumed_takes_the_suspend_time_to_its_next_point() -> 
     result = proved(f"{SPLINE}{suspend}PAUSE IDLE(0)\n")
     assert places(result, 0) == [40.0]
     assert result.time == pytest.approx(0.04 + 0.2 + 4 * 0.1)
+
+
+def test_a_path_keeps_the_units_that_it_was_loaded_with() -> None:
+    """After 1 s, 18 of its 50, the speed becomes 0.1 of a new unit of 100 counts, which is 10 of the old ones.
+
+    Braking to that takes 0.1 s and 1.5, the last ramp 0.1 s and 0.5, and the 30 between them 3 s.
+    """
+    line = (
+        "VECTORR(0, 1) = 30, 40 : GO(0)\nWAIT = 1000\nSCALEFACTOR(0) = 100 : SPEED(0) = 0.1\nPAUSE IDLE(0)\n"
+    )
+    result = proved(RATES + line)
+    assert places(result, 0, 1) == [30.0, 40.0]
+    assert result.time == pytest.approx(1.0 + 0.1 + 3.0 + 0.1, abs=1e-6)
+
+
+def stop_of(program: str) -> tuple[float, float]:
+    """Start time and duration of the profile of the stop of axis 1, and that its proof holds."""
+    result = proved(program, "mcl")
+    axis = result.controller.axes[1]
+    place = max(
+        k for k, profile in enumerate(axis.profiles) if "stop" in {each.name for each in profile.phases}
+    )
+    return axis.starts[place], axis.profiles[place].duration
+
+
+def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_own_ramp() -> None:
+    """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that: the acceleration grows by 1000 in 2/3 s.
+
+    After 0.3 s it is 450 and falls in another 0.3 s, to twice the 67.5 counts/s of that moment. From 135 the axis stops
+    in 135/(5000 * 0.6) s.
+    """
+    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST\n1WS\n"
+    begin, duration = stop_of(program)
+    assert begin == pytest.approx(0.3, abs=1e-6)
+    assert duration == pytest.approx(0.3 + 135.0 / 3000.0, abs=1e-5)
+
+
+def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
+    """DH as soon as ST: the flank of the stop, and all that follows it, are the rest of what was planned."""
+    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST,WA0.1,1DH0\n1WS\n"
+    begin, duration = stop_of(program)
+    assert begin == pytest.approx(0.4, abs=1e-6)
+    assert duration == pytest.approx(0.2 + 135.0 / 3000.0, abs=1e-5)

@@ -218,8 +218,10 @@ class World:
             if not active:
                 return
             if kind == CONTROLLER:
+                new = value & ~self.misc  # what is pending is no new error
                 self.misc |= value
-                self._controller.tell("misc", value)
+                if new:
+                    self._controller.tell("misc", new)
                 return
             if bit == DRIVE:
                 self.drive_errors[axis] = self.drive_errors.get(axis, 0) | value

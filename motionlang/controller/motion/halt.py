@@ -56,11 +56,13 @@ def braking(controller: Core, a: Axis, decel: float) -> Profile:
 
     now = controller.clock.now
     try:
-        return stop_under_way(
+        made = stop_under_way(
             a.profiles[-1], now - a.starts[-1], a.shape, decel, a.ramp, a.accel_jerk, a.decel_jerk
         )
     except ValueError as problem:
         raise Refusal("range", f"axis {a.index} cannot stop: {problem}") from None
+    rounding = a.here(now) - made.start
+    return made.shifted(rounding) if rounding else made
 
 
 def to_rest(controller: Core, a: Axis) -> Profile:

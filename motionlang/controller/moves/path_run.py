@@ -126,7 +126,7 @@ class PathRun:
             return
         decel = None
         if hard:
-            decel = self.axes[0].error_decel / abs(self.axes[0].scale.counts)
+            decel = self.axes[0].error_decel / abs(self.here.scales[0])
         self.ended, self.hard = ended, hard
         self._cancel_blend()
         profile = self._braking(self._elapsed(), decel)

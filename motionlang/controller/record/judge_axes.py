@@ -7,11 +7,13 @@ from math import copysign, inf, isfinite
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.due import ROUNDING, doubt, law, lead, move_time, top_speed
+from motionlang.controller.record.flanks import begin, last_change
 from motionlang.controller.record.judge import SLACK, Uses
-from motionlang.controller.record.judge_slowing import slowing
+from motionlang.controller.record.judge_slowing import LATE, slowing
 from motionlang.controller.record.spans import derivatives, spans
 
 if TYPE_CHECKING:
+    from motionlang.controller.record.flanks import Begin
     from motionlang.controller.record.judge import Proof
     from motionlang.controller.record.judge_slowing import Slowing
     from motionlang.controller.record.orders import Order
@@ -25,8 +27,11 @@ PLANNED = frozenset({"move", "step", "jog", "stop"})
 FOUR = (0.05, 0.35, 0.65, 0.95)
 
 
-def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, before: Order, length: float) -> None:
-    """Speed, rates, jerk and time of what was planned from the settings of the axis; continuity of all in pieces."""
+def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bool, length: float) -> None:
+    """Speed, rates, jerk and time of what was planned from the settings of the axis; continuity of all in pieces.
+
+    A profile that was `shifted` is the one before at a new zero.
+    """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
     _judge_edges(proof, a, i, order)
@@ -36,13 +41,12 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, before: Ord
     _judge_knots(proof, a, i, order, parts)
     if order.kind not in PLANNED:
         return
-    entry = profile.at(0.0)
     # An axis that comes in too fast, or with too much acceleration, is excused until it has slowed down.
-    begun = _entry(profile, order, before)
+    begun = begin(a, i, order, shifted)
     slow = _slowing(profile, order, begun)
     still = SLACK * max(1.0, abs(profile.start_velocity), order.speed if order.speed < inf else 0.0)
     uses = Uses(proof)
-    eased = abs(entry.acceleration) if order.jerks[0] < inf else 0.0
+    eased = abs(begun.bent)
     for span in slow.cuts(parts):
         end = span.begin + span.length
         uses.look("speed", span.peak(1), slow.bound(end))
@@ -68,64 +72,56 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, before: Ord
     _judge_time(proof, profile, order, begun, where)
 
 
-def _judge_time(
-    proof: Proof, profile: Profile, order: Order, entry: tuple[float, float, float], where: str
-) -> None:
+def _judge_time(proof: Proof, profile: Profile, order: Order, begun: Begin, where: str) -> None:
     """What was planned takes as long as its bounds ask for, from whatever state it begins with, and ends as ordered."""
     by = law(order.shape, order.rates, order.jerks, order.ramp)
-    v0, a0, extra = entry
-    rounded = 0.0
+    v0, a0, rounded = begun.velocity, begun.acceleration, 0.0
     if order.kind in ("move", "step"):
         if not isfinite(profile.duration):
             return
-        way, late = _to_go(profile, order)
+        way, late = _to_go(profile, order, begun)
         wanted, took = move_time(v0, a0, way, order.speed, by) - late, profile.duration
         if took < wanted:
             wanted = move_time(v0, a0, way, order.speed, by, ROUNDING * abs(way)) - late
             rounded = doubt(v0, a0, way, by)
     else:
         wanted = lead(v0, a0, order.goal, by)[0]
-        took = profile.knots[-1] if isfinite(profile.knots[-1]) else profile.knots[-2]
+        took = last_change(profile)
         if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
             words = f"it comes to {profile.end_velocity:g} counts/s, ordered is {order.goal:g}"
             proof.breaks(order.line, f"{where}: {words}")
+    wanted += begun.time
+    least, most = wanted, wanted
+    if begun.left is not None:  # it may go on as it was planned to
+        least, most = min(wanted, begun.left), max(wanted, begun.left)
     slack = 1e-9 + 4e-16 * abs(profile.start)
-    if took > (wanted + extra) * (1.0 + SLACK) + slack:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
-    elif not extra and took < wanted * (1.0 - SLACK) - slack - rounded:
-        proof.breaks(order.line, f"{where}: it takes {took:g} s where no less than {wanted:g} s are due")
+    if took > most * (1.0 + SLACK) + slack:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where {most:g} s are due")
+    elif took < least * (1.0 - SLACK) - slack - rounded:
+        proof.breaks(order.line, f"{where}: it takes {took:g} s where no less than {least:g} s are due")
 
 
-def _entry(profile: Profile, order: Order, before: Order) -> tuple[float, float, float]:
-    """The velocity and the acceleration that a profile begins with, and the time for leaving a ramp with a shape."""
-    entry = profile.at(0.0)
-    if order.jerks[0] < inf:
-        return entry.velocity, entry.acceleration, 0.0
-    if order.shape == "trapezoid" or not entry.acceleration:
-        return entry.velocity, 0.0, 0.0
-    # The flank of the ramp that PMC's S-curve is in: that is no longer than a whole one to its speed.
-    peak = before.speed if before.speed < inf else abs(entry.velocity)
-    ramp = law(before.shape, before.rates, before.jerks, before.ramp).stretch * peak / min(before.rates)
-    return 2.0 * entry.velocity, 0.0, ramp
-
-
-def _to_go(profile: Profile, order: Order) -> tuple[float, float]:
-    """The distance of a move, and the seconds that a stepper saves.
+def _to_go(profile: Profile, order: Order, begun: Begin) -> tuple[float, float]:
+    """The distance of a move behind the flank that it begins with, and the seconds that a stepper saves.
 
     It stops at once at the velocity of its step, as if it came to rest so much later and farther on.
     """
     late = order.step / order.rates[1]
-    return profile.distance + copysign(0.5 * order.step * late, profile.distance), late
+    return profile.distance + copysign(0.5 * order.step * late, profile.distance) - begun.way, late
 
 
-def _slowing(profile: Profile, order: Order, entry: tuple[float, float, float]) -> Slowing:
+def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
     """How it comes to its speed; without the room to do so and to stop, to a higher one."""
     by = law(order.shape, order.rates, order.jerks, order.ramp)
-    v0, a0, extra = entry
-    speed = order.speed
+    v0, a0, speed = begun.velocity, begun.acceleration, order.speed
     if order.kind in ("move", "step") and isfinite(profile.duration):
-        speed = max(speed, top_speed(v0, a0, _to_go(profile, order)[0], speed, by))
-    return slowing(v0, a0, speed, by, extra)
+        speed = max(speed, top_speed(v0, a0, _to_go(profile, order, begun)[0], speed, by))
+    if order.jerks[0] < inf or not begun.bent:
+        return slowing(v0, a0, speed, by)
+    slow = slowing(v0, a0, speed, by, begun.time)
+    over = max(begun.time, begun.left or 0.0) * (1.0 + SLACK) + LATE
+    came, until = max(slow.came, begun.came), max(slow.until, over if begun.came > speed else 0.0)
+    return slow._replace(came=came, until=until, eased=over)
 
 
 def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:

@@ -322,7 +322,7 @@ def _jerks(a: Axis) -> tuple[float, float]:
 
 def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
     master, leader, axes, guide = action.axes[0], action.moves[0], action.axes, action.guide
-    shape, k, ramp = master.shape, abs(master.scale.counts), master.ramp
+    shape, k, ramp = master.shape, abs(action.scales[0]), master.ramp
     if guide is None:
         speed, rates, jerks = _speed(master, leader), _rates(master, leader), _jerks(master)
         through = master.contour_angle if master.contour_mode else 0.0

@@ -64,7 +64,8 @@ def prove(
         for i, order in enumerate(records):
             begin, end = run.span(a, i)
             if end > begin:
-                judge_profile(proof, a, i, order, records[max(i - 1, 0)], end - begin)
+                shifted = orders.data[number][i] != orders.data[number][max(i - 1, 0)]
+                judge_profile(proof, a, i, order, shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     judge_path(proof, run, a, i, order, end)
                     judge_blend(proof, run, a, i, order, end)
@@ -145,13 +146,13 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     order = run.orders.of[a.index][i]
     if kinds != ("path", "path") or order.path is None:
         return ""
-    axes, old, new = _both(run, order, a.starts[i])
-    before, after = _speed(axes, old), _speed(axes, new)
+    scales = order.path.scales
+    old, new = _both(run, order, a.starts[i])
+    before, after = _speed(scales, old), _speed(scales, new)
     if abs(before - after) > SLACK * max(1.0, before) or not before:
         return ""
     ways = [
-        (o.velocity / x.scale.counts / before, n.velocity / x.scale.counts / after)
-        for x, o, n in zip(axes, old, new, strict=True)
+        (o.velocity / k / before, n.velocity / k / after) for k, o, n in zip(scales, old, new, strict=True)
     ]
     dot = fsum(o * n for o, n in ways)
     chord = sqrt(fsum((o - n) ** 2 for o, n in ways))
@@ -161,30 +162,29 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
 
 def _bend(run: Run, order: Order, time: float) -> float:
     """By how much the acceleration along a path changes at a moment."""
-    axes, *both = _both(run, order, time)
+    assert order.path is not None
+    scales = order.path.scales
     rates = []
-    for states in both:
-        speed = _speed(axes, states)
-        power = fsum(
-            s.velocity * s.acceleration / x.scale.counts**2 for x, s in zip(axes, states, strict=True)
-        )
+    for states in _both(run, order, time):
+        speed = _speed(scales, states)
+        power = fsum(s.velocity * s.acceleration / k**2 for k, s in zip(scales, states, strict=True))
         if speed < SLACK:
             return 0.0
         rates.append(power / speed)
     return abs(rates[1] - rates[0])
 
 
-def _speed(axes: Sequence[WholeTrack], states: Sequence[State]) -> float:
-    return sqrt(fsum((s.velocity / a.scale.counts) ** 2 for a, s in zip(axes, states, strict=True)))
+def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
+    return sqrt(fsum((s.velocity / k) ** 2 for k, s in zip(scales, states, strict=True)))
 
 
-def _both(run: Run, order: Order, time: float) -> tuple[list[WholeTrack], list[State], list[State]]:
-    """The axes of a path, and their states just before a moment and from then on."""
+def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
+    """The states of the axes of a path just before a moment and from then on."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
     places = [a.place(time) for a in axes]
     old = [a.profiles[k - 1].at(time - a.starts[k - 1]) for a, k in zip(axes, places, strict=True)]
-    return axes, old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
+    return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
 
 
 # ---------------------------------------------------------------------------------------------------- the log

@@ -52,7 +52,7 @@ def raised(controller: Core, a: Axis, bit: int, action: str) -> None:
     """A fault is about to be raised, and `action` to be taken."""
     kind, value, limit = KINDS.get(bit, "fault"), None, None
     if kind in ("limit", "soft limit"):
-        value = a.scale.position_to_user(a.position(controller.clock.now))
+        value = a.scale.position_to_user(a.here(controller.clock.now))
         places = [each.watch.position for each in a.limits if each.bit == bit and each.watch is not None]
         limit = a.scale.position_to_user(places[0]) if places else None
     elif a.feedback is not None and bit == FOLLOWING_ERROR:

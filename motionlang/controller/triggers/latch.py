@@ -83,7 +83,7 @@ class Latch:
         if not self.enabled or self._track is None:
             return
         now = self._controller.clock.now
-        here = self._track.position(now)
+        here = self._track.here(now)
         near = abs(here - self.value) < self.inhibit_distance
         if self.time > -inf and (now - self.time < self.inhibit_time or near):
             return

@@ -128,6 +128,8 @@ def _changed(axis: Axis, watch: Watch, clock: Clock, side: int, reached: bool) -
     if watch.front is not None:
         watch.front.leave(watch)
     before, watch.side = watch.side, side
+    if reached:
+        axis.cross(clock.now, place(axis, watch))
     _solve(axis, watch, clock, clock.now, 0 if reached else side)
     if before and before != side:
         watch.call(side)

@@ -98,7 +98,7 @@ class Index:
     def _mark(self, index: int) -> None:
         self.passed = True
         if self.armed:
-            place = self._track.position(self._controller.clock.now)
+            place = self._track.here(self._controller.clock.now)
             self.place = place - self._track.datum if self._physical else place
             self.armed = self.mode == AGAIN
 

@@ -86,13 +86,15 @@ class Errors:
         self.calling: Error | None = None  # the first one of those for which ONERROR is yet to begin
         # Whether an error calls no ONERROR, where a program says so.
         self.masked: Callable[[Error], bool] | None = None
-        environment.controller.listeners.append(self._heard, "fault", "misc")
+        environment.controller.listeners.append(self._heard, "error", "misc")
         environment.controller.take_mishaps(self._mishap)
 
     # ----------------------------------------------------------------------------------------- noting
 
     def failed(self, trouble: BaseException, line: int) -> None:
-        """A statement has failed: note it and call ONERROR."""
+        """A statement has failed: note it and call ONERROR. A handler cannot repair what never ends."""
+        if isinstance(trouble, Refusal) and trouble.code == "never":
+            raise trouble
         code, message = _said(trouble)
         number, _ = NUMBERS.get(code, GENERIC)
         self._note(Error(number, message, line, SYNCHRONOUS, ()))
@@ -105,14 +107,14 @@ class Errors:
         return True
 
     def _heard(self, what: str, axis: int) -> None:
-        if what == "fault":
-            self.axis_fault(axis)
+        if what == "error":
+            self.axis_error(axis)
         elif what == "misc":
             text = f"the controller has an error: bits {axis}"
             self._note(Error(MISC_ERROR, text, 0, MISC, (axis,), self._place()))
 
-    def axis_fault(self, axis: int) -> None:
-        """An axis has faulted."""
+    def axis_error(self, axis: int) -> None:
+        """Note an error of an axis that was not pending before."""
         bits = self.environment.controller.faults(axis)
         text = f"axis {axis} has an error: {names(bits)}"
         self._note(Error(AXIS_ERROR, text, 0, AXIS, (axis, bits), self._place()))
@@ -166,13 +168,15 @@ class Errors:
         self.shown = error
 
     def clear(self, group: int, data: int) -> None:
-        """ERRORCLEAR: forget the errors of a group; those of an axis are cleared on the axis too.
+        """ERRORCLEAR: forget the errors of a group; those of an axis or the controller are cleared there too.
 
         Also where the list tells of none: a handler has mostly read it to its end before it clears.
         """
-        controller = self.environment.controller
+        controller, world = self.environment.controller, self.environment.machine.world
         for error in list(self._of(group, data)):
             self.found.remove(error)
+        if group in (ALL, MISC) and world is not None:
+            world.misc = 0
         for axis in controller.axes if group == ALL else (data,) if group == AXIS else ():
             if axis in controller.axes and controller.axes[axis].faults:
                 controller.clear_faults(axis)

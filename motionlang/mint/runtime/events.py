@@ -1,12 +1,14 @@
 """Events: what may happen, who handles it, and what must wait its turn.
 
 An event that is handled interrupts every task between two statements; a more urgent one interrupts a less urgent
-handler; one that is already waiting is not queued twice.
+handler; one that is already waiting is not queued twice. A handler that only ever raises events itself would leave no
+time to any task; the run ends with `never` then.
 """
 
 from __future__ import annotations
 
-from motionlang.mint.keywords.event_kinds import KINDS, kind_and_number
+from motionlang.controller.faults import Refusal
+from motionlang.mint.keywords.event_kinds import KINDS, SINGLE, kind_and_number
 from motionlang.mint.keywords.operations_index import SOURCES
 from motionlang.mint.runtime.binding import operations_module
 from motionlang.mint.runtime.task import MintTask
@@ -18,8 +20,16 @@ if TYPE_CHECKING:
     from motionlang.mint.runtime.environment import Environment, Make
 
 
+# So many handlers may follow each other, each raised by a statement of a handler before it, until a task has to run.
+MAX_ROUNDS = 10_000
+
+
 class Events:
-    """The handlers of one program, what is being handled (the innermost last) and what waits."""
+    """The handlers of one program, what is being handled (the innermost last) and what waits.
+
+    `_raised_here` are the pending events that a statement of a handler has raised, `_rounds` counts the handlers that
+    such events have begun since a task last ran.
+    """
 
     def __init__(self, environment: Environment) -> None:
         self.environment = environment
@@ -29,6 +39,8 @@ class Events:
         self.timer = 0
         self.listening: set[str] = set()  # kinds of which the machine tells already
         self._timer_event: ClockEvent | None = None
+        self._raised_here: set[tuple[int, int]] = set()
+        self._rounds = 0
         self._handlers: dict[tuple[str, int], Make] = {}
 
     def handle(self, kind: str, number: int, make: Make) -> None:
@@ -44,6 +56,10 @@ class Events:
         if not self.handles(kind, number):
             return
         entry = (KINDS.index(kind), number)
+        if self.active and self._is_handler_running():
+            if self._rounds >= MAX_ROUNDS:
+                raise _never_ends(entry)
+            self._raised_here.add(entry)
         queued = self.environment.machine.readings.get("mint.event-queue")
         known = entry in self.pending or (queued == "forgotten" and entry in self.active)
         if not known or queued == "each":
@@ -51,6 +67,11 @@ class Events:
             self.pending.sort(key=lambda each: each[0])
         clock = self.environment.clock
         clock.at(clock.now, self.deliver)
+
+    def _is_handler_running(self) -> bool:
+        """Whether what happens is done by a statement of a handler; a tick of the timer is not."""
+        scheduler = self.environment.machine.scheduler
+        return scheduler is not None and bool(scheduler.interrupts) and scheduler.current.running
 
     def deliver(self) -> None:
         """Start the most urgent handler, unless one that is as urgent is at work."""
@@ -62,6 +83,9 @@ class Events:
                 return
             self.pending.remove(entry)
             self.active.append(entry)
+            if entry in self._raised_here:
+                self._raised_here.discard(entry)
+                self._rounds += 1
             if rank == 0:
                 self.environment.errors.call()
             make = self._handlers.get((KINDS[rank], number)) or self._handlers[KINDS[rank], -1]
@@ -74,6 +98,8 @@ class Events:
         """A handler has ended: what waited may go on."""
         self.active.pop()
         self.deliver()
+        if not self.active:
+            self._rounds = 0
 
     def bits(self, entries: list[tuple[int, int]]) -> int:
         """The kinds of some events as a bit pattern."""
@@ -108,6 +134,16 @@ class Events:
             self.raise_("timer")
 
         self._timer_event = self.environment.clock.at(start + count * period, tick)
+
+
+def _never_ends(entry: tuple[int, int]) -> Refusal:
+    """The error of handlers that raise themselves or each other forever."""
+    kind, number = KINDS[entry[0]], entry[1]
+    name = kind.upper() if kind in SINGLE else f"{kind.upper()}{number}"
+    message = (
+        f"handlers have raised {MAX_ROUNDS} events in a row, the last one {name}, and no task runs any more"
+    )
+    return Refusal("never", message, f"tasks go on when a handler ends without raising {name} again")
 
 
 class EventTask(MintTask):

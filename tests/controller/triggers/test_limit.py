@@ -84,7 +84,7 @@ def test_listeners_hear_of_faults_and_of_rest() -> None:
     c.listeners.append(lambda what, axis: heard.append((what, axis)))
     c.move_to(0, 12.0)
     c.clock.advance(9.0)
-    assert heard == [("idle", 0), ("fault", 0), ("limit", 0)]
+    assert heard == [("idle", 0), ("fault", 0), ("error", 0), ("limit", 0)]
 
 
 def test_a_new_zero_takes_the_axis_out_of_a_software_limit() -> None:
