@@ -10,7 +10,7 @@ from motionlang.controller.record.due import ROUNDING, doubt, law, lead, move_ti
 from motionlang.controller.record.flanks import begin, last_change
 from motionlang.controller.record.judge import SLACK, Uses
 from motionlang.controller.record.judge_slowing import LATE, slowing
-from motionlang.controller.record.spans import spans
+from motionlang.controller.record.spans import derivatives, spans
 
 if TYPE_CHECKING:
     from motionlang.controller.record.flanks import Begin
@@ -34,6 +34,7 @@ def judge_profile(proof: Proof, a: WholeTrack, i: int, order: Order, shifted: bo
     """
     profile = a.profiles[i]
     proof.counts["profiles"] += order.kind != "rest"
+    _judge_edges(proof, a, i, order)
     if not profile.pieced or order.kind == "rest":
         return
     parts = spans(profile, 0.0, min(length, 1e300))
@@ -121,6 +122,27 @@ def _slowing(profile: Profile, order: Order, begun: Begin) -> Slowing:
     over = max(begun.time, begun.left or 0.0) * (1.0 + SLACK) + LATE
     came, until = max(slow.came, begun.came), max(slow.until, over if begun.came > speed else 0.0)
     return slow._replace(came=came, until=until, eased=over)
+
+
+def _judge_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+    """A profile begins and ends where its pieces do: what it says of its ends is what joins are compared by."""
+    profile = a.profiles[i]
+    duration = profile.duration
+    if not isfinite(duration) or not duration:
+        return
+    if profile.pieced:
+        first, speed = derivatives(profile.pieces[0], 0.0)[:2]
+        last = derivatives(profile.pieces[-1], profile.knots[-1] - profile.knots[-2])[0]
+    else:  # a moment before its end
+        early = 1e-9 * duration
+        state = profile.at(duration - early)
+        first, last, speed = profile.at(0.0).position, state.position + early * state.velocity, state.velocity
+    size = SLACK * max(1.0, abs(profile.start), abs(profile.end))
+    late = 4e-16 * (1.0 + a.starts[i] + duration)
+    for name, told, done in (("begins", profile.start, first), ("ends", profile.end, last)):
+        if abs(told - done) > size + 4.0 * late * abs(speed):
+            where = f"axis {a.index} from {a.starts[i]:.6f} s"
+            proof.breaks(order.line, f"{where}: it {name} at {told:g}, its pieces have it at {done:g}")
 
 
 def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[Span]) -> None:

@@ -58,7 +58,8 @@ def _judge_going(proof: Proof, run: Run, a: WholeTrack, going: list[Move]) -> No
     speeds = [
         each.profile.velocity(run.until - each.start_time) for each in going if each.profile is not None
     ]
-    done = _velocity(run, a)
+    k = a.place(run.until)
+    done = a.profiles[k].velocity(run.until - a.starts[k])
     if abs(fsum(speeds) - done) > SLACK * max(1.0, abs(done), *map(abs, speeds)):
         words = f"its entries run at {fsum(speeds):g} counts/s as the run ends, the axis at {done:g}"
         proof.breaks(first.line, f"{where}: {words}")
@@ -80,11 +81,3 @@ def _judge_last(proof: Proof, run: Run, a: WholeTrack, last: Move) -> None:
     if abs(end - done) > SLACK * max(1.0, abs(end), abs(done)):
         where = f"axis {a.index} from {last.start_time:.6f} s"
         proof.breaks(last.line, f"{where}: the last entry ends at {end:g}, the axis stands at {done:g}")
-
-
-def _velocity(run: Run, a: WholeTrack) -> float:
-    """The velocity of an axis as the run ends, before what begins at that very moment."""
-    i = a.place(run.until)
-    while i > 0 and a.starts[i] >= run.until - ROUNDED * (1.0 + run.until):
-        i -= 1
-    return a.profiles[i].velocity(run.until - a.starts[i])

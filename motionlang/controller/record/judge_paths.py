@@ -140,6 +140,7 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     way = Way(path, [profile.start for profile in profiles])
     blended = run.is_blended(master, begin)
     where = f"path from {begin:.6f} s"
+    tracks: list[tuple[Profile, float]] = []
     if blended:
         proof.excuses("paths blended into each other")
         along = _along([(profile, begin - path.begun) for profile in profiles], way, end - begin)
@@ -152,12 +153,30 @@ def judge_path(proof: Proof, run: Run, master: WholeTrack, i: int, order: Order,
     if along:
         _judge_along(proof, order, way, along, where)
         reached = [profile.position(end - path.begun) for profile in profiles]
+        if not blended:  # what was planned counts, also where something else has come before its end
+            planned = min(profile.duration - time for profile, time in tracks)
+            if end - begin < planned < inf:
+                along = _along(tracks, way, planned)
+                reached = [profile.position(time + planned) for profile, time in tracks]
+        if not along:
+            return
         # A full circle ends where it begins.
         gone = way.length if way.unit is not None else along[-1].at(along[-1].length)[0]
         if gone >= way.length * (1.0 - SLACK) and all(
             abs(at - last) <= SLACK * max(1.0, abs(last)) for at, last in zip(reached, way.ends, strict=True)
         ):
             _judge_path_time(proof, order, way, along, where)
+
+
+def judge_tail(proof: Proof, run: Run, order: Order, begin: float, length: float) -> None:
+    """The speed along a path, and how that changes, while another one is on top of it."""
+    path = order.path
+    assert path is not None
+    profiles = [entry.profile for entry in run.members(path) if entry.profile is not None]
+    way = Way(path, [profile.start for profile in profiles])
+    along = _along([(profile, begin - path.begun) for profile in profiles], way, length)
+    if along:
+        _judge_along(proof, order, way, along, f"path from {path.begun:.6f} s at {begin:.6f} s")
 
 
 def _judge_way(

@@ -39,6 +39,7 @@ class PathOrder(NamedTuple):
     began; `most`, `most_accel` and `most_decel` are the limits of its axes; corners up to `angle_through` degrees are
     run through. Of several paths that begin at one moment, since they are blended into each other, it is the `nth`.
     `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not begun.
+    `tails` are those that it is blended with, begun before it.
     A path that `rests` was stopped or suspended: it comes to rest wherever that is, on one of those `ahead` perhaps.
     """
 
@@ -60,6 +61,7 @@ class PathOrder(NamedTuple):
     rests: bool = False
     ahead: tuple[Order, ...] = ()
     entry: int = -1
+    tails: tuple[Order, ...] = ()
 
 
 class Tie(NamedTuple):
@@ -136,6 +138,8 @@ class Orders:
         self.stands: dict[tuple[int, float], str] = {}
         # The number of each path among those that its master began at one moment.
         self._nth: dict[PathMove, int] = {}
+        # The paths that each axis is the master of, as far as they are under way, and what was last ordered for them.
+        self._under_way: dict[int, dict[PathMove, Order]] = {}
         self._counts: dict[tuple[int, float], int] = {}
         # When the log entry of a path began, and its number in the log: a long one goes on as another entry.
         self._entries: dict[Move, tuple[float, int]] = {}
@@ -204,11 +208,41 @@ class Orders:
         if began != move.start_time:
             entry = self._controller.log.moves.number(move)
             self._entries[move] = move.start_time, entry
-        return _path(action, move, self._nth[action], entry)
+        order = _path(action, move, self._nth[action], entry)
+        if a is action.axes[0] and order.path is not None:
+            running = self._under_way.setdefault(a.index, {})
+            path = order.path._replace(tails=self._tails(running, action, order.path.rests))
+            if action in running:  # it was laid out with the scales that its axes had then
+                path = path._replace(scales=_scales(running[action]))
+            order = running[action] = order._replace(path=path)
+        return order
+
+    def _tails(self, running: dict[PathMove, Order], action: PathMove, rests: bool) -> tuple[Order, ...]:
+        """The orders of the paths that are still run, but for the last one; a rate that came too late waits."""
+        found = []
+        for each, before in list(running.items()):
+            move = each.moves[0]
+            if each is action or move.profile is None:
+                continue
+            if move.ended or move.start_time + move.profile.duration <= self._controller.clock.now:
+                del running[each]
+                continue
+            order = _path(each, move, self._nth[each], self._entries[move][1])
+            assert order.path is not None
+            rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
+            path = order.path._replace(rests=order.path.rests or rests, scales=_scales(before))
+            running[each] = order._replace(rates=rates, path=path)
+            found.append(running[each])
+        return tuple(found)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
         self.stands[a.index, self._controller.clock.now] = ended
+
+
+def _scales(order: Order) -> tuple[float, ...]:
+    assert order.path is not None
+    return order.path.scales
 
 
 def _order(a: Axis) -> Order:
@@ -251,8 +285,11 @@ def _stopped(a: Axis, move: Move) -> Order:
 def _tie(action: Gear | CurveFollow) -> Tie:
     if isinstance(action, Gear):
         return Tie(action.master, action.ratio, action.locked)
-    way = action.origin, action.direction
-    return Tie(action.master, 0.0, INFINITY, action.curve, *way, action.ordered)
+    origin, direction, table = action.origin, action.direction, action.ordered
+    if table is not None and table[2] == "even":  # the master's way has the sign that was ordered
+        over = table[0][-1]
+        direction, table = (1 if over > 0.0 else -1), ((0.0, abs(over)), *table[1:])
+    return Tie(action.master, 0.0, INFINITY, action.curve, origin, direction, table)
 
 
 def _rates(a: Axis, move: Move) -> tuple[float, float]:

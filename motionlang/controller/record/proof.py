@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Proof, Run
 from motionlang.controller.record.judge_axes import PLANNED, judge_profile
+from motionlang.controller.record.judge_blends import judge_blend
 from motionlang.controller.record.judge_entries import Ends, judge_ends, take_entry
 from motionlang.controller.record.judge_followers import judge_points, judge_reference, judge_tie
 from motionlang.controller.record.judge_paths import judge_path, judge_path_end
@@ -67,6 +68,7 @@ def prove(
                 judge_profile(proof, a, i, order, shifted, end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     judge_path(proof, run, a, i, order, end)
+                    judge_blend(proof, run, a, i, order, end)
                 elif order.tie is not None:
                     judge_tie(proof, run, a, i, order, end)
                 elif order.points is not None:
