@@ -128,3 +128,11 @@ def test_a_stop_that_is_given_another_zero_stays_the_stop_it_is() -> None:
     begin, duration = stop_of(program)
     assert begin == pytest.approx(0.4, abs=1e-6)
     assert duration == pytest.approx(0.2 + 135.0 / 3000.0, abs=1e-5)
+
+
+def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
+    """It ends 300 from where it began, which is 1000 higher from then on; the other one of the path is at 400."""
+    program = "MN,1CM1,2CM1,1PS0.3,1VV100,1VA100,1VD100\n1CP1,1MA300,2MA400,WA0.5,1TP,1DH1000,1WS\n"
+    result = proved(program, "mcl")
+    shift = 1000.0 - float(result.output[0].split()[1])
+    assert places(result, 1, 2) == pytest.approx([300.0 + shift, 400.0], abs=1.0)

@@ -93,6 +93,7 @@ class Played(Action):
         return last.after(elapsed), 0.0, 1.0
 
     def shift(self, controller: Core, a: Axis, shift: float) -> None:
+        """The same points have positions `shift` counts higher, and those that are past count no more."""
         last, elapsed = a.profiles[-1], controller.clock.now - a.starts[-1]
         if not self._is_paced and elapsed < last.duration:
             self._count_from_here(controller, a, last, elapsed)

@@ -5,7 +5,7 @@ It shares no code with the planners: it evaluates the pieces by itself and asks 
 
 from __future__ import annotations
 
-from math import acos, degrees, fsum, inf, isfinite, sqrt
+from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 from typing import TYPE_CHECKING
 
 from motionlang.controller.record.judge import SLACK, Proof, Run
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from motionlang.controller.record.orders import Order, Orders
     from motionlang.controller.record.trace import Samples
     from motionlang.controller.record.track import Recorded, WholeTrack
-    from motionlang.profile import State
+    from motionlang.profile import Profile, State
 
 # The part of the time of a log entry at which the track is compared with it, beside its ends.
 LOOKS = (0.0, 0.21, 0.5, 0.83, 1.0)
@@ -178,12 +178,19 @@ def _speed(scales: Sequence[float], states: Sequence[State]) -> float:
     return sqrt(fsum((s.velocity / k) ** 2 for k, s in zip(scales, states, strict=True)))
 
 
+def _at_last(profile: Profile, time: float) -> State:
+    """Its state at a time that may be rounded to its end, where it has no acceleration any more."""
+    return profile.at(min(time, nextafter(profile.duration, 0.0)))
+
+
 def _both(run: Run, order: Order, time: float) -> tuple[list[State], list[State]]:
     """The states of the axes of a path just before a moment and from then on."""
     assert order.path is not None
     axes = [run.axes[number] for number in order.path.members]
     places = [a.place(time) for a in axes]
-    old = [a.profiles[k - 1].at(time - a.starts[k - 1]) for a, k in zip(axes, places, strict=True)]
+    # An axis that was given another zero has a profile of its own from then on, the others of the path have not.
+    before = [k - (a.starts[k] == time) for a, k in zip(axes, places, strict=True)]
+    old = [_at_last(a.profiles[k], time - a.starts[k]) for a, k in zip(axes, before, strict=True)]
     return old, [a.profiles[k].at(time - a.starts[k]) for a, k in zip(axes, places, strict=True)]
 
 
