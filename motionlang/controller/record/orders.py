@@ -6,6 +6,7 @@ never what a planner made of it.
 
 from __future__ import annotations
 
+from copy import copy
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.controller.motion.follow import Gear
@@ -20,6 +21,7 @@ from motionlang.controller.record.track import WholeTrack
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
@@ -187,7 +189,30 @@ class Orders:
         if action not in self._nth:
             key = action.axes[0].index, move.start_time
             self._nth[action] = self._counts[key] = self._counts.get(key, -1) + 1
-        return _path(action, move, self._nth[action])
+        run, nth = action.run, self._nth[action]
+        if run is not None and len(run.courses) > 1 and run.present.began != self._controller.clock.now:
+            # Only the path that it is blended with has changed: what it was planned by still holds.
+            return next(
+                order
+                for order in reversed(self.of[a.index])
+                if order.path is not None and (order.path.begun, order.path.nth) == (move.start_time, nth)
+            )
+        return _path(action, move, nth)
+
+    def displace(self, action: PathMove) -> None:
+        """A path has begun elsewhere, since the one that it is blended with was cut short: its orders go with it."""
+        if action not in self._nth:
+            return
+        begun, nth = action.moves[0].start_time, self._nth[action]
+        for a in action.axes:
+            records = self.of[a.index]
+            for back, start in enumerate(reversed(a.starts), 1):
+                order = records[-back]
+                if start < begun:
+                    break
+                if order.path is not None and (order.path.begun, order.path.nth) == (begun, nth):
+                    path = order.path._replace(**_places(action))
+                    records[-back] = order._replace(path=path)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
@@ -287,16 +312,26 @@ def _path(action: PathMove, move: Move, nth: int) -> Order:
         move.start_time,
         nth,
         action.relative,
-        tuple(geometry.targets) if isinstance(geometry, Line) else (),
-        (0.0, 0.0) if straight else tuple(geometry.centre),  # type: ignore[union-attr]
-        0.0 if straight else geometry.angle,  # type: ignore[union-attr]
-        () if straight else tuple(geometry.rest),  # type: ignore[union-attr]
-        (0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
-        geometry.length,
-        tuple(each.max_speed for each in axes),
-        tuple(each.max_accel for each in axes),
-        tuple(each.max_decel for each in axes),
-        through,
+        **_places(action),
+        angle=0.0 if straight else geometry.angle,  # type: ignore[union-attr]
+        plane=(0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
+        length=geometry.length,
+        most=tuple(each.max_speed for each in axes),
+        most_accel=tuple(each.max_accel for each in axes),
+        most_decel=tuple(each.max_decel for each in axes),
+        angle_through=through,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
     return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)
+
+
+def _places(action: PathMove) -> dict[str, Any]:
+    """The fields of a `PathOrder` that count from the zeros of the axes, unless it is relative."""
+    geometry = action.geometry
+    if action.displaced and not action.relative:
+        geometry = copy(geometry)
+        for k, by in enumerate(action.displaced):
+            geometry.shift(k, by)
+    if isinstance(geometry, Line):
+        return {"line": tuple(geometry.targets), "centre": (0.0, 0.0), "rest": ()}
+    return {"line": (), "centre": tuple(geometry.centre), "rest": tuple(geometry.rest)}
