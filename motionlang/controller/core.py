@@ -222,7 +222,7 @@ class Core(Readings):
         else:
             self.clock.again(a.bell, end)
         if self.orders is not None:
-            self.orders.add_plain(a, line, speed, (accel, decel))
+            self.orders.add_plain(a, line)
         log.moves.append(row)  # type: ignore[arg-type]
         log.room -= 1
         if log.room < 0:

@@ -149,7 +149,7 @@ def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
     """Position goes on from piece to piece; the velocity of planned motion too, and the acceleration of S-ramps."""
     profile = a.profiles[i]
     names = ("position", "velocity", "acceleration")[
-        : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends else 2
+        : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends and profile.shape != "blend" else 2
     ]
     sizes = [max(1.0, abs(profile.start))]
     for left, right in pairwise(parts):

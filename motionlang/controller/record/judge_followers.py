@@ -200,8 +200,11 @@ def judge_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
     uses.tell(order.line, where, " counts")
     took = profile.knots[-2] if endless else profile.knots[-1]
     wanted = _reference_time(entry.velocity, entry.acceleration, order.goal, order.slopes)
-    if took > wanted * (1.0 + SLACK) + 1e-9:
+    if abs(took - wanted) > wanted * SLACK + 1e-9:
         proof.breaks(order.line, f"{where}: it takes {took:g} s where {wanted:g} s are due")
+    if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
+        words = f"it comes to {profile.end_velocity:g} counts/s, written is {order.goal:g}"
+        proof.breaks(order.line, f"{where}: {words}")
 
 
 def _reference_time(v0: float, a0: float, v1: float, slopes: tuple[tuple[float, float, float], ...]) -> float:

@@ -76,7 +76,9 @@ def slowing(v0: float, a0: float, speed: float, by: Law, extra: float = 0.0) -> 
         came += 0.5 * a0 * a0 / by.jerks[0] if a0 > 0.0 else 0.0
         eased = abs(a0) / min(by.jerks) * (1.0 + SLACK) + LATE
     if came > speed:
-        until = lead(v0, a0 if by.smooth else 0.0, speed, by)[0] * (1.0 + SLACK) + extra + LATE
+        # A ramp with a shape that leads to rest, where the motion turns round, is later at the speed than one to it.
+        to = speed if by.stretch == 1.0 else 0.0
+        until = lead(v0, a0 if by.smooth else 0.0, to, by)[0] * (1.0 + SLACK) + extra + LATE
     stretches = _stretches(v0, a0, came, speed, by) if until and by.stretch == 1.0 and not extra else ()
     return Slowing(v0, speed, came, until, eased, stretches)
 

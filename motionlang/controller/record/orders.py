@@ -165,9 +165,11 @@ class Orders:
                 ]  # the same motion at a new zero: settings that came since do not act
             self._append(a, order)
 
-    def add_plain(self, a: Axis, line: int, speed: float, rates: tuple[float, float]) -> None:
-        """An axis begins a plain move."""
-        self._append(a, Order("move", line, speed, rates, ENDLESS, a.shape, ramp=a.ramp))
+    def add_plain(self, a: Axis, line: int) -> None:
+        """An axis begins a plain move, the last of its rows."""
+        own = a.plain[-1][-1][4]
+        speed = a.speed if own is None else own
+        self._append(a, Order("move", line, speed, a.rates(speed), ENDLESS, a.shape, ramp=a.ramp))
 
     def _append(self, a: Axis, order: Order) -> None:
         """One that is like another is that one; where there is no room the run goes on as one without a proof."""
