@@ -211,10 +211,8 @@ class Orders:
         order = _path(action, move, self._nth[action], entry)
         if a is action.axes[0] and order.path is not None:
             running = self._under_way.setdefault(a.index, {})
-            path = order.path._replace(tails=self._tails(running, action, order.path.rests))
-            if action in running:  # it was laid out with the scales that its axes had then
-                path = path._replace(scales=_scales(running[action]))
-            order = running[action] = order._replace(path=path)
+            tails = self._tails(running, action, order.path.rests)
+            order = running[action] = order._replace(path=order.path._replace(tails=tails))
         return order
 
     def _tails(self, running: dict[PathMove, Order], action: PathMove, rests: bool) -> tuple[Order, ...]:
@@ -224,13 +222,13 @@ class Orders:
             move = each.moves[0]
             if each is action or move.profile is None:
                 continue
-            if move.ended or move.start_time + move.profile.duration <= self._controller.clock.now:
+            if move.start_time + move.profile.duration <= self._controller.clock.now:
                 del running[each]
                 continue
             order = _path(each, move, self._nth[each], self._entries[move][1])
             assert order.path is not None
             rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
-            path = order.path._replace(rests=order.path.rests or rests, scales=_scales(before))
+            path = order.path._replace(rests=order.path.rests or rests)
             running[each] = order._replace(rates=rates, path=path)
             found.append(running[each])
         return tuple(found)
@@ -238,11 +236,6 @@ class Orders:
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
         self.stands[a.index, self._controller.clock.now] = ended
-
-
-def _scales(order: Order) -> tuple[float, ...]:
-    assert order.path is not None
-    return order.path.scales
 
 
 def _order(a: Axis) -> Order:
