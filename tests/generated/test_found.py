@@ -136,3 +136,12 @@ def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
     result = proved(program, "mcl")
     shift = 1000.0 - float(result.output[0].split()[1])
     assert places(result, 1, 2) == pytest.approx([300.0 + shift, 400.0], abs=1.0)
+
+
+def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_first() -> None:
+    """200 at 20 with 100, without a stop at the corner: 200/20 + 20/100 s."""
+    lines = "MOVEBUFFERSIZE(0) = 9 : MOVEBUFFERSIZE(1) = 9\nCONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n"
+    paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\nCONTOURMODE(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(RATES + lines + paths)
+    assert places(result, 0, 1) == [100.0, 100.0]
+    assert result.time == pytest.approx(200.0 / 20.0 + 0.2)
