@@ -29,9 +29,10 @@ class PathMove(Action):
 
     The geometry of a `relative` one counts from where its axes are when it begins. A path with a `guide` goes by what
     that says, and not by the settings of its axes. `scales` are the counts per user unit of each axis as it was loaded.
+    `displaced` is how far it lies from its geometry, on each axis, since a path that it is blended with was cut short.
     """
 
-    __slots__ = ("axes", "geometry", "guide", "moves", "relative", "run", "scales")
+    __slots__ = ("axes", "displaced", "geometry", "guide", "moves", "relative", "run", "scales")
 
     def __init__(
         self,
@@ -45,6 +46,7 @@ class PathMove(Action):
         self.guide = guide
         self.scales = [a.scale.counts for a in axes] if guide is None else guide.scales
         self.run: PathRun | None = None
+        self.displaced: Sequence[float] = ()
 
     @property
     def live(self) -> bool:
@@ -141,11 +143,18 @@ class PathMove(Action):
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
                 buffer.reach(controller, other, each)
-        run = PathRun(controller, self, [each.target for each in self.axes])
-        run.plan()
-        run.start()
+        PathRun(controller, self, [each.target for each in self.axes]).start()
 
     # -- under way
+
+    def entries(self, a: Axis, move: Move) -> tuple[Move, ...]:
+        return (move,) if self.run is None else self.run.entries(a)
+
+    def displace(self, controller: Core, by: Sequence[float]) -> None:
+        """The path lies elsewhere than it was ordered to, as the one that it is blended with was cut short."""
+        self.displaced = by
+        if controller.orders is not None:
+            controller.orders.displace(self)
 
     def replan(self, controller: Core, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):

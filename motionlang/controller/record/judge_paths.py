@@ -204,7 +204,7 @@ def _judge_way(
             return
         if along and way.unit is None:
             span = next((each for each in reversed(along) if each.begin <= share * length), along[0])
-            gone = span.at(share * length - span.begin)[0]
+            gone = span.at(min(share * length - span.begin, span.length))[0]
             beside = max(abs(p - w) for p, w in zip(places, way.at(gone), strict=True))
             if beside > slack * max(map(abs, way.path.scales)):
                 proof.breaks(order.line, f"{where}: {gone:g} along it lie {beside:g} counts elsewhere")

@@ -146,7 +146,7 @@ class Moves(Stream[Move]):
 
     def _live(self) -> set[int]:
         """The identities of the moves that are under way."""
-        moves = [a.move for a in self.axes.values() if a.move is not None]
+        moves = [move for a in self.axes.values() for move in a.entries]
         on_top = [getattr(move.action, "offset_entry", None) for move in moves]
         return {id(move) for move in (*moves, *on_top)}
 

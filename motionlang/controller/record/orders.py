@@ -6,6 +6,7 @@ never what a planner made of it.
 
 from __future__ import annotations
 
+from copy import copy
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.controller.motion.follow import Gear
@@ -20,6 +21,7 @@ from motionlang.controller.record.track import WholeTrack
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from motionlang.controller.axis import Axis
     from motionlang.controller.controller import Controller
@@ -208,7 +210,7 @@ class Orders:
         if began != move.start_time:
             entry = self._controller.log.moves.number(move)
             self._entries[move] = move.start_time, entry
-        order = _path(action, move, self._nth[action], entry)
+        order = self._planned_by(a, action) or _path(action, move, self._nth[action], entry)
         if a is action.axes[0] and order.path is not None:
             running = self._under_way.setdefault(a.index, {})
             tails = self._tails(running, action, order.path.rests)
@@ -226,16 +228,65 @@ class Orders:
                 del running[each]
                 continue
             order = _path(each, move, self._nth[each], self._entries[move][1])
-            assert order.path is not None
-            rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
-            path = order.path._replace(rests=order.path.rests or rests)
-            running[each] = order._replace(rates=rates, path=path)
+            running[each] = _gentler(order, before, rests)
             found.append(running[each])
         return tuple(found)
+
+    def _planned_by(self, a: Axis, action: PathMove) -> Order | None:
+        """The order of a path that goes on as it was planned, where only the one that it is blended with changes."""
+        run, key = action.run, (action.moves[0].start_time, self._nth[action])
+        if run is None or len(run.courses) < 2 or run.present.began == self._controller.clock.now:
+            return None
+        return next(
+            order
+            for order in reversed(self.of[a.index])
+            if order.path is not None and (order.path.begun, order.path.nth) == key
+        )
+
+    def displace(self, action: PathMove) -> None:
+        """A path has begun elsewhere, since the one that it is blended with was cut short: its orders go with it."""
+        if action not in self._nth:
+            return
+        begun, nth = action.moves[0].start_time, self._nth[action]
+        for a in action.axes:
+            records = self.of[a.index]
+            for back, start in enumerate(reversed(a.starts), 1):
+                order = records[-back]
+                if start < begun:
+                    break
+                if order.path is not None and (order.path.begun, order.path.nth) == (begun, nth):
+                    path = order.path._replace(**_places(action))
+                    records[-back] = order._replace(path=path)
 
     def freeze(self, a: Axis, ended: str) -> None:
         """An axis is about to be told to stand at once."""
         self.stands[a.index, self._controller.clock.now] = ended
+
+
+def _ahead(action: PathMove) -> tuple[Order, ...]:
+    """The orders of the paths that a path goes on into."""
+    courses = () if action.run is None else action.run.courses
+    return tuple(
+        _path(each, each.moves[0], 0, -1)
+        for course in courses
+        if course.here is action
+        for each, _ in course.ahead
+    )
+
+
+def _gentler(order: Order, before: Order, rests: bool) -> Order:
+    """What is ordered now for a path that another one is on top of; a rate that came too late for it still counts."""
+    path, old = order.path, before.path
+    assert path is not None
+    assert old is not None
+    path = path._replace(
+        rests=path.rests or rests,
+        most_accel=tuple(map(max, path.most_accel, old.most_accel)),
+        most_decel=tuple(map(max, path.most_decel, old.most_decel)),
+    )
+    rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
+    jerks = max(order.jerks[0], before.jerks[0]), max(order.jerks[1], before.jerks[1])
+    return order._replace(rates=rates, jerks=jerks, path=path)
 
 
 def _order(a: Axis) -> Order:
@@ -335,21 +386,29 @@ def _path(action: PathMove, move: Move, nth: int, entry: int) -> Order:
         move.start_time,
         nth,
         action.relative,
-        tuple(geometry.targets) if isinstance(geometry, Line) else (),
-        (0.0, 0.0) if straight else tuple(geometry.centre),  # type: ignore[union-attr]
-        0.0 if straight else geometry.angle,  # type: ignore[union-attr]
-        () if straight else tuple(geometry.rest),  # type: ignore[union-attr]
-        (0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
-        geometry.length,
-        tuple(each.max_speed for each in axes),
-        tuple(each.max_accel for each in axes),
-        tuple(each.max_decel for each in axes),
-        through,
-        rests,
-        tuple(_path(each, each.moves[0], 0, -1) for each, _ in run.ahead)
-        if rests and run is not None
-        else (),
-        entry,
+        **_places(action),
+        angle=0.0 if straight else geometry.angle,  # type: ignore[union-attr]
+        plane=(0, 1) if straight else geometry.plane,  # type: ignore[union-attr]
+        length=geometry.length,
+        most=tuple(each.max_speed for each in axes),
+        most_accel=tuple(each.max_accel for each in axes),
+        most_decel=tuple(each.max_decel for each in axes),
+        angle_through=through,
+        rests=rests,
+        ahead=_ahead(action) if rests else (),
+        entry=entry,
     )
     bounds = speed / k, (rates[0] / k, rates[1] / k), (jerks[0] / k, jerks[1] / k)
     return Order("path", move.line, *bounds, shape, path=path, ramp=ramp)
+
+
+def _places(action: PathMove) -> dict[str, Any]:
+    """The fields of a `PathOrder` that count from the zeros of the axes, unless it is relative."""
+    geometry = action.geometry
+    if action.displaced and not action.relative:
+        geometry = copy(geometry)
+        for k, by in enumerate(action.displaced):
+            geometry.shift(k, by)
+    if isinstance(geometry, Line):
+        return {"line": tuple(geometry.targets), "centre": (0.0, 0.0), "rest": ()}
+    return {"line": (), "centre": tuple(geometry.centre), "rest": tuple(geometry.rest)}
