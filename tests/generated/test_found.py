@@ -114,9 +114,9 @@ def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_ow
     """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that: the acceleration grows by 1000 in 2/3 s.
 
     After 0.3 s it is 450 and falls in another 0.3 s, to twice the 67.5 counts/s of that moment. From 135 the axis stops
-    in 135/(5000 * 0.6) s.
+    in 135/(5000 * 0.6) s. An SV written together with the ST changes nothing of that.
     """
-    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST\n1WS\n"
+    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1SV100,1ST\n1WS\n"
     begin, duration = stop_of(program)
     assert begin == pytest.approx(0.3, abs=1e-6)
     assert duration == pytest.approx(0.3 + 135.0 / 3000.0, abs=1e-5)
