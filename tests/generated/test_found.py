@@ -148,6 +148,6 @@ def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_fir
 
 
 def test_an_s_curve_takes_over_from_a_parabola_at_the_speed_that_it_leads_to() -> None:
-    """The parabola to 2000 takes 2 * 2000/500 = 8 s and is left at 0.3 s: its flank ends at 2000, and no ramp is left."""
+    """The parabola to 2000 takes 2 * 2000/500 = 8 s; left at 0.3 s, its flank still ends at 2000 and leaves no ramp."""
     result = proved("1MN,1SV2000,1SA500,1DS500,1PP\n1VM,1GO,WA0.313,1PS0.45,1GO,WA8,1TV\n1AB\n", "mcl")
     assert result.output == ["01 2000"]
