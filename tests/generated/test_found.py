@@ -114,9 +114,9 @@ def test_a_stop_out_of_the_first_flank_of_an_s_curve_takes_that_flank_and_its_ow
     """The ramp to 1000 takes 1000/(1000 * 0.6) s, its flank 0.4 of that: the acceleration grows by 1000 in 2/3 s.
 
     After 0.3 s it is 450 and falls in another 0.3 s, to twice the 67.5 counts/s of that moment. From 135 the axis stops
-    in 135/(5000 * 0.6) s.
+    in 135/(5000 * 0.6) s. An SV written together with the ST changes nothing of that.
     """
-    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1ST\n1WS\n"
+    program = "1MN,1SV1000,1SA1000,1DS5000,1PS0.4\n1VM,1GO,WA0.3,1SV100,1ST\n1WS\n"
     begin, duration = stop_of(program)
     assert begin == pytest.approx(0.3, abs=1e-6)
     assert duration == pytest.approx(0.3 + 135.0 / 3000.0, abs=1e-5)
@@ -136,3 +136,18 @@ def test_one_axis_of_a_contour_is_given_another_zero_in_its_s_curve() -> None:
     result = proved(program, "mcl")
     shift = 1000.0 - float(result.output[0].split()[1])
     assert places(result, 1, 2) == pytest.approx([300.0 + shift, 400.0], abs=1.0)
+
+
+def test_paths_that_are_joined_stay_so_if_contourmode_is_switched_off_on_the_first() -> None:
+    """200 at 20 with 100, without a stop at the corner: 200/20 + 20/100 s."""
+    lines = "MOVEBUFFERSIZE(0) = 9 : MOVEBUFFERSIZE(1) = 9\nCONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n"
+    paths = "VECTORR(0, 1) = 100, 0\nVECTORR(0, 1) = 0, 100\nGO(0)\nWAIT = 100\nCONTOURMODE(0) = 0\nPAUSE IDLE(0)\n"
+    result = proved(RATES + lines + paths)
+    assert places(result, 0, 1) == [100.0, 100.0]
+    assert result.time == pytest.approx(200.0 / 20.0 + 0.2)
+
+
+def test_an_s_curve_takes_over_from_a_parabola_at_the_speed_that_it_leads_to() -> None:
+    """The parabola to 2000 takes 2 * 2000/500 = 8 s; left at 0.3 s, its flank still ends at 2000 and leaves no ramp."""
+    result = proved("1MN,1SV2000,1SA500,1DS500,1PP\n1VM,1GO,WA0.313,1PS0.45,1GO,WA8,1TV\n1AB\n", "mcl")
+    assert result.output == ["01 2000"]

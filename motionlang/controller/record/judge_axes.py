@@ -152,7 +152,9 @@ def _judge_knots(proof: Proof, a: WholeTrack, i: int, order: Order, parts: list[
         : 1 if order.kind not in (*PLANNED, "path") else 3 if order.bends and profile.shape != "blend" else 2
     ]
     sizes = [max(1.0, abs(profile.start))]
-    for left, right in pairwise(parts):
+    # A ramp between velocities that differ by their rounding takes no time, whatever its rate.
+    lasting = (span for span in parts if span.length > 4e-16 * (1.0 + a.starts[i] + span.begin))
+    for left, right in pairwise(lasting):
         before, after = left.at(left.length), right.at(0.0)
         if len(sizes) == 1:
             sizes += [max(1.0, profile.peak_speed), max(1.0, *(r for r in order.rates if r < inf), 1.0)]

@@ -230,8 +230,9 @@ def _judge_along(proof: Proof, order: Order, way: Way, along: list[Span], where:
         excused = end <= max(slow.until, slow.eased)
         came, bent = (slow.came, abs(a0) if smooth else 0.0) if excused else (0.0, 0.0)
         eased = bent if end <= slow.eased else 0.0
-        fastest = SLACK if path.rests else order.speed  # at rest but for rounding
-        uses.look("path speed", span.peak(1), max(fastest, came if end <= slow.until else 0.0))
+        fastest, peak = 0.0 if path.rests else order.speed, span.peak(1)
+        if peak > SLACK or not path.rests:  # at rest but for rounding
+            uses.look("path speed", peak, max(fastest, came if end <= slow.until else 0.0))
         for power, left, right in span.sides():
             side = 0 if power > 0.0 else 1
             rate, speed = max(abs(left[2]), abs(right[2])), max(abs(left[1]), abs(right[1]))

@@ -143,8 +143,8 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     named = [kind for kind in kinds if kind not in (*PLANNED, "rest", "path")]
     if named:
         return f"a step of {named[-1]}: a table, a master or a reference of the program"
-    order = run.orders.of[a.index][i]
-    if kinds != ("path", "path") or order.path is None:
+    order, earlier = run.orders.of[a.index][i], run.orders.of[a.index][i - 1]
+    if order.path is None or earlier.path is None:
         return ""
     scales = order.path.scales
     old, new = _both(run, order, a.starts[i])
@@ -157,7 +157,9 @@ def _excuse(run: Run, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
     dot = fsum(o * n for o, n in ways)
     chord = sqrt(fsum((o - n) ** 2 for o, n in ways))
     angle = half_angle(chord) if dot > 0.5 else degrees(acos(max(-1.0, min(1.0, dot))))
-    return "a kink within CONTOURANGLE" if angle <= order.path.angle_through + 1e-6 else ""
+    # The path before was planned into this one by the CONTOURANGLE of that time.
+    through = max(order.path.angle_through, earlier.path.angle_through)
+    return "a kink within CONTOURANGLE" if angle <= through + 1e-6 else ""
 
 
 def _bend(run: Run, order: Order, time: float) -> float:
